@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H
+#define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H
+
+// What has to be known about a matrix before it may be given to SuperLU, which trusts its input.
+
+#include <CGAL/Eigen_sparse_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+
+typedef Eigen::SparseMatrix<double> SuperLU_matrix;
+
+// Is the matrix square, not empty, are its entries finite, and do the row indices of every column increase?
+inline bool superlu_is_well_formed(const SuperLU_matrix& a)
+{
+  if(a.rows() != a.cols() || a.rows() == 0 || !a.isCompressed())
+    return false;
+
+  for(int j = 0; j < a.cols(); ++j) {
+    int previous = -1;
+    for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k) {
+      if(a.innerIndexPtr()[k] <= previous || !std::isfinite(a.valuePtr()[k]))
+        return false;
+      previous = a.innerIndexPtr()[k];
+    }
+  }
+  return true;
+}
+
+// Is there an off-diagonal entry, and all of them are below the diagonal? Such an entry is returned in `(i, j)`.
+inline bool superlu_is_lower_triangle(const SuperLU_matrix& a, int& i, int& j)
+{
+  bool found = false;
+  for(int column = 0; column < a.cols(); ++column) {
+    for(SuperLU_matrix::InnerIterator it(a, column); it; ++it) {
+      if(it.row() < column)
+        return false;
+      if(it.row() > column && it.value() != 0) {
+        i = static_cast<int>(it.row());
+        j = column;
+        found = true;
+      }
+    }
+  }
+  return found;
+}
+
+// `Eigen_sparse_matrix` does not tell whether it was made with `is_symmetric = true`, and then holds
+// one triangle only. It gives itself away by answering for the other triangle; asking
+// may insert an entry into the matrix, hence the copy.
+inline bool superlu_stores_one_triangle(const Eigen_sparse_matrix<double>& matrix)
+{
+  int i = 0, j = 0;
+  if(!superlu_is_lower_triangle(matrix.eigen_object(), i, j))
+    return false;
+  Eigen_sparse_matrix<double> copy(matrix);
+  return copy.get_coef(j, i) != 0;
+}
+
+// The square roots of the absolute values of the diagonal, or nothing if an entry of the diagonal
+// is missing or zero, or if their signs differ. `sign` is their common sign.
+inline std::vector<double> superlu_diagonal_roots(const SuperLU_matrix& a, double& sign)
+{
+  std::vector<double> roots(a.cols(), 0.);
+  for(int j = 0; j < a.cols(); ++j) {
+    const int* begin = a.innerIndexPtr() + a.outerIndexPtr()[j];
+    const int* end = a.innerIndexPtr() + a.outerIndexPtr()[j + 1];
+    const int* diagonal = std::lower_bound(begin, end, j);
+    if(diagonal == end || *diagonal != j)
+      return {};
+    const double value = a.valuePtr()[diagonal - a.innerIndexPtr()];
+    if(j == 0)
+      sign = value > 0 ? 1. : -1.;
+    if(!(sign * value > 0))
+      return {};
+    roots[j] = std::sqrt(sign * value);
+  }
+  return roots;
+}
+
+// Is the pattern of the matrix symmetric, are its values up to rounding, and might it be positive
+// or negative definite, as far as the diagonal and the 2x2 minors tell?
+//
+// The columns are visited in their order, so that the entries of row j left of the diagonal
+// must be met one after the other in column j, above the diagonal.
+inline bool superlu_may_be_definite(const SuperLU_matrix& a, double& sign)
+{
+  const std::vector<double> roots = superlu_diagonal_roots(a, sign);
+  if(roots.empty())
+    return false;
+
+  const int* outer = a.outerIndexPtr();
+  const int* inner = a.innerIndexPtr();
+  const double* value = a.valuePtr();
+  std::vector<int> next(outer, outer + a.cols());
+  for(int j = 0; j < a.cols(); ++j) {
+    if(inner[next[j]] != j) // an entry above the diagonal that has no partner
+      return false;
+    for(int k = next[j] + 1; k < outer[j + 1]; ++k) {
+      const int i = inner[k];
+      const int mirror = next[i]++;
+      if(mirror >= outer[i + 1] || inner[mirror] != j)
+        return false;
+      const double scale = roots[i] * roots[j];
+      if(std::abs(value[k] - value[mirror]) > 1e-12 * scale || std::abs(value[k]) > (1 + 1e-12) * scale)
+        return false;
+    }
+  }
+  return true;
+}
+
+// Can the rows and columns be matched along stored entries? Without that, SuperLU writes
+// outside of its arrays. Augmenting paths are searched in depth first order.
+class SuperLU_matching
+{
+public:
+  explicit SuperLU_matching(const SuperLU_matrix& a)
+      : m_outer(a.outerIndexPtr()), m_inner(a.innerIndexPtr()), m_n(static_cast<int>(a.cols())),
+        m_column_of_row(m_n, -1), m_cheap(m_outer, m_outer + m_n), m_next(m_n), m_root(m_n, -1)
+  {}
+
+  bool is_perfect()
+  {
+    for(int column = 0; column < m_n; ++column) {
+      if(!augment(column))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  // A row of the column that is not matched, or -1. Matched rows stay so: each entry is looked at once.
+  int free_row(int column)
+  {
+    while(m_cheap[column] < m_outer[column + 1]) {
+      const int row = m_inner[m_cheap[column]++];
+      if(m_column_of_row[row] < 0)
+        return row;
+    }
+    return -1;
+  }
+
+  // A column not yet visited from `root` that holds a row of `column`, or -1
+  int next_column(int column, int root)
+  {
+    while(m_next[column] < m_outer[column + 1]) {
+      const int other = m_column_of_row[m_inner[m_next[column]++]];
+      if(m_root[other] != root)
+        return other;
+    }
+    return -1;
+  }
+
+  void visit(int column, int root)
+  {
+    m_root[column] = root;
+    m_next[column] = m_outer[column];
+    m_path.push_back(column);
+  }
+
+  bool augment(int root)
+  {
+    m_path.clear();
+    visit(root, root);
+    while(!m_path.empty()) {
+      const int column = m_path.back();
+      const int row = free_row(column);
+      if(row >= 0) {
+        match_path(row);
+        return true;
+      }
+      const int other = next_column(column, root);
+      if(other >= 0)
+        visit(other, root);
+      else
+        m_path.pop_back();
+    }
+    return false;
+  }
+
+  // Every column of the path gets the row through which the path leaves it.
+  void match_path(int row)
+  {
+    while(true) {
+      m_column_of_row[row] = m_path.back();
+      m_path.pop_back();
+      if(m_path.empty())
+        return;
+      row = m_inner[m_next[m_path.back()] - 1];
+    }
+  }
+
+  const int* m_outer;
+  const int* m_inner;
+  int m_n;
+  std::vector<int> m_column_of_row, m_cheap, m_next, m_root, m_path;
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H

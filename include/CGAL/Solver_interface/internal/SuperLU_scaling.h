@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H
+#define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H
+
+#include <CGAL/Solver_interface/internal/SuperLU_input.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace internal {
+
+// Scales of the rows and columns of a matrix. They are powers of two, so that scaling does not round.
+class SuperLU_scaling
+{
+public:
+  // Brings the largest entries of all rows and columns close to one. Each pass of Ruiz's algorithm
+  // treats rows and columns alike and halves the range of the exponents of these entries.
+  void equilibrate(SuperLU_matrix& a)
+  {
+    m_row = Eigen::VectorXi::Zero(a.rows());
+    m_column = Eigen::VectorXi::Zero(a.cols());
+    const int none = (std::numeric_limits<int>::min)();
+    for(int pass = 0; pass < 12; ++pass) {
+      Eigen::VectorXi row = Eigen::VectorXi::Constant(a.rows(), none);
+      Eigen::VectorXi column = Eigen::VectorXi::Constant(a.cols(), none);
+      for_each_entry(a, [&](int i, int j, double& value) {
+        if(value != 0) {
+          const int exponent = std::ilogb(value);
+          row[i] = (std::max)(row[i], exponent);
+          column[j] = (std::max)(column[j], exponent);
+        }
+      });
+      for(int i = 0; i < a.rows(); ++i)
+        row[i] = row[i] == none ? 0 : -row[i] / 2;
+      for(int j = 0; j < a.cols(); ++j)
+        column[j] = column[j] == none ? 0 : -column[j] / 2;
+      if(row.isZero() && column.isZero())
+        return;
+      for_each_entry(a, [&](int i, int j, double& value) { value = std::ldexp(value, row[i] + column[j]); });
+      m_row += row;
+      m_column += column;
+    }
+  }
+
+  // From the right-hand sides of the original system to those of the scaled one
+  template <class Block>
+  void scale_rows(Block& b) const
+  {
+    scale(b, m_row);
+  }
+
+  // From the solutions of the scaled system to those of the original one
+  template <class Block>
+  void scale_columns(Block& x) const
+  {
+    scale(x, m_column);
+  }
+
+private:
+  template <class Function>
+  static void for_each_entry(SuperLU_matrix& a, const Function& function)
+  {
+    for(int j = 0; j < a.cols(); ++j) {
+      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
+        function(a.innerIndexPtr()[k], j, a.valuePtr()[k]);
+    }
+  }
+
+  template <class Block>
+  static void scale(Block& b, const Eigen::VectorXi& exponents)
+  {
+    if(exponents.size() == 0) // nothing was scaled
+      return;
+    for(Eigen::Index k = 0; k < b.cols(); ++k) {
+      for(Eigen::Index i = 0; i < b.rows(); ++i)
+        b(i, k) = std::ldexp(b(i, k), exponents[i]);
+    }
+  }
+
+  Eigen::VectorXi m_row, m_column;
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_SUPERLU_SOLVER_TRAITS_H
+#define CGAL_SUPERLU_SOLVER_TRAITS_H
+
+#include <CGAL/config.h>
+
+#ifndef CGAL_SUPERLU_ENABLED
+#error                                                                                                       \
+    "CGAL::SuperLU_solver_traits needs SuperLU: link with the CMake target CGAL::SuperLU_support, or define CGAL_SUPERLU_ENABLED and link with SuperLU and a BLAS."
+#endif
+
+#include <CGAL/Eigen_sparse_matrix.h>
+#include <CGAL/Eigen_vector.h>
+#include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSolverInterfaceLS
+
+The class `SuperLU_solver_traits` solves sparse linear systems by the supernodal LU factorization of
+the library <a href="https://portal.nersc.gov/project/sparse/superlu/">SuperLU</a> \cgalCite{cgal:degll-ssppa-99}.
+SuperLU version 5.3 (or later, with indices of 32 bits) and a BLAS must be available on the system,
+as well as \ref thirdpartyEigen "Eigen", whose matrices, vectors and orderings are used.
+
+A matrix that is symmetric and has a diagonal of one sign is factored without exchanges of rows, in an
+approximate minimum degree ordering. If all the pivots have that sign too, then the matrix is
+definite and this is numerically stable. Any other matrix is factored in a COLAMD ordering with
+partial pivoting, after its rows and columns were scaled.
+
+The ordering depends on the pattern of the matrix only: factoring another matrix that has its entries at
+the same places as the one before reuses it.
+
+\cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d}
+
+\tparam FT the number type, must be `double`
+
+\cgalHeading{Copies}
+
+A copy shares the factorization, which never changes, at the cost of copying a few pointers. Calling
+`factor()` or `clear()` on a copy has no effect on the others. The matrix may be destroyed after `factor()`.
+
+\cgalHeading{Errors}
+
+Every function that can fail returns `false` then, and leaves the object usable; after a failure
+of `factor()` it holds no factorization. Failures are: a matrix that is not square, is empty, is singular
+or has an entry that is not finite (a matrix that is singular but for rounding errors is recognized if it is semidefinite, by an
+estimate of its condition number, and otherwise only if a pivot is as small as these errors);
+a right-hand side of another size or with an entry that is not finite; a solution that is
+not finite or whose backward error stays above \f$ 10^{-6}\f$ in spite of iterative refinement; factors with
+more than \f$ 2^{31}\f$ entries, or more than fit into memory.
+
+\cgalHeading{Thread Safety}
+
+Distinct objects can be used by distinct threads at the same time, even if they are copies of one another.
+The matrix passed to one of them must not be accessed meanwhile, as `CGAL::Eigen_sparse_matrix`
+assembles itself on the first access.
+
+\cgalHeading{Complexity}
+
+For matrices from triangle meshes with \f$ n \f$ vertices, the factors have \cgalBigO{n \log n}
+entries, and \cgalBigO{n^{3/2}} operations compute them. Solving is linear in the number of entries of the factors.
+
+\sa `CGAL::Eigen_solver_traits<T>`
+\sa `CGAL::Eigen_sparse_matrix<T>`
+\sa `CGAL::Eigen_vector<T>`
+*/
+template <class FT = double>
+class SuperLU_solver_traits
+{
+  static_assert(std::is_same<FT, double>::value, "SuperLU_solver_traits is available for double only");
+
+  typedef internal::SuperLU_matrix Columns;
+  typedef internal::SuperLU_analysis Analysis;
+  typedef internal::SuperLU_factorization Factorization;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the number type
+  typedef FT NT;
+  /// the type of vectors
+  typedef CGAL::Eigen_vector<NT> Vector;
+  /// the type of matrices. If it was constructed with `is_symmetric` equal to `true`,
+  /// so that it stores one triangle only, then it stands for the whole symmetric matrix.
+  typedef CGAL::Eigen_sparse_matrix<NT> Matrix;
+  /// the type of several vectors, which are the columns of a dense matrix
+  typedef Eigen::Matrix<NT, Eigen::Dynamic, Eigen::Dynamic> Dense_matrix;
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// solves the linear system \f$ A \times X = B\f$, sets `D` to 1, and keeps the factorization of `A`.
+  /// \return `true` if successful, otherwise `X` is unspecified
+  bool linear_solver(const Matrix& A, const Vector& B, Vector& X, NT& D)
+  {
+    return factor(A, D) && linear_solver(B, X);
+  }
+
+  /// factors `A` for subsequent calls of `linear_solver()`, and sets `D` to 1.
+  /// \return `true` if successful
+  bool factor(const Matrix& A, NT& D)
+  {
+    D = 1;
+    m_factorization.reset();
+    m_ordering_reused = false;
+    try {
+      return factor_columns(A);
+    } catch(const std::bad_alloc&) {
+      m_factorization.reset();
+      return false;
+    }
+  }
+
+  /// solves the linear system \f$ A \times X = B\f$, with \f$ A\f$ being the matrix passed to `factor()`.
+  /// \return `true` if successful, otherwise `X` is unspecified
+  bool linear_solver(const Vector& B, Vector& X) const { return solve(B.eigen_object(), X.eigen_object()); }
+
+  /// solves one linear system for each column of `B`.
+  /// \return `true` if successful, otherwise `X` is unspecified
+  bool linear_solver(const Dense_matrix& B, Dense_matrix& X) const { return solve(B, X); }
+
+  /// frees the memory of the factorization and of the ordering, unless a copy of this object needs it.
+  void clear() { *this = SuperLU_solver_traits(); }
+
+  /// @}
+
+  /// \name Access to the Factorization
+  /// @{
+
+  /// returns whether there is a factorization, that is, whether the last call of `factor()` was successful.
+  bool is_factored() const { return m_factorization != nullptr; }
+
+  /// returns whether the matrix was found to be definite.
+  bool symmetric() const { return is_factored() && m_factorization->is_symmetric(); }
+
+  /// returns the number of entries of both factors, and 0 without a factorization.
+  std::size_t factor_nonzeros() const { return is_factored() ? m_factorization->nonzeros() : 0; }
+
+  /// returns whether the last call of `factor()` could use the ordering of an earlier one.
+  bool ordering_reused() const { return m_ordering_reused; }
+
+  /// @}
+
+private:
+  bool factor_columns(const Matrix& A)
+  {
+    const Columns& a = A.eigen_object();
+    if(!internal::superlu_is_well_formed(a))
+      return false;
+    if(!internal::superlu_stores_one_triangle(A))
+      return factor_columns(a);
+    const Columns both_triangles = a.template selfadjointView<Eigen::Lower>();
+    return factor_columns(both_triangles);
+  }
+
+  bool factor_columns(const Columns& a)
+  {
+    double sign = 1;
+    if(internal::superlu_may_be_definite(a, sign)) {
+      const Factorization::Result result = factor_columns(a, true, sign);
+      if(result != Factorization::NOT_DEFINITE)
+        return result == Factorization::FACTORED;
+    }
+    const int max_entries = 500000000; // COLAMD's workspace and the graph of A'A are indexed by int
+    return a.nonZeros() <= max_entries && internal::SuperLU_matching(a).is_perfect() &&
+           factor_columns(a, false, sign) == Factorization::FACTORED;
+  }
+
+  Factorization::Result factor_columns(const Columns& a, bool symmetric, double sign)
+  {
+    std::shared_ptr<const Analysis>& analysis = symmetric ? m_symmetric_analysis : m_general_analysis;
+    m_ordering_reused = analysis != nullptr && analysis->has_pattern_of(a);
+    if(!m_ordering_reused) {
+      analysis.reset();
+      analysis = Factorization::analyze(a, symmetric);
+    }
+    std::shared_ptr<Factorization> factorization = std::make_shared<Factorization>(analysis);
+    const Factorization::Result result = factorization->factor(a, sign);
+    if(result == Factorization::FACTORED)
+      m_factorization = factorization;
+    return result;
+  }
+
+  template <class Vectors>
+  bool solve(const Vectors& b, Vectors& x) const
+  {
+    if(!is_factored() || b.rows() != m_factorization->size() || !b.allFinite())
+      return false;
+    try {
+      x = b;
+      const Eigen::Index width = 16; // limits the memory that SuperLU needs
+      for(Eigen::Index k = 0; k < x.cols(); k += width) {
+        const Eigen::Index end = (std::min)(k + width, static_cast<Eigen::Index>(x.cols()));
+        if(!m_factorization->solve(Factorization::Block(x.data() + k * x.rows(), x.rows(), end - k)))
+          return false;
+      }
+      return true;
+    } catch(const std::bad_alloc&) {
+      return false;
+    }
+  }
+
+  std::shared_ptr<const Factorization> m_factorization;
+  std::shared_ptr<const Analysis> m_symmetric_analysis, m_general_analysis;
+  bool m_ordering_reused = false;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_SUPERLU_SOLVER_TRAITS_H
