@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_OPTIONS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_OPTIONS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+
+#include <functional>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The options of `ABF_plus_plus_parameterizer_3`. The default values suit every mesh we know of; none
+/// depends on the scale or the resolution of the mesh.
+struct ABF_plus_plus_options
+{
+  /// How the second derivatives of the constraints enter a step of the angle solver.
+  enum Step_type
+  {
+    NEWTON,                         ///< Kept: the Hessian stays diagonal, and convergence is quadratic.
+    SEQUENTIAL_LINEARLY_CONSTRAINED ///< Dropped, as in Section 3.1 of \cgalCite{cgal:slmb-abf-05}.
+  };
+
+  /// How planar coordinates are computed from planar angles.
+  enum Layout_type
+  {
+    AUTOMATIC_LAYOUT,    ///< `EXACT_LAYOUT` where the angles fit together, else `LEAST_SQUARES_LAYOUT`.
+    EXACT_LAYOUT,        ///< Walk along the border, then one Laplace equation. For charts with one border.
+    LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
+  };
+
+  /// Weight \f$\kappa\f$ of the barrier that keeps angles away from zero; `0` is exactly the energy of the
+  /// paper. The barrier has its minimum where the energy has, so that ordinary charts hardly change.
+  double barrier = 0.1;
+
+  /// Largest violation of a constraint at a vertex that is accepted, in radians.
+  double tolerance = 1e-8;
+
+  /// The solver goes on until a step promises to lower the energy by less than this part of it.
+  double energy_tolerance = 1e-6;
+
+  /// Largest number of Newton steps.
+  int max_iterations = 100;
+
+  Step_type step = NEWTON; ///< Treatment of the constraints' second derivatives.
+
+  Layout_type layout = AUTOMATIC_LAYOUT; ///< Way from angles to coordinates.
+
+  /// Whether charts with more than one border are flattened. The angles leave the closing of a hole open, and
+  /// the least squares layout spreads what is missing; the result is checked as always. Without this, such a
+  /// chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`.
+  bool allow_holes = false;
+
+  /// Called after every Newton step, if set.
+  std::function<void(const ABF_plus_plus_step&)> on_step;
+};
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_OPTIONS_H

@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_PARAMETERIZER_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// \file ABF_plus_plus_parameterizer_3.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The class `ABF_plus_plus_parameterizer_3` implements *ABF++*, angle based flattening
+/// \cgalCite{cgal:slmb-abf-05}: a free-border parameterization that finds the planar angles nearest to the
+/// angles of the surface, and then the planar triangulation with these angles.
+///
+/// It is nearly conformal, with less stretch than linear conformal maps, and its result is never flipped: the
+/// orientation of every triangle is checked with an exact predicate on the very coordinates that are written.
+///
+/// \cgalModels{Parameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Edges may be the border of a seam (`Seam_mesh`).
+///
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d` with a field number type. Where it
+///         models `SparseLinearAlgebraWithFactorTraits_d`, its factorizations are reused. The matrices are symmetric
+///         positive definite.<br>
+///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`
+///
+/// Copies of a parameterizer share their report, so that it can be read after
+/// `CGAL::Surface_mesh_parameterization::parameterize()`, which takes its parameterizer by value. Different threads
+/// need parameterizers that are not copies of one another.
+///
+/// \sa `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`
+/// \sa `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3`
+template <typename TriangleMesh_, typename SolverTraits_ = Default>
+class ABF_plus_plus_parameterizer_3
+{
+public:
+  /// Triangle mesh type
+  typedef TriangleMesh_ Triangle_mesh;
+  typedef TriangleMesh_ TriangleMesh;
+
+#ifndef DOXYGEN_RUNNING
+  typedef typename Default::Get<SolverTraits_, SuperLU_solver_traits<>>::type Solver_traits;
+#else
+  /// Solver traits type
+  typedef SolverTraits_ Solver_traits;
+#endif
+
+  /// Mesh vertex type
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+
+  /// Mesh halfedge type
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+
+  /// Mesh face type
+  typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
+
+  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems.
+  explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
+                                         Solver_traits sparse_la = Solver_traits())
+      : m_options(options), m_linear_algebra(std::move(sparse_la)), m_outcome(std::make_shared<Outcome>())
+  {}
+
+  /// flattens the connected component of `bhd`.
+  ///
+  /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
+  /// On any error `uvmap` is left as it was.
+  ///
+  /// The time is that of a few Cholesky factorizations of a planar graph's matrix with two unknowns an interior
+  /// vertex, one for each Newton step, and that of one more for the layout.
+  ///
+  /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and
+  ///         %Point_2 (type deduced from `Triangle_mesh` using `Kernel_traits`) as value type.
+  /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and
+  ///         a unique integer as value type. The integers need not be consecutive.
+  /// \tparam VertexParameterizedMap is not used: no vertex is fixed beforehand.
+  ///
+  /// \param mesh a surface whose component at `bhd` is a triangulated disk. All that it takes to be one is checked.
+  /// \param bhd a halfedge on the border of `mesh`.
+  /// \param uvmap receives the coordinates of the component's vertices.
+  /// \param vimap the indices of the vertices.
+  ///
+  /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`:
+  /// - `ERROR_EMPTY_MESH`: there is no face at `bhd`;
+  /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border
+  ///    where `ABF_plus_plus_options::allow_holes` is not set;
+  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), or none was found;
+  /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, or an option does not apply.
+  template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
+                          VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
+  {
+    typedef typename boost::property_traits<VertexUVmap>::value_type Uv_point;
+    typedef typename CGAL::Kernel_traits<Uv_point>::Kernel::FT Uv_FT;
+    typedef internal::Chart::Point_2 Point_2;
+
+    *m_outcome = Outcome();
+    ABF_plus_plus_report& report = m_outcome->report;
+    internal::Stopwatch stopwatch;
+
+    internal::Chart_reader<Triangle_mesh> reader(mesh);
+    internal::Chart_defect defect = reader.read(bhd, vimap);
+    if(!defect)
+      defect = internal::diagnose(reader.chart, m_options.allow_holes);
+    report.vertices = reader.chart.number_of_vertices();
+    report.triangles = static_cast<int>(reader.faces.size());
+    report.borders = static_cast<int>(reader.chart.borders.size());
+    report.seconds.read = stopwatch.lap();
+    if(defect) {
+      internal::fail(report, internal::error_code(defect.diagnosis), defect.diagnosis, defect.message);
+      name_offenders(reader, defect.vertices, defect.triangles);
+      return report.status;
+    }
+
+    const auto round = [](const Point_2& p) {
+      return Point_2(CGAL::to_double(Uv_FT(p.x())), CGAL::to_double(Uv_FT(p.y())));
+    };
+    std::vector<Point_2> uv;
+    std::vector<int> flipped;
+    if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
+      name_offenders(reader, {}, flipped);
+      return report.status;
+    }
+
+    stopwatch.lap();
+    for(std::size_t v = 0; v < uv.size(); ++v)
+      put(uvmap, reader.vertices[v], Uv_point(Uv_FT(uv[v].x()), Uv_FT(uv[v].y())));
+    report.seconds.write = stopwatch.lap();
+    return OK;
+  }
+
+  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
+  const ABF_plus_plus_report& report() const
+  {
+    return m_outcome->report;
+  }
+
+  /// returns the vertices that the last call's diagnosis is about.
+  const std::vector<vertex_descriptor>& offending_vertices() const
+  {
+    return m_outcome->offending_vertices;
+  }
+
+  /// returns the faces that the last call's diagnosis is about, among them all that would be flipped.
+  const std::vector<face_descriptor>& offending_faces() const
+  {
+    return m_outcome->offending_faces;
+  }
+
+private:
+  struct Outcome
+  {
+    ABF_plus_plus_report report;
+    std::vector<vertex_descriptor> offending_vertices;
+    std::vector<face_descriptor> offending_faces;
+  };
+
+  void name_offenders(const internal::Chart_reader<Triangle_mesh>& reader, const std::vector<int>& vertices,
+                      const std::vector<int>& triangles)
+  {
+    for(int v : vertices)
+      m_outcome->offending_vertices.push_back(reader.vertices[v]);
+    for(int t : triangles)
+      m_outcome->offending_faces.push_back(reader.faces[t]);
+  }
+
+  ABF_plus_plus_options m_options;
+  Solver_traits m_linear_algebra;
+  std::shared_ptr<Outcome> m_outcome;
+};
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_PARAMETERIZER_3_H

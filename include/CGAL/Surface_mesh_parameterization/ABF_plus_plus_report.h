@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_REPORT_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_REPORT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// One step of the angle solver, as reported.
+struct ABF_plus_plus_step
+{
+  int iteration = 0;              ///< Number of the step, from 1.
+  double energy = 0;              ///< Energy after the step.
+  double constraint_residual = 0; ///< Largest violation of a constraint after the step, in radians.
+  double predicted_decrease = 0;  ///< Decrease of the energy that the step's quadratic model promised.
+  double step_length = 0;         ///< Part of the full step that was taken, in (0, 1].
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The report of the last run of `ABF_plus_plus_parameterizer_3`.
+struct ABF_plus_plus_report
+{
+  /// What is wrong with an input, or kept a run from its end.
+  enum Diagnosis
+  {
+    NOTHING_WRONG,    ///< The run succeeded.
+    EMPTY_MESH,       ///< There is no face at the given border.
+    NOT_ON_BORDER,    ///< The given halfedge is null or not on a border.
+    NOT_TRIANGULATED, ///< A face is not a triangle.
+    NON_FINITE_POINT, ///< A coordinate is infinite or not a number.
+    TOO_LARGE,        ///< More corners than an `int` can count.
+    PINCHED_VERTEX,   ///< The surface is not a manifold at a vertex.
+    SEVERAL_BORDERS,  ///< The chart has holes, and `ABF_plus_plus_options::allow_holes` is `false`.
+    HANDLES,          ///< The chart has handles: no cutting along the border makes it a disk.
+    PARALLEL_EDGES,   ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
+    LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
+    NO_CONVERGENCE,   ///< The constraints could not be met, and the resulting layout has flipped triangles.
+    WRONG_LAYOUT,     ///< The exact layout was asked for and does not apply.
+    FLIPPED_TRIANGLES ///< The layout has flipped triangles although the angles are right.
+  };
+
+  /// Which of the layouts gave the coordinates.
+  enum Layout
+  {
+    NO_LAYOUT,
+    EXACT,
+    LEAST_SQUARES
+  };
+
+  /// Wall clock time of each stage, in seconds.
+  struct Seconds
+  {
+    double read = 0;    ///< From the mesh to flat arrays, and the check of the input.
+    double targets = 0; ///< Target angles.
+    double angles = 0;  ///< The nonlinear solver.
+    double layout = 0;  ///< From angles to coordinates.
+    double certify = 0; ///< Exact check of the orientations.
+    double write = 0;   ///< Into the caller's property map.
+    double total() const
+    {
+      return read + targets + angles + layout + certify + write;
+    } ///< Sum of the stages.
+  };
+
+  Error_code status = OK;              ///< What `parameterize()` returned.
+  Diagnosis diagnosis = NOTHING_WRONG; ///< What is wrong.
+  std::string message;                 ///< The same as a sentence that names the place; empty on success.
+
+  int vertices = 0;  ///< Vertices of the chart.
+  int triangles = 0; ///< Triangles of the chart.
+  int borders = 0;   ///< Border cycles of the chart.
+
+  bool converged = false;                ///< Whether both tolerances were met.
+  int iterations = 0;                    ///< Newton steps taken.
+  double energy = 0;                     ///< Energy of the planar angles, the barrier included.
+  double constraint_residual = 0;        ///< Largest violation of a constraint at a vertex, in radians.
+  std::vector<ABF_plus_plus_step> steps; ///< All steps.
+
+  Layout layout = NO_LAYOUT; ///< The layout that gave the coordinates.
+  double closure = 0;        ///< Gap that the exact layout closed, relative to the border's length.
+  int flipped_triangles = 0; ///< Triangles that are not positively oriented.
+  double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
+
+  Seconds seconds; ///< Time of each stage.
+};
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ABF_PLUS_PLUS_REPORT_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise.
+inline int next_corner(int c)
+{
+  return c % 3 == 2 ? c - 2 : c + 1;
+}
+
+inline int previous_corner(int c)
+{
+  return c % 3 == 0 ? c + 2 : c - 1;
+}
+
+// A connected triangulated surface with border, as a corner table: all that the rooms behind `read_chart()`
+// know of a mesh. Corner `c` faces the edge from `vertex[next_corner(c)]` to `vertex[previous_corner(c)]`.
+struct Chart
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Kernel::Point_2 Point_2;
+  typedef Kernel::Point_3 Point_3;
+
+  std::vector<Point_3> points; // of each vertex
+  std::vector<int> vertex;     // of each corner
+  std::vector<int> opposite;   // of each corner: the one that faces the same edge, -1 at the border
+  std::vector<std::vector<int>>
+      borders;               // of each border cycle: the corners that face its edges, in its order
+  std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
+  int number_of_interior_vertices = 0;
+
+  int number_of_vertices() const { return static_cast<int>(points.size()); }
+  int number_of_corners() const { return static_cast<int>(vertex.size()); }
+  int number_of_triangles() const { return number_of_corners() / 3; }
+
+  // Rotates about the vertex of `c` into the neighbouring triangle, across the edge to the next corner's
+  // vertex: clockwise, so that a border vertex is swept from the border edge that enters it to the one that
+  // leaves it. Returns -1 behind the last triangle.
+  int rotate(int c) const
+  {
+    const int across = opposite[previous_corner(c)];
+    return across < 0 ? -1 : previous_corner(across);
+  }
+
+  int edge_source(int c) const { return vertex[next_corner(c)]; }
+  int edge_target(int c) const { return vertex[previous_corner(c)]; }
+};
+
+// The corner that faces the border edge that follows the one faced by `c`.
+inline int next_on_border(const Chart& chart, int c)
+{
+  int corner = previous_corner(c);
+  for(int next = chart.rotate(corner); next >= 0; next = chart.rotate(corner))
+    corner = next;
+  return previous_corner(corner);
+}
+
+// Finds `borders`, `interior` and `number_of_interior_vertices` from `vertex` and `opposite`. The first border
+// cycle is the one with the edge that `first_border` faces, if that is not negative.
+inline void find_borders(Chart& chart, int first_border = -1)
+{
+  std::vector<char> found(chart.vertex.size(), false);
+  std::vector<char> on_border(chart.points.size(), false);
+  chart.borders.clear();
+
+  auto follow = [&](int start) {
+    if(found[start] || chart.opposite[start] >= 0)
+      return;
+    chart.borders.emplace_back();
+    for(int c = start; !found[c]; c = next_on_border(chart, c)) {
+      found[c] = true;
+      on_border[chart.edge_source(c)] = true;
+      chart.borders.back().push_back(c);
+    }
+  };
+  if(first_border >= 0)
+    follow(first_border);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    follow(c);
+
+  chart.number_of_interior_vertices = 0;
+  chart.interior.resize(chart.points.size());
+  for(std::size_t v = 0; v < chart.points.size(); ++v)
+    chart.interior[v] = on_border[v] ? -1 : chart.number_of_interior_vertices++;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_H

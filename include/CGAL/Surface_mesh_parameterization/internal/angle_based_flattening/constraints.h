@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONSTRAINTS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONSTRAINTS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The constraints of interior vertex number i are numbers 2i (planarity) and 2i + 1 (reconstruction). Those of
+// the triangles (Eq. 2) hold at the start and are kept by every step.
+typedef Eigen::VectorXd Constraint_vector;
+
+// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi.
+// Reconstruction (Eq. 4), as the logarithm of the ratio of its two products:
+//   sum ln sin alpha_{k+1} - sum ln sin alpha_{k-1} = 0
+// It has the same solutions, cannot underflow, and its second derivative is diagonal.
+inline Constraint_vector constraint_residuals(const Chart& chart, const std::vector<double>& alpha)
+{
+  Constraint_vector residual = Constraint_vector::Zero(2 * chart.number_of_interior_vertices);
+  for(int i = 0; i < chart.number_of_interior_vertices; ++i)
+    residual[2 * i] = -2 * pi;
+  for(int c = 0; c < chart.number_of_corners(); ++c) {
+    const int i = chart.interior[chart.vertex[c]];
+    if(i >= 0)
+      residual[2 * i] += alpha[c];
+    const double log_sine = std::log(std::sin(alpha[c]));
+    const int before = chart.interior[chart.vertex[previous_corner(c)]];
+    const int after = chart.interior[chart.vertex[next_corner(c)]];
+    if(before >= 0)
+      residual[2 * before + 1] += log_sine;
+    if(after >= 0)
+      residual[2 * after + 1] -= log_sine;
+  }
+  return residual;
+}
+
+// The derivatives of the six constraints at the vertices of one triangle, border vertices' rows being zero,
+// with respect to its three angles. Rows 2k and 2k + 1 belong to the vertex of corner k.
+typedef Eigen::Matrix<double, 6, 3> Local_jacobian;
+
+inline Local_jacobian local_jacobian(const Chart& chart, const std::vector<double>& alpha, int triangle)
+{
+  Local_jacobian jacobian = Local_jacobian::Zero();
+  for(int k = 0; k < 3; ++k) {
+    if(chart.interior[chart.vertex[3 * triangle + k]] < 0)
+      continue;
+    const int next = (k + 1) % 3, previous = (k + 2) % 3;
+    jacobian(2 * k, k) = 1;
+    jacobian(2 * k + 1, next) = 1 / std::tan(alpha[3 * triangle + next]);
+    jacobian(2 * k + 1, previous) = -1 / std::tan(alpha[3 * triangle + previous]);
+  }
+  return jacobian;
+}
+
+// The second derivative of the sum of all constraints times their multipliers with respect to the angle at
+// corner `c`; derivatives with respect to two different angles vanish.
+inline double constraint_curvature(const Chart& chart, const std::vector<double>& alpha,
+                                   const Constraint_vector& multipliers, int c)
+{
+  const int before = chart.interior[chart.vertex[previous_corner(c)]];
+  const int after = chart.interior[chart.vertex[next_corner(c)]];
+  const double difference =
+      (before >= 0 ? multipliers[2 * before + 1] : 0) - (after >= 0 ? multipliers[2 * after + 1] : 0);
+  const double sine = std::sin(alpha[c]);
+  return -difference / (sine * sine);
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONSTRAINTS_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_EXACT_LAYOUT_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_EXACT_LAYOUT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Planar coordinates of each vertex, and by how much they had to be bent.
+struct Layout
+{
+  std::vector<Chart::Point_2> uv;
+  double closure = 0; // gap at the end of the border walk, relative to its length
+};
+
+// The directed edges of the planar border, that the angles alone determine up to a similarity: at a vertex the
+// border turns by pi less the angles there, and its edges' lengths are related by the sine rule through the fan.
+inline std::vector<Chart::Kernel::Vector_2> border_edges(const Chart& chart, const std::vector<double>& alpha,
+                                                         const std::vector<int>& border)
+{
+  std::vector<double> direction(border.size()), log_length(border.size());
+  direction[0] = log_length[0] = 0;
+  for(std::size_t i = 0; i + 1 < border.size(); ++i) {
+    direction[i + 1] = direction[i] + pi;
+    log_length[i + 1] = log_length[i];
+    for(int c = previous_corner(border[i]); c >= 0; c = chart.rotate(c)) {
+      direction[i + 1] -= alpha[c];
+      log_length[i + 1] += std::log(std::sin(alpha[previous_corner(c)]) / std::sin(alpha[next_corner(c)]));
+    }
+  }
+  const double longest = *std::max_element(log_length.begin(), log_length.end());
+  std::vector<Chart::Kernel::Vector_2> edges;
+  for(std::size_t i = 0; i < border.size(); ++i) {
+    const double length = std::exp(log_length[i] - longest);
+    edges.emplace_back(length * std::cos(direction[i]), length * std::sin(direction[i]));
+  }
+  return edges;
+}
+
+// Sets the coordinates of the border's vertices. The gap that rounding leaves is spread over all edges.
+inline void lay_out_border(const Chart& chart, const std::vector<double>& alpha, Layout& layout)
+{
+  const std::vector<int>& border = chart.borders.front();
+  const auto edges = border_edges(chart, alpha, border);
+  Chart::Kernel::Vector_2 gap(0, 0);
+  double perimeter = 0;
+  for(const auto& edge : edges) {
+    gap = gap + edge;
+    perimeter += std::sqrt(edge.squared_length());
+  }
+  layout.closure = std::sqrt(gap.squared_length()) / perimeter;
+  Chart::Point_2 position(0, 0);
+  for(std::size_t i = 0; i < border.size(); ++i) {
+    layout.uv[chart.edge_source(border[i])] = position;
+    position = position + edges[i] - gap * (std::sqrt(edges[i].squared_length()) / perimeter);
+  }
+}
+
+// Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
+// vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
+template <typename SolverTraits>
+bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
+                      Layout& layout)
+{
+  const int n = chart.number_of_interior_vertices;
+  if(n == 0)
+    return true;
+  Triangle_assembly<1> laplacian(chart.vertex, chart.interior, n);
+  Eigen::VectorXd rhs_u = Eigen::VectorXd::Zero(n), rhs_v = Eigen::VectorXd::Zero(n), u, v;
+  for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
+    for(int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const double weight = 1 / std::tan(alpha[3 * t + k]);
+      local(i, i) += weight;
+      local(j, j) += weight;
+      local(i, j) = local(j, i) = -weight;
+    }
+    laplacian.add(t, local);
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b < 3; ++b) {
+        const int interior = chart.interior[chart.vertex[3 * t + a]];
+        const int border = chart.vertex[3 * t + b];
+        if(interior < 0 || chart.interior[border] >= 0)
+          continue;
+        rhs_u[interior] -= local(a, b) * layout.uv[border].x();
+        rhs_v[interior] -= local(a, b) * layout.uv[border].y();
+      }
+  }
+  Symmetric_system<SolverTraits> system(traits);
+  if(!(system.set_matrix(laplacian.matrix()) && system.solve(rhs_u, u) && system.solve(rhs_v, v)))
+    return false;
+  for(int w = 0; w < chart.number_of_vertices(); ++w)
+    if(const int i = chart.interior[w]; i >= 0)
+      layout.uv[w] = Chart::Point_2(u[i], v[i]);
+  return true;
+}
+
+// The layout of a chart with one border whose angles fulfil the constraints. Returns `false` if the linear solver
+// fails.
+template <typename SolverTraits>
+bool exact_layout(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
+                  Layout& layout)
+{
+  layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
+  lay_out_border(chart, alpha, layout);
+  return lay_out_interior(chart, alpha, traits, layout);
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_EXACT_LAYOUT_H

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/matrix_splits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// A step of the angles and of the multipliers of the constraints at interior vertices.
+struct Newton_step
+{
+  std::vector<double> angles;
+  Constraint_vector multipliers;
+  double predicted_decrease = 0; // of the quadratic model of the Lagrangian
+};
+
+// Computes steps by solving Eq. 16, whose matrix is assembled triangle by triangle:
+//   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
+// with the P of `split()`, and r minus the gradient of the Lagrangian. This S is positive definite.
+template <typename SolverTraits>
+class Newton_system
+{
+public:
+  Newton_system(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy,
+                bool with_constraint_curvature, const SolverTraits& traits)
+      : m_chart(chart), m_beta(beta), m_energy(energy),
+        m_with_constraint_curvature(with_constraint_curvature),
+        m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices), m_system(traits)
+  {}
+
+  // Computes the step from angles `alpha` and `multipliers`, where the constraints are off by `residual`.
+  // Returns `false` if the linear solver fails.
+  bool compute(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+               const Constraint_vector& residual, Newton_step& step)
+  {
+    Eigen::VectorXd right_hand_side = assemble(alpha, multipliers, residual);
+    if(residual.size() > 0 &&
+       !(m_system.set_matrix(m_assembly.matrix()) && m_system.solve(right_hand_side, step.multipliers)))
+      return false;
+    substitute_back(alpha, multipliers, step);
+    return true;
+  }
+
+  // Eq. 16: sets the matrix and returns the right-hand side.
+  Eigen::VectorXd assemble(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                           const Constraint_vector& residual)
+  {
+    Eigen::VectorXd right_hand_side = residual;
+    m_assembly.set_zero();
+    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
+      const Local_system local = local_system(t, alpha, multipliers);
+      const Local_jacobian scaled = local.jacobian * local.inverse;
+      m_assembly.add(t, scaled * local.jacobian.transpose());
+      add(t, scaled * local.force, right_hand_side);
+    }
+    return right_hand_side;
+  }
+
+  const Eigen::SparseMatrix<double>& matrix() const { return m_assembly.matrix(); }
+
+private:
+  typedef Eigen::Matrix<double, 6, 1> Local_constraints;
+
+  struct Local_system
+  {
+    Local_jacobian jacobian; // B
+    Eigen::Matrix3d inverse; // P
+    Eigen::Vector3d force;   // r
+  };
+
+  Local_system local_system(int t, const std::vector<double>& alpha,
+                            const Constraint_vector& multipliers) const
+  {
+    Local_system local;
+    local.jacobian = local_jacobian(m_chart, alpha, t);
+    Eigen::Vector3d energy_curvature, curvature;
+    for(int k = 0; k < 3; ++k) {
+      const int c = 3 * t + k;
+      local.force[k] = -m_energy.first_derivative(alpha[c], m_beta[c]);
+      energy_curvature[k] = curvature[k] = m_energy.second_derivative(alpha[c], m_beta[c]);
+      if(m_with_constraint_curvature)
+        curvature[k] += constraint_curvature(m_chart, alpha, multipliers, c);
+    }
+    local.force -= local.jacobian.transpose() * gather(t, multipliers);
+    local.inverse = split(energy_curvature, curvature);
+    return local;
+  }
+
+  // Eqs. 10 and 17, together.
+  void substitute_back(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                       Newton_step& step) const
+  {
+    step.angles.resize(alpha.size());
+    step.predicted_decrease = 0;
+    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
+      const Local_system local = local_system(t, alpha, multipliers);
+      const Eigen::Vector3d force = local.force - local.jacobian.transpose() * gather(t, step.multipliers);
+      const Eigen::Vector3d d = local.inverse * force;
+      Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = d;
+      step.predicted_decrease += d.dot(force) / 2;
+    }
+  }
+
+  // The six entries of a vector that belong to the vertices of triangle `t`; zero at border vertices.
+  Local_constraints gather(int t, const Constraint_vector& vector) const
+  {
+    Local_constraints local = Local_constraints::Zero();
+    for(int k = 0; k < 3; ++k) {
+      const int i = m_chart.interior[m_chart.vertex[3 * t + k]];
+      if(i >= 0)
+        local.segment<2>(2 * k) = vector.segment<2>(2 * i);
+    }
+    return local;
+  }
+
+  void add(int t, const Local_constraints& local, Eigen::VectorXd& vector) const
+  {
+    for(int k = 0; k < 3; ++k) {
+      const int i = m_chart.interior[m_chart.vertex[3 * t + k]];
+      if(i >= 0)
+        vector.segment<2>(2 * i) += local.segment<2>(2 * k);
+    }
+  }
+
+  const Chart& m_chart;
+  const std::vector<double>& m_beta;
+  Angle_energy m_energy;
+  bool m_with_constraint_curvature;
+  Triangle_assembly<2> m_assembly;
+  Symmetric_system<SolverTraits> m_system;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H

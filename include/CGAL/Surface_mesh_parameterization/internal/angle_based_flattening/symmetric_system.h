@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Eigen_matrix.h>
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Whether the traits model `SparseLinearAlgebraWithFactorTraits_d`.
+template <typename SolverTraits, typename = void>
+struct Has_factor : std::false_type
+{};
+
+template <typename SolverTraits>
+struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().factor(
+                                    std::declval<const typename SolverTraits::Matrix&>(),
+                                    std::declval<typename SolverTraits::NT&>()))>> : std::true_type
+{};
+
+// A symmetric linear system, solved for one right-hand side after the other by any model of
+// `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
+template <typename SolverTraits>
+class Symmetric_system
+{
+  typedef typename SolverTraits::NT NT;
+  typedef typename SolverTraits::Matrix Matrix;
+  typedef typename SolverTraits::Vector Vector;
+
+public:
+  explicit Symmetric_system(SolverTraits traits) : m_traits(std::move(traits)) {}
+
+  // Takes over the system's matrix. Returns `false` if it cannot be factored.
+  bool set_matrix(const Eigen::SparseMatrix<double>& matrix)
+  {
+    m_matrix = copy(matrix);
+    if constexpr(Has_factor<SolverTraits>::value)
+      return m_traits.factor(*m_matrix, m_denominator);
+    return true;
+  }
+
+  // Returns `false` on failure, also if the solution is not finite.
+  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution)
+  {
+    const int n = static_cast<int>(right_hand_side.size());
+    Vector b(n), x(n);
+    for(int i = 0; i < n; ++i)
+      b.set(i, right_hand_side[i]);
+    if constexpr(Has_factor<SolverTraits>::value) {
+      if(!m_traits.linear_solver(b, x))
+        return false;
+    } else if(!m_traits.linear_solver(*m_matrix, b, x, m_denominator)) {
+      return false;
+    }
+    solution.resize(n);
+    for(int i = 0; i < n; ++i)
+      solution[i] = x[i] / m_denominator;
+    return solution.allFinite();
+  }
+
+private:
+  static std::unique_ptr<Matrix> copy(const Eigen::SparseMatrix<double>& matrix)
+  {
+    if constexpr(std::is_base_of<Eigen_sparse_matrix<double>, Matrix>::value) {
+      auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
+      result->eigen_object() = matrix;
+      return result;
+    } else {
+      auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
+      for(int j = 0; j < matrix.outerSize(); ++j)
+        for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
+          result->set_coef(it.row(), it.col(), it.value(), true);
+      return result;
+    }
+  }
+
+  SolverTraits m_traits;
+  std::unique_ptr<Matrix> m_matrix; // the traits may keep a pointer to it
+  NT m_denominator = NT(1);
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H

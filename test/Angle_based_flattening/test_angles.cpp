@@ -1,0 +1,400 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From target angles to planar angles: every room by itself, on charts made by hand.
+
+#define BOOST_TEST_MODULE angles
+#include <boost/test/unit_test.hpp>
+
+#include "test_charts.h"
+
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
+
+#include <Eigen/Dense>
+
+using namespace test_charts;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+typedef SMP::ABF_plus_plus_report Report;
+typedef SMP::ABF_plus_plus_options Options;
+typedef CGAL::SuperLU_solver_traits<> Solver;
+typedef Eigen::MatrixXd Matrix;
+typedef Eigen::VectorXd Vector;
+
+namespace {
+
+Vector as_vector(const std::vector<double>& values)
+{
+  return Eigen::Map<const Vector>(values.data(), values.size());
+}
+
+Vector random_vector(Eigen::Index n, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Vector v(n);
+  for(double& x : v)
+    x = uniform(random);
+  return v;
+}
+
+// The Jacobian of planarity and reconstruction (J_2 of Eq. 11), dense.
+Matrix constraint_jacobian(const Chart& chart, const std::vector<double>& alpha)
+{
+  Matrix jacobian = Matrix::Zero(2 * chart.number_of_interior_vertices, alpha.size());
+  for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    const abf::Local_jacobian local = abf::local_jacobian(chart, alpha, t);
+    for(int k = 0; k < 3; ++k)
+      if(const int i = chart.interior[chart.vertex[3 * t + k]]; i >= 0)
+        jacobian.block<2, 3>(2 * i, 3 * t) += local.block<2, 3>(2 * k, 0);
+  }
+  return jacobian;
+}
+
+// J of Eq. 11: the triangles' constraints above the others.
+Matrix full_jacobian(const Chart& chart, const std::vector<double>& alpha)
+{
+  const int n_f = chart.number_of_triangles();
+  Matrix jacobian = Matrix::Zero(n_f + 2 * chart.number_of_interior_vertices, alpha.size());
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    jacobian(c / 3, c) = 1;
+  jacobian.bottomRows(2 * chart.number_of_interior_vertices) = constraint_jacobian(chart, alpha);
+  return jacobian;
+}
+
+Report solve(const Chart& chart, const Options& options, std::vector<double>& alpha)
+{
+  Report report;
+  const std::vector<double> beta = abf::target_angles(chart);
+  alpha = abf::starting_angles(beta);
+  BOOST_REQUIRE(abf::solve_angles(chart, beta, options, Solver(), alpha, report));
+  return report;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(targets)
+
+BOOST_AUTO_TEST_CASE(sum_to_two_pi_inside_and_are_the_surface_angles_at_the_border)
+{
+  const Chart chart = bump(10, 5, 2);
+  const std::vector<double> beta = abf::target_angles(chart);
+  std::vector<double> sum(chart.points.size(), 0);
+  for(int c = 0; c < chart.number_of_corners(); ++c) {
+    sum[chart.vertex[c]] += beta[c];
+    if(chart.interior[chart.vertex[c]] < 0)
+      BOOST_TEST(beta[c] == abf::surface_angle(chart, c));
+  }
+  for(int v = 0; v < chart.number_of_vertices(); ++v)
+    if(chart.interior[v] >= 0)
+      BOOST_TEST(sum[v] == 2 * CGAL_PI, boost::test_tools::tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(are_positive_on_degenerate_triangles)
+{
+  Chart chart = flat_grid(6, 5);
+  chart.points[8] = chart.points[9];
+  chart.points[24] = CGAL::midpoint(chart.points[17], chart.points[31]);
+  const std::vector<double> beta = abf::target_angles(chart);
+  const std::vector<double> alpha = abf::starting_angles(beta);
+  for(std::size_t c = 0; c < beta.size(); ++c) {
+    BOOST_TEST(beta[c] >= abf::least_target_angle);
+    BOOST_TEST(alpha[c] > 0);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(energy)
+
+BOOST_AUTO_TEST_CASE(without_barrier_is_that_of_the_paper)
+{
+  const abf::Angle_energy paper{0};
+  for(double alpha : {0.01, 0.5, 1., 3.})
+    for(double beta : {0.02, 0.7, 2.})
+      BOOST_TEST(paper.value(alpha, beta) == (alpha - beta) * (alpha - beta) / (beta * beta),
+                 boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
+{
+  for(double barrier : {0., 0.1, 10.})
+    for(double alpha : {0.05, 0.5, 1., 3.})
+      for(double beta : {0.02, 0.7, 2.}) {
+        const abf::Angle_energy e{barrier};
+        const double h = 1e-5 * alpha;
+        BOOST_TEST(e.first_derivative(alpha, beta) ==
+                       (e.value(alpha + h, beta) - e.value(alpha - h, beta)) / (2 * h),
+                   boost::test_tools::tolerance(1e-6));
+        BOOST_TEST(e.second_derivative(alpha, beta) ==
+                       (e.first_derivative(alpha + h, beta) - e.first_derivative(alpha - h, beta)) / (2 * h),
+                   boost::test_tools::tolerance(1e-6));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(barrier_is_least_at_the_target_and_infinite_at_zero)
+{
+  const abf::Angle_energy e{0.1};
+  BOOST_TEST(e.value(0.7, 0.7) == 0);
+  BOOST_TEST(e.first_derivative(0.7, 0.7) == 0);
+  BOOST_TEST(e.value(1e-300, 0.7) > 1 + 0.1 * 600);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(constraints)
+
+BOOST_AUTO_TEST_CASE(vanish_on_planar_triangulations)
+{
+  const Chart chart = flat_grid(12, 2);
+  const auto residual = abf::constraint_residuals(chart, planar_angles(chart, projected(chart)));
+  BOOST_TEST(residual.cwiseAbs().maxCoeff() < 1e-13);
+}
+
+BOOST_AUTO_TEST_CASE(are_those_of_the_paper)
+{
+  const Chart chart = bump(6, 2);
+  const std::vector<double> alpha = random_angles(chart.vertex.size(), 3);
+  const auto residual = abf::constraint_residuals(chart, alpha);
+  for(int i = 0; i < chart.number_of_interior_vertices; ++i) {
+    double sum = 0, next = 1, previous = 1;
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      if(chart.interior[chart.vertex[c]] == i) {
+        sum += alpha[c];
+        next *= std::sin(alpha[abf::next_corner(c)]);
+        previous *= std::sin(alpha[abf::previous_corner(c)]);
+      }
+    BOOST_TEST(residual[2 * i] == sum - 2 * CGAL_PI, boost::test_tools::tolerance(1e-10)); // Eq. 3
+    BOOST_TEST(residual[2 * i + 1] == std::log(next / previous),
+               boost::test_tools::tolerance(1e-10)); // Eq. 4
+  }
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
+{
+  const Chart chart = bump(4, 2);
+  const std::vector<double> alpha = random_angles(chart.vertex.size(), 4);
+  const Matrix jacobian = constraint_jacobian(chart, alpha);
+  const Vector multipliers = random_vector(jacobian.rows(), 5);
+  const double h = 1e-5;
+  for(std::size_t c = 0; c < alpha.size(); ++c) {
+    auto less = alpha, more = alpha;
+    less[c] -= h;
+    more[c] += h;
+    const Vector difference =
+        (abf::constraint_residuals(chart, more) - abf::constraint_residuals(chart, less)) / (2 * h);
+    BOOST_TEST((difference - jacobian.col(c)).cwiseAbs().maxCoeff() < 1e-7);
+
+    // The second derivative is diagonal.
+    const Vector change = (constraint_jacobian(chart, more) - constraint_jacobian(chart, less)).transpose() *
+                          multipliers / (2 * h);
+    Vector expected = Vector::Zero(alpha.size());
+    expected[c] = abf::constraint_curvature(chart, alpha, multipliers, static_cast<int>(c));
+    BOOST_TEST((change - expected).cwiseAbs().maxCoeff() < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(matrix_splits)
+
+BOOST_AUTO_TEST_CASE(invert_the_hessian_on_steps_that_keep_the_sum)
+{
+  const Eigen::Vector3d energy(3, 5, 7), hessian(2, 9, 4);
+  const Eigen::Matrix3d p = abf::split(energy, hessian);
+  Eigen::Matrix4d kkt = Eigen::Matrix4d::Zero();
+  kkt.topLeftCorner<3, 3>() = hessian.asDiagonal();
+  kkt.topRightCorner<3, 1>().setOnes();
+  kkt.bottomLeftCorner<1, 3>().setOnes();
+  BOOST_TEST((p - kkt.inverse().topLeftCorner<3, 3>()).cwiseAbs().maxCoeff() < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(lift_an_indefinite_hessian)
+{
+  const Eigen::Vector3d energy(3, 5, 7);
+  const Eigen::Matrix3d least = abf::split(energy, energy) / abf::least_relative_curvature;
+  for(const Eigen::Vector3d& hessian : {Eigen::Vector3d(-2, 9, 4), Eigen::Vector3d(-2, -9, -4),
+                                        Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e9, -1e9, 1)}) {
+    const Eigen::Matrix3d p = abf::split(energy, hessian);
+    BOOST_TEST((p * Eigen::Vector3d::Ones()).norm() < 1e-12);
+    const Eigen::Vector3d lower = p.selfadjointView<Eigen::Lower>().eigenvalues();
+    const Eigen::Vector3d gap = Eigen::Matrix3d(least - p).selfadjointView<Eigen::Lower>().eigenvalues();
+    BOOST_TEST(lower.minCoeff() > -1e-12);
+    BOOST_TEST(gap.minCoeff() > -1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(assemble_the_matrix_of_equation_16)
+{
+  const Chart chart = bump(5, 7);
+  const int n_f = chart.number_of_triangles(), n = 2 * chart.number_of_interior_vertices;
+  const std::vector<double> beta = abf::target_angles(chart);
+  const std::vector<double> alpha = random_angles(beta.size(), 8);
+  const Vector multipliers = random_vector(n, 9);
+  abf::Newton_system<Solver> system(chart, beta, abf::Angle_energy{0}, false, Solver());
+  system.assemble(alpha, multipliers, abf::constraint_residuals(chart, alpha));
+
+  // Eqs. 6, 11 and 12, with weights 1 / beta^2.
+  const Matrix inverse_lambda = (as_vector(beta).array().square() / 2).matrix().asDiagonal();
+  const Matrix j = full_jacobian(chart, alpha);
+  const Matrix all = j * inverse_lambda * j.transpose();
+  const Matrix lambda_star = all.topLeftCorner(n_f, n_f), j_star = all.bottomLeftCorner(n, n_f),
+               j_star_star = all.bottomRightCorner(n, n);
+  const Matrix equation_16 = j_star * lambda_star.inverse() * j_star.transpose() - j_star_star;
+  BOOST_TEST((Matrix(system.matrix()) + equation_16).cwiseAbs().maxCoeff() <
+             1e-12 * equation_16.cwiseAbs().maxCoeff());
+}
+
+void check_step_against_dense_kkt(const Chart& chart, double barrier, bool curvature,
+                                  const std::vector<double>& alpha, const Vector& multipliers)
+{
+  const int n_f = chart.number_of_triangles();
+  const int n_alpha = chart.number_of_corners();
+  const std::vector<double> beta = abf::target_angles(chart);
+  const abf::Angle_energy energy{barrier};
+  const Vector residual = abf::constraint_residuals(chart, alpha);
+  abf::Newton_system<Solver> system(chart, beta, energy, curvature, Solver());
+  abf::Newton_step step;
+  BOOST_REQUIRE(system.compute(alpha, multipliers, residual, step));
+
+  // Eq. 6, all of it.
+  const Matrix j = full_jacobian(chart, alpha);
+  Matrix kkt = Matrix::Zero(n_alpha + j.rows(), n_alpha + j.rows());
+  Vector rhs = Vector::Zero(kkt.rows());
+  for(int c = 0; c < n_alpha; ++c) {
+    kkt(c, c) = energy.second_derivative(alpha[c], beta[c]);
+    if(curvature)
+      kkt(c, c) += abf::constraint_curvature(chart, alpha, multipliers, c);
+    rhs[c] = -energy.first_derivative(alpha[c], beta[c]);
+  }
+  kkt.topRightCorner(n_alpha, j.rows()) = j.transpose();
+  kkt.bottomLeftCorner(j.rows(), n_alpha) = j;
+  rhs.head(n_alpha) -= j.bottomRows(multipliers.size()).transpose() * multipliers;
+  rhs.tail(residual.size()) = -residual;
+  const Vector solution = kkt.partialPivLu().solve(rhs);
+
+  const double scale = solution.cwiseAbs().maxCoeff();
+  BOOST_TEST((as_vector(step.angles) - solution.head(n_alpha)).cwiseAbs().maxCoeff() < 1e-10 * scale);
+  BOOST_TEST((step.multipliers - solution.tail(residual.size())).cwiseAbs().maxCoeff() < 1e-10 * scale);
+  for(int t = 0; t < n_f; ++t)
+    BOOST_TEST(std::abs(step.angles[3 * t] + step.angles[3 * t + 1] + step.angles[3 * t + 2]) <
+               1e-13 * scale);
+}
+
+BOOST_AUTO_TEST_CASE(give_the_step_of_equation_6)
+{
+  const Chart chart = bump(5, 7);
+  const std::vector<double> alpha = abf::starting_angles(abf::target_angles(chart));
+  const Vector multipliers = 0.01 * random_vector(2 * chart.number_of_interior_vertices, 9);
+  for(double barrier : {0., 0.1})
+    for(bool curvature : {false, true})
+      check_step_against_dense_kkt(chart, barrier, curvature, alpha, multipliers);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(assembly)
+
+BOOST_AUTO_TEST_CASE(adds_up_local_matrices)
+{
+  const Chart chart = bump(4, 11);
+  const int n = chart.number_of_interior_vertices;
+  abf::Triangle_assembly<2> assembly(chart.vertex, chart.interior, n);
+  Matrix dense = Matrix::Zero(2 * n, 2 * n);
+  for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    const Eigen::Matrix<double, 6, 6> local = Eigen::Matrix<double, 6, 6>::Random();
+    assembly.add(t, local);
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b < 3; ++b) {
+        const int i = chart.interior[chart.vertex[3 * t + a]], j = chart.interior[chart.vertex[3 * t + b]];
+        if(i >= 0 && j >= 0)
+          dense.block<2, 2>(2 * i, 2 * j) += local.block<2, 2>(2 * a, 2 * b);
+      }
+  }
+  BOOST_TEST((Matrix(assembly.matrix()) - dense).cwiseAbs().maxCoeff() < 1e-15);
+  BOOST_TEST(assembly.matrix().isCompressed());
+  assembly.set_zero();
+  BOOST_TEST(Matrix(assembly.matrix()).cwiseAbs().maxCoeff() == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(angle_solver)
+
+BOOST_AUTO_TEST_CASE(keeps_the_angles_of_a_planar_chart)
+{
+  const Chart chart = flat_grid(10, 12);
+  std::vector<double> alpha;
+  const Report report = solve(chart, Options(), alpha);
+  BOOST_TEST(report.converged);
+  BOOST_TEST(report.iterations == 1);
+  const std::vector<double> expected = planar_angles(chart, projected(chart));
+  BOOST_TEST((as_vector(alpha) - as_vector(expected)).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+// At a minimum the gradient is a combination of the constraints' gradients.
+double distance_from_stationarity(const Chart& chart, double barrier, const std::vector<double>& alpha)
+{
+  const std::vector<double> beta = abf::target_angles(chart);
+  const abf::Angle_energy energy{barrier};
+  Vector gradient(alpha.size());
+  for(std::size_t c = 0; c < alpha.size(); ++c)
+    gradient[c] = energy.first_derivative(alpha[c], beta[c]);
+  const Matrix j_transposed = full_jacobian(chart, alpha).transpose();
+  const Vector multipliers =
+      (j_transposed.transpose() * j_transposed).partialPivLu().solve(j_transposed.transpose() * gradient);
+  return (gradient - j_transposed * multipliers).norm() / gradient.norm();
+}
+
+BOOST_AUTO_TEST_CASE(finds_a_constrained_minimum)
+{
+  const Chart chart = bump(9, 13, 1);
+  for(double barrier : {0., 0.1}) {
+    Options options;
+    options.barrier = barrier;
+    options.energy_tolerance = 1e-16;
+    std::vector<double> newton, sequential;
+    const Report report = solve(chart, options, newton);
+    BOOST_TEST(report.converged);
+    BOOST_TEST(report.constraint_residual <= options.tolerance);
+    BOOST_TEST(distance_from_stationarity(chart, barrier, newton) < 1e-6);
+    BOOST_TEST(report.iterations == static_cast<int>(report.steps.size()));
+
+    options.step = Options::SEQUENTIAL_LINEARLY_CONSTRAINED;
+    BOOST_TEST(solve(chart, options, sequential).converged);
+    BOOST_TEST((as_vector(newton) - as_vector(sequential)).cwiseAbs().maxCoeff() < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(converges_quadratically)
+{
+  std::vector<double> alpha;
+  Options options;
+  options.energy_tolerance = 1e-16;
+  const Report report = solve(bump(20, 14, 1), options, alpha);
+  BOOST_REQUIRE(report.converged);
+  const auto& last = report.steps.back();
+  const auto& before = report.steps[report.steps.size() - 2];
+  BOOST_TEST(last.predicted_decrease < 1e-2 * before.predicted_decrease);
+  BOOST_TEST(report.iterations < 10);
+}
+
+BOOST_AUTO_TEST_CASE(stays_inside_the_open_interval)
+{
+  BOOST_TEST(abf::longest_step({1, 0.5}, {-0.5, -0.2}) == 1);
+  BOOST_TEST(abf::longest_step({1, 0.5}, {-3, -0.2}) == 0.3, boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(steps_are_reported)
+{
+  Options options;
+  int calls = 0;
+  options.on_step = [&](const SMP::ABF_plus_plus_step& step) { BOOST_TEST(step.iteration == ++calls); };
+  std::vector<double> alpha;
+  BOOST_TEST(solve(bump(6, 1), options, alpha).iterations == calls);
+  BOOST_TEST(calls > 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

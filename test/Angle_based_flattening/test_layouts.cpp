@@ -1,0 +1,351 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Charts, their diagnosis, and from planar angles to certified coordinates: every room by itself, on charts made by
+// hand.
+
+#define BOOST_TEST_MODULE layouts
+#include <boost/test/unit_test.hpp>
+
+#include "test_charts.h"
+
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+
+#include <complex>
+#include <limits>
+
+using namespace test_charts;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+typedef SMP::ABF_plus_plus_report Report;
+typedef SMP::ABF_plus_plus_options Options;
+typedef CGAL::SuperLU_solver_traits<> Solver;
+
+namespace {
+
+// Largest distance between two layouts after the best similarity, relative to the first one's size.
+double distance_up_to_similarity(const std::vector<Point_2>& a, const std::vector<Point_2>& b)
+{
+  typedef std::complex<double> Complex;
+  Eigen::VectorXcd p(a.size()), q(a.size());
+  for(std::size_t v = 0; v < a.size(); ++v) {
+    p[v] = Complex(a[v].x(), a[v].y());
+    q[v] = Complex(b[v].x(), b[v].y());
+  }
+  p.array() -= p.mean();
+  q.array() -= q.mean();
+  const Complex factor = q.dot(p) / q.squaredNorm();
+  return (p - factor * q).cwiseAbs().maxCoeff() / p.cwiseAbs().maxCoeff();
+}
+
+Report flatten(const Chart& chart, const Options& options, std::vector<Point_2>& uv)
+{
+  Report report;
+  std::vector<int> flipped;
+  const auto keep = [](const Point_2& p) { return p; };
+  abf::flatten_chart(chart, options, Solver(), keep, uv, flipped, report);
+  return report;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(the_chart)
+
+BOOST_AUTO_TEST_CASE(finds_borders_and_interior_vertices)
+{
+  const Chart chart = flat_grid(5, 1);
+  BOOST_REQUIRE_EQUAL(chart.borders.size(), 1u);
+  BOOST_TEST(chart.borders[0].size() == 20u);
+  BOOST_TEST(chart.number_of_interior_vertices == 16);
+  for(std::size_t i = 0; i < 20; ++i)
+    BOOST_TEST(chart.edge_target(chart.borders[0][i]) == chart.edge_source(chart.borders[0][(i + 1) % 20]));
+
+  BOOST_TEST(annulus(7).borders.size() == 2u);
+  BOOST_TEST(annulus(7).number_of_interior_vertices == 0);
+  BOOST_TEST(pyramid(1000, 1).number_of_interior_vertices == 1);
+}
+
+BOOST_AUTO_TEST_CASE(rotates_through_the_whole_fan)
+{
+  const Chart chart = pyramid(6, 1);
+  int c = 0, steps = 0;
+  do {
+    BOOST_TEST(chart.vertex[c] == 0);
+    c = chart.rotate(c);
+    ++steps;
+  } while(c != 0);
+  BOOST_TEST(steps == 6);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(diagnosis)
+
+BOOST_AUTO_TEST_CASE(accepts_what_can_be_flattened)
+{
+  const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}};
+  for(const Chart& chart : {make_chart(p, {{0, 1, 2}}), make_chart(p, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}),
+                            pyramid(3, 100), flat_grid(8, 3), bump(8, 3)}) {
+    Chart without_unused_points = chart;
+    without_unused_points.points.resize(1 + *std::max_element(chart.vertex.begin(), chart.vertex.end()));
+    abf::find_borders(without_unused_points);
+    BOOST_TEST(abf::diagnose(without_unused_points, false).message == "");
+  }
+  BOOST_TEST(abf::diagnose(annulus(5), true).message == "");
+}
+
+void check_defect(const Chart& chart, Report::Diagnosis expected, const std::vector<int>& vertices)
+{
+  const abf::Chart_defect defect = abf::diagnose(chart, false);
+  BOOST_TEST(defect.diagnosis == expected);
+  BOOST_TEST(!defect.message.empty());
+  BOOST_TEST(defect.vertices == vertices, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(names_what_cannot)
+{
+  Chart broken = flat_grid(4, 1);
+  broken.points[7] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  check_defect(broken, Report::NON_FINITE_POINT, {7});
+
+  check_defect(torus_with_hole(5), Report::HANDLES, {});
+  BOOST_TEST(abf::diagnose(annulus(5), false).diagnosis == Report::SEVERAL_BORDERS);
+
+  const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {0, 2, 0}};
+  // Two triangles that share vertex 0, joined by a bridge of others.
+  check_defect(make_chart(p, {{0, 1, 2}, {0, 4, 5}, {2, 1, 3}, {3, 1, 6}, {3, 6, 4}, {4, 6, 5}}),
+               Report::PINCHED_VERTEX, {0});
+}
+
+BOOST_AUTO_TEST_CASE(recognises_parallel_edges)
+{
+  // A vertex of degree two in the midst of the edge between 0 and 1: the two triangles beside it have different
+  // edges between the same vertices, which only the corner table can say.
+  const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {.5, 0, 0}, {.5, 1, 0}, {.5, -1, 0}};
+  Chart chart;
+  chart.points = p;
+  chart.vertex = {2, 0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0};
+  // Triangles (2,0,1) and (2,1,0) share their edges at vertex 2; the one's edge 01 is glued to triangle 3's, the
+  // other's to triangle 4's.
+  chart.opposite = {9, 4, 5 - 0, 6, 1, 2, 3, -1, -1, 0, -1, -1};
+  chart.opposite[1] = 5;
+  chart.opposite[5] = 1;
+  chart.opposite[2] = 4;
+  chart.opposite[4] = 2;
+  abf::find_borders(chart);
+  const abf::Chart_defect defect = abf::diagnose(chart, false);
+  BOOST_TEST(defect.diagnosis == Report::PARALLEL_EDGES);
+  BOOST_REQUIRE_EQUAL(defect.vertices.size(), 2u);
+  BOOST_TEST(defect.vertices[0] + defect.vertices[1] == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(layouts)
+
+BOOST_AUTO_TEST_CASE(reproduce_planar_triangulations)
+{
+  for(unsigned int seed = 0; seed < 5; ++seed)
+    for(const Chart& chart : {flat_grid(3 + 5 * seed, seed), pyramid(3 + 7 * seed, 0)}) {
+      const std::vector<Point_2> expected = projected(chart);
+      const std::vector<double> alpha = planar_angles(chart, expected);
+      abf::Layout exact;
+      BOOST_REQUIRE(abf::exact_layout(chart, alpha, Solver(), exact));
+      BOOST_TEST(distance_up_to_similarity(expected, exact.uv) < 1e-12);
+      BOOST_TEST(exact.closure < 1e-13);
+      std::vector<Point_2> least_squares;
+      BOOST_REQUIRE(abf::Least_squares_layout(chart, alpha).solve(Solver(), least_squares));
+      BOOST_TEST(distance_up_to_similarity(expected, least_squares) < 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(of_charts_without_interior_vertices)
+{
+  const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}};
+  for(const Triangles& triangles : {Triangles{{0, 1, 2}}, Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}}) {
+    std::vector<Point_3> used(p.begin(), p.begin() + 2 + triangles.size());
+    std::vector<Point_2> uv;
+    for(auto layout : {Options::EXACT_LAYOUT, Options::LEAST_SQUARES_LAYOUT}) {
+      Options options;
+      options.layout = layout;
+      const Chart chart = make_chart(used, triangles);
+      BOOST_TEST(flatten(chart, options, uv).status == SMP::OK);
+      BOOST_TEST(distance_up_to_similarity(projected(chart), uv) < 1e-12);
+    }
+  }
+}
+
+// The minimum of Eq. 21 is where no single coordinate can improve it.
+BOOST_AUTO_TEST_CASE(least_squares_minimizes_equation_21)
+{
+  const Chart chart = bump(5, 3);
+  const std::vector<double> alpha = random_angles(chart.vertex.size(), 4);
+  std::vector<Point_2> uv;
+  BOOST_REQUIRE(abf::Least_squares_layout(chart, alpha).solve(Solver(), uv));
+  const auto error = [&](const std::vector<Point_2>& points) {
+    double sum = 0;
+    for(int t = 0; t < chart.number_of_triangles(); ++t) {
+      int l = 3 * t;
+      for(int c = l; c < 3 * t + 3; ++c)
+        if(std::sin(alpha[c]) > std::sin(alpha[l]))
+          l = c;
+      const int j = abf::next_corner(l), k = abf::previous_corner(l);
+      const auto z = [&](int c) {
+        return std::complex<double>(points[chart.vertex[c]].x(), points[chart.vertex[c]].y());
+      };
+      const auto m = std::polar(std::sin(alpha[k]) / std::sin(alpha[l]), alpha[j]);
+      sum += std::norm(m * (z(j) - z(k)) + z(l) - z(j));
+    }
+    return sum;
+  };
+  const double least = error(uv);
+  const auto [origin, unit] = abf::far_apart_border_vertices(chart);
+  for(int v = 0; v < chart.number_of_vertices(); ++v)
+    for(double step : {-1e-4, 1e-4})
+      if(v != origin && v != unit) {
+        auto moved = uv;
+        moved[v] = Point_2(uv[v].x() + step, uv[v].y());
+        BOOST_TEST(error(moved) > least);
+        moved[v] = Point_2(uv[v].x(), uv[v].y() + step);
+        BOOST_TEST(error(moved) > least);
+      }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(certificate)
+
+BOOST_AUTO_TEST_CASE(counts_flips_exactly)
+{
+  const Chart chart = flat_grid(4, 6);
+  std::vector<Point_2> uv = projected(chart);
+  BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
+
+  // The last bit of a coordinate decides, which the determinant in doubles cannot see.
+  const Chart one = make_chart({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  const double ulp = std::numeric_limits<double>::epsilon() / 2;
+  BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5}, {12, 12}, {24, 24}}).size() == 1u);
+  BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5 + ulp}, {12, 12}, {24, 24}}).size() == 0u);
+  BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5 - ulp}, {12, 12}, {24, 24}}).size() == 1u);
+  BOOST_TEST(
+      abf::flipped_triangles(one, {{0, 0}, {1, 0}, {0, std::numeric_limits<double>::quiet_NaN()}}).size() ==
+      1u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(scale_and_measures)
+
+BOOST_AUTO_TEST_CASE(area_is_the_surface_area)
+{
+  const Chart chart = bump(10, 3, 1);
+  std::vector<Point_2> uv;
+  BOOST_REQUIRE(flatten(chart, Options(), uv).status == SMP::OK);
+  double surface = 0, plane = 0;
+  for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    surface += abf::surface_area(chart, t);
+    plane += abf::planar_area(chart, uv, t);
+  }
+  BOOST_TEST(surface == plane, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(of_linear_maps)
+{
+  const Chart chart = flat_grid(6, 8);
+  const auto mapped = [&](double a, double b, double c, double d) {
+    std::vector<Point_2> uv;
+    for(const Point_3& p : chart.points)
+      uv.emplace_back(a * p.x() + b * p.y(), c * p.x() + d * p.y());
+    return abf::stretch_and_shear(chart, uv);
+  };
+  const auto close = boost::test_tools::tolerance(1e-12);
+  BOOST_TEST(mapped(3, -4, 4, 3).l2_stretch == 1, close); // similarity
+  BOOST_TEST(mapped(3, -4, 4, 3).l2_shear < 1e-12);
+  // The inverse of diag(2, 1/2) has columns (1/2, 0) and (0, 2).
+  BOOST_TEST(mapped(2, 0, 0, 0.5).l2_stretch == std::sqrt((4 + 0.25) / 2), close);
+  BOOST_TEST(mapped(2, 0, 0, 0.5).l2_shear < 1e-12);
+  // The inverse of the shear by 1 has columns (1, 0) and (-1, 1).
+  BOOST_TEST(mapped(1, 1, 0, 1).l2_stretch == std::sqrt((1 + 2) / 2.), close);
+  BOOST_TEST(mapped(1, 1, 0, 1).l2_shear == std::sqrt(0.5), close);
+}
+
+BOOST_AUTO_TEST_CASE(angular_distortion_is_the_energy)
+{
+  const Chart chart = bump(8, 8, 1);
+  Options options;
+  options.barrier = 0;
+  std::vector<Point_2> uv;
+  const Report report = flatten(chart, options, uv);
+  BOOST_REQUIRE(report.status == SMP::OK);
+  const std::vector<double> beta = abf::target_angles(chart);
+  double sum = 0;
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    sum += 3 * abf::angular_distortion(chart, beta, uv, t);
+  BOOST_TEST(sum == report.energy, boost::test_tools::tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(whole_chart)
+
+BOOST_AUTO_TEST_CASE(layouts_agree)
+{
+  const Chart chart = bump(25, 4, 1);
+  Options exact, least_squares;
+  exact.layout = Options::EXACT_LAYOUT;
+  least_squares.layout = Options::LEAST_SQUARES_LAYOUT;
+  std::vector<Point_2> a, b;
+  BOOST_TEST(flatten(chart, exact, a).layout == Report::EXACT);
+  BOOST_TEST(flatten(chart, least_squares, b).layout == Report::LEAST_SQUARES);
+  BOOST_TEST(distance_up_to_similarity(a, b) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(steep_charts_come_out_valid)
+{
+  for(unsigned int seed = 0; seed < 3; ++seed)
+    for(const auto& [height, barrier] : {std::pair(1., 0.1), {3., 0.1}, {10., 3.}}) {
+      Options options;
+      options.barrier = barrier;
+      std::vector<Point_2> uv;
+      const Report report = flatten(bump(12 + 6 * seed, seed, height), options, uv);
+      BOOST_TEST(report.status == SMP::OK);
+      BOOST_TEST(report.flipped_triangles == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(exact_layout_refuses_holes)
+{
+  Options options;
+  options.allow_holes = true;
+  std::vector<Point_2> uv;
+  BOOST_TEST(flatten(annulus(9), options, uv).status == SMP::OK);
+  options.layout = Options::EXACT_LAYOUT;
+  const Report report = flatten(annulus(9), options, uv);
+  BOOST_TEST(report.status == SMP::ERROR_WRONG_PARAMETER);
+  BOOST_TEST(report.diagnosis == Report::WRONG_LAYOUT);
+}
+
+BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    std::vector<Point_2> uv;
+    const Report report = flatten(bump(8 + 2 * seed, seed, 10 + 10 * seed), Options(), uv);
+    BOOST_TEST((report.status == SMP::OK) == (report.flipped_triangles == 0));
+    BOOST_TEST((report.status == SMP::OK) == report.message.empty());
+  }
+
+  Options options;
+  options.max_iterations = 0; // leaves the angles of a steep cone as they are, far from flat
+  options.layout = Options::LEAST_SQUARES_LAYOUT;
+  std::vector<Point_2> uv;
+  const Report report = flatten(bump(20, 1, 20), options, uv);
+  BOOST_TEST(report.flipped_triangles > 0);
+  BOOST_TEST(report.status == SMP::ERROR_NO_1_TO_1_MAPPING);
+  BOOST_TEST(report.diagnosis == Report::NO_CONVERGENCE);
+  BOOST_TEST(!report.message.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

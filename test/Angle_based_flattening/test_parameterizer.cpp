@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The parameterizer as CGAL programmers use it, on every kind of mesh.
+
+#define BOOST_TEST_MODULE parameterizer
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <unordered_map>
+#include <vector>
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace PMP = CGAL::Polygon_mesh_processing;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_2 Point_2;
+typedef Kernel::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Surface_mesh;
+typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> Polyhedron;
+typedef SMP::ABF_plus_plus_report Report;
+typedef SMP::ABF_plus_plus_options Options;
+
+namespace {
+
+// A bump over n times n cells.
+template <typename Mesh>
+void make_bump(int n, Mesh& mesh)
+{
+  typedef typename boost::property_traits<
+      typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type Point;
+  std::mt19937 random(n);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+  CGAL::make_grid(
+      n, n, mesh,
+      [&](std::size_t i, std::size_t j) {
+        const double x = (i + jitter(random)) / n, y = (j + jitter(random)) / n;
+        return Point(x, y, std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5))));
+      },
+      true);
+}
+
+template <typename Mesh, typename SolverTraits = CGAL::Default>
+struct Flattening
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef SMP::ABF_plus_plus_parameterizer_3<Mesh, SolverTraits> Parameterizer;
+
+  explicit Flattening(const Options& options = Options()) : parameterizer(options) {}
+
+  SMP::Error_code run(Mesh& mesh, halfedge_descriptor bhd)
+  {
+    return SMP::parameterize(mesh, parameterizer, bhd, uvmap());
+  }
+
+  SMP::Error_code run(Mesh& mesh) { return run(mesh, PMP::longest_border(mesh).first); }
+
+  boost::associative_property_map<std::map<vertex_descriptor, Point_2>> uvmap() { return {uv}; }
+
+  Parameterizer parameterizer;
+  std::map<vertex_descriptor, Point_2> uv;
+};
+
+template <typename Mesh>
+void check_valid(Mesh& mesh)
+{
+  const auto bhd = PMP::longest_border(mesh).first;
+  Flattening<Mesh> flattening;
+  BOOST_TEST(flattening.run(mesh, bhd) == SMP::OK);
+  BOOST_TEST(flattening.uv.size() == num_vertices(mesh));
+
+  const Report& report = flattening.parameterizer.report(); // survives the call by value
+  BOOST_TEST(report.status == SMP::OK);
+  BOOST_TEST(report.converged);
+  BOOST_TEST(report.message.empty());
+  BOOST_TEST(report.vertices == static_cast<int>(num_vertices(mesh)));
+  BOOST_TEST(report.triangles == static_cast<int>(num_faces(mesh)));
+  BOOST_TEST(report.flipped_triangles == 0);
+  BOOST_TEST(report.layout == Report::EXACT);
+  BOOST_TEST(report.seconds.total() > 0);
+
+  const auto measures = SMP::measure_flattening(mesh, bhd, flattening.uvmap());
+  BOOST_TEST(measures.flipped_triangles == 0);
+  BOOST_TEST(measures.smallest_angle == report.smallest_angle);
+  BOOST_TEST(measures.angular_distortion < 0.1);
+  BOOST_TEST(measures.l2_stretch >= 1);
+}
+
+// An error leaves the map as it was, and says what and where.
+void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Error_code code,
+                 Report::Diagnosis diagnosis)
+{
+  Flattening<Surface_mesh> flattening;
+  const auto vimap = get(boost::vertex_index, mesh);
+  auto parameterized = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:done", false).first;
+  BOOST_TEST(flattening.parameterizer.parameterize(mesh, bhd, flattening.uvmap(), vimap, parameterized) ==
+             code);
+  BOOST_TEST(flattening.uv.empty());
+  const Report& report = flattening.parameterizer.report();
+  BOOST_TEST(report.status == code);
+  BOOST_TEST(report.diagnosis == diagnosis);
+  BOOST_TEST(!report.message.empty());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(surface_mesh)
+{
+  Surface_mesh mesh;
+  make_bump(20, mesh);
+  check_valid(mesh);
+}
+
+BOOST_AUTO_TEST_CASE(polyhedron)
+{
+  Polyhedron mesh;
+  make_bump(12, mesh);
+  check_valid(mesh);
+}
+
+BOOST_AUTO_TEST_CASE(same_result_on_every_mesh_type)
+{
+  Surface_mesh mesh;
+  Polyhedron polyhedron;
+  make_bump(9, mesh);
+  make_bump(9, polyhedron);
+  Flattening<Surface_mesh> a;
+  Flattening<Polyhedron> b;
+  BOOST_TEST(a.run(mesh) == SMP::OK);
+  BOOST_TEST(b.run(polyhedron) == SMP::OK);
+  BOOST_TEST(a.parameterizer.report().energy == b.parameterizer.report().energy,
+             boost::test_tools::tolerance(1e-9));
+}
+
+// A sphere slit open along a path, as CGAL's seam meshes are made.
+BOOST_AUTO_TEST_CASE(seam_mesh)
+{
+  typedef boost::graph_traits<Surface_mesh>::edge_descriptor edge_descriptor;
+  typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
+  typedef Surface_mesh::Property_map<edge_descriptor, bool> Seam_edges;
+  typedef Surface_mesh::Property_map<vertex_descriptor, bool> Seam_vertices;
+  typedef CGAL::Seam_mesh<Surface_mesh, Seam_edges, Seam_vertices> Mesh;
+
+  Surface_mesh sphere;
+  CGAL::make_icosahedron(sphere, Point_3(0, 0, 0), 1);
+  auto is_seam_edge = sphere.add_property_map<edge_descriptor, bool>("e:on_seam", false).first;
+  auto is_seam_vertex = sphere.add_property_map<vertex_descriptor, bool>("v:on_seam", false).first;
+  Mesh mesh(sphere, is_seam_edge, is_seam_vertex);
+  // Two edges in a row: slit along a single one, the sphere could not be flattened.
+  const auto h = *halfedges(sphere).begin();
+  const auto g = opposite(next(opposite(next(h, sphere), sphere), sphere), sphere);
+  BOOST_REQUIRE(target(h, sphere) == target(g, sphere));
+  BOOST_REQUIRE(mesh.add_seam(source(h, sphere), target(h, sphere)));
+  BOOST_REQUIRE(mesh.add_seam(target(g, sphere), source(g, sphere)));
+  BOOST_REQUIRE(mesh.number_of_seam_edges() == 2);
+
+  std::unordered_map<Surface_mesh::Halfedge_index, Point_2> uv;
+  auto uv_of_halfedge = boost::make_assoc_property_map(uv);
+  const Mesh::halfedge_descriptor bhd = PMP::longest_border(mesh).first;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
+  BOOST_TEST(SMP::parameterize(mesh, parameterizer, bhd, uv_of_halfedge) == SMP::OK);
+  BOOST_TEST(parameterizer.report().message == "");
+  BOOST_TEST(parameterizer.report().triangles == 20);
+  BOOST_TEST(parameterizer.report().vertices == 13);
+  BOOST_TEST(SMP::measure_flattening(mesh, bhd, uv_of_halfedge).flipped_triangles == 0);
+}
+
+BOOST_AUTO_TEST_CASE(one_of_several_components)
+{
+  Surface_mesh mesh;
+  mesh.add_vertex(Point_3(0, 0, 0)); // isolated
+  make_bump(5, mesh);
+  const auto v = mesh.add_vertex(Point_3(5, 0, 0)), w = mesh.add_vertex(Point_3(6, 0, 0)),
+             x = mesh.add_vertex(Point_3(5, 1, 0));
+  const auto f = mesh.add_face(v, w, x);
+  Flattening<Surface_mesh> flattening;
+  BOOST_TEST(flattening.run(mesh, opposite(halfedge(f, mesh), mesh)) == SMP::OK);
+  BOOST_TEST(flattening.uv.size() == 3u);
+  BOOST_TEST(flattening.run(mesh) == SMP::OK);
+  BOOST_TEST(flattening.uv.size() == 3u + 36u);
+}
+
+// Of the indices only that they are different matters.
+BOOST_AUTO_TEST_CASE(any_vertex_indices)
+{
+  Surface_mesh mesh;
+  make_bump(6, mesh);
+  std::map<Surface_mesh::Vertex_index, int> indices;
+  int next = 1000000;
+  for(Surface_mesh::Vertex_index v : vertices(mesh))
+    indices[v] = next -= 7;
+  Flattening<Surface_mesh> a, b;
+  const auto bhd = PMP::longest_border(mesh).first;
+  std::map<Surface_mesh::Vertex_index, bool> parameterized;
+  BOOST_TEST(a.parameterizer.parameterize(mesh, bhd, a.uvmap(), boost::make_assoc_property_map(indices),
+                                          boost::make_assoc_property_map(parameterized)) == SMP::OK);
+  BOOST_TEST(b.run(mesh) == SMP::OK);
+  for(Surface_mesh::Vertex_index v : vertices(mesh))
+    BOOST_TEST(std::sqrt(CGAL::squared_distance(a.uv[v], b.uv[v])) < 1e-9);
+}
+
+// What is certified is what a map of floats can hold.
+BOOST_AUTO_TEST_CASE(float_kernel)
+{
+  typedef CGAL::Simple_cartesian<float> Float_kernel;
+  typedef CGAL::Surface_mesh<Float_kernel::Point_3> Mesh;
+  Mesh mesh;
+  make_bump(10, mesh);
+  auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Float_kernel::Point_2>("v:uv").first;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
+  const auto bhd = PMP::longest_border(mesh).first;
+  BOOST_TEST(SMP::parameterize(mesh, parameterizer, bhd, uvmap) == SMP::OK);
+  BOOST_TEST(SMP::measure_flattening(mesh, bhd, uvmap).smallest_angle ==
+             parameterizer.report().smallest_angle);
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_every_time)
+{
+  Surface_mesh mesh;
+  make_bump(15, mesh);
+  Flattening<Surface_mesh> a, b;
+  BOOST_TEST(a.run(mesh) == SMP::OK);
+  BOOST_TEST(b.run(mesh) == SMP::OK);
+  BOOST_TEST((a.uv == b.uv));
+}
+
+BOOST_AUTO_TEST_CASE(independent_of_units)
+{
+  Surface_mesh mesh;
+  make_bump(8, mesh);
+  Flattening<Surface_mesh> reference;
+  BOOST_TEST(reference.run(mesh) == SMP::OK);
+  for(double scale : {1e-6, 1e6}) {
+    Surface_mesh scaled = mesh;
+    for(Surface_mesh::Vertex_index v : vertices(scaled))
+      scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
+    Flattening<Surface_mesh> flattening;
+    BOOST_TEST(flattening.run(scaled) == SMP::OK);
+    for(Surface_mesh::Vertex_index v : vertices(scaled))
+      BOOST_TEST(std::sqrt(CGAL::squared_distance(
+                     flattening.uv[v], Point_2(scale * reference.uv[v].x(), scale * reference.uv[v].y()))) <
+                 1e-8 * scale);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(any_solver)
+{
+  typedef CGAL::Eigen_sparse_matrix<double>::EigenType Matrix;
+  typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>> Eigen_traits;
+  Surface_mesh mesh;
+  make_bump(12, mesh);
+  Flattening<Surface_mesh> superlu;
+  Flattening<Surface_mesh, Eigen_traits> eigen;
+  BOOST_TEST(superlu.run(mesh) == SMP::OK);
+  BOOST_TEST(eigen.run(mesh) == SMP::OK);
+  for(Surface_mesh::Vertex_index v : vertices(mesh))
+    BOOST_TEST(std::sqrt(CGAL::squared_distance(superlu.uv[v], eigen.uv[v])) < 1e-9);
+}
+
+namespace {
+
+// The n-th linear solve of a run fails.
+struct Failing_traits : CGAL::SuperLU_solver_traits<>
+{
+  static inline int countdown = 0;
+
+  bool factor(const Matrix& A, NT& D) { return --countdown != 0 && SuperLU_solver_traits<>::factor(A, D); }
+  bool linear_solver(const Vector& B, Vector& X)
+  {
+    return --countdown != 0 && SuperLU_solver_traits<>::linear_solver(B, X);
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_failing_solver_is_an_error)
+{
+  Surface_mesh mesh;
+  make_bump(6, mesh);
+  bool failed = true;
+  for(int n = 1; failed; ++n) {
+    Failing_traits::countdown = n;
+    Flattening<Surface_mesh, Failing_traits> flattening;
+    const SMP::Error_code code = flattening.run(mesh);
+    failed = Failing_traits::countdown <= 0;
+    BOOST_TEST(code == (failed ? SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : SMP::OK));
+    BOOST_TEST(flattening.uv.empty() == failed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input)
+{
+  Surface_mesh mesh;
+  make_bump(4, mesh);
+  const auto bhd = PMP::longest_border(mesh).first;
+  check_error(mesh, Surface_mesh::null_halfedge(), SMP::ERROR_WRONG_PARAMETER, Report::NOT_ON_BORDER);
+  check_error(mesh, opposite(bhd, mesh), SMP::ERROR_WRONG_PARAMETER, Report::NOT_ON_BORDER);
+
+  Surface_mesh nan = mesh;
+  const Surface_mesh::Vertex_index v(7);
+  nan.point(v) = Point_3(0, 0, std::numeric_limits<double>::quiet_NaN());
+  check_error(nan, bhd, SMP::ERROR_WRONG_PARAMETER, Report::NON_FINITE_POINT);
+  Flattening<Surface_mesh> flattening;
+  flattening.run(nan);
+  BOOST_REQUIRE_EQUAL(flattening.parameterizer.offending_vertices().size(), 1u);
+  BOOST_TEST(flattening.parameterizer.offending_vertices().front() == v);
+
+  Surface_mesh quads;
+  CGAL::make_grid(
+      3, 3, quads, [](std::size_t i, std::size_t j) { return Point_3(i, j, 0); }, false);
+  check_error(quads, PMP::longest_border(quads).first, SMP::ERROR_NON_TRIANGULAR_MESH,
+              Report::NOT_TRIANGULATED);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_topology)
+{
+  Surface_mesh punctured;
+  make_bump(6, punctured);
+  const auto bhd = PMP::longest_border(punctured).first;
+  const Surface_mesh::Face_index inner(30);
+  for(Surface_mesh::Vertex_index v : vertices_around_face(halfedge(inner, punctured), punctured))
+    BOOST_REQUIRE(!punctured.is_border(v));
+  CGAL::Euler::remove_face(halfedge(inner, punctured), punctured);
+  check_error(punctured, bhd, SMP::ERROR_NO_TOPOLOGICAL_DISC, Report::SEVERAL_BORDERS);
+
+  Options options;
+  options.allow_holes = true;
+  Flattening<Surface_mesh> flattening(options);
+  BOOST_TEST(flattening.run(punctured, bhd) == SMP::OK);
+  BOOST_TEST(flattening.parameterizer.report().layout == Report::LEAST_SQUARES);
+
+  Surface_mesh slit;
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), slit);
+  const auto first = halfedge(*faces(slit).begin(), slit);
+  CGAL::Euler::remove_face(first, slit);
+  Flattening<Surface_mesh> open_tetrahedron;
+  BOOST_TEST(open_tetrahedron.run(slit, first) == SMP::OK);
+}
