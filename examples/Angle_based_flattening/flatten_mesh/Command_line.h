@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_COMMAND_LINE_H
+#define FLATTEN_MESH_COMMAND_LINE_H
+
+#include "Input_error.h"
+#include "number_text.h"
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+namespace flatten_mesh {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+// What the user asks for.
+struct Command_line
+{
+  std::string input;
+  std::string output;
+  std::string svg;
+  std::string json;
+  int component = 0;
+  int border = 0;
+  std::string method = "direct";
+  std::string solver = "superlu";
+  std::string layout = "auto";
+  std::string step = "newton";
+  SMP::ABF_plus_plus_options options;
+  bool verbose = false;
+  bool help = false;
+};
+
+namespace internal {
+
+namespace po = boost::program_options;
+
+inline po::options_description file_options(Command_line& command)
+{
+  po::options_description options("Files", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("input", po::value(&command.input)->value_name("FILE"),
+      "the surface: OFF, OBJ, PLY, STL or TS (also VTP where built with VTK); the word '--input' may be left "
+      "out");
+  add("output,o", po::value(&command.output)->value_name("FILE.obj"),
+      "write the surface with texture coordinates 'vt' as OBJ; vertices, faces and their order are those of "
+      "the input; faces outside the chart have no 'vt'. The chart has the area it has in space.");
+  add("svg", po::value(&command.svg)->value_name("FILE.svg"),
+      "draw the chart, every triangle coloured by its angular distortion");
+  add("json", po::value(&command.json)->value_name("FILE.json"),
+      "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
+      "Also written when the parameterizer fails.");
+  return options;
+}
+
+inline po::options_description chart_options(Command_line& command)
+{
+  po::options_description options("What is flattened", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("component", po::value(&command.component)->value_name("N")->default_value(command.component),
+      "the connected component, numbered from 0 by falling number of faces");
+  add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
+      "the component's outer border, numbered from 0 by falling length; all others are holes");
+  return options;
+}
+
+// A number with its default, shown as it is meant and not with all the digits of a double.
+inline po::typed_value<double>* number_option(double& number, const std::string& unit)
+{
+  return po::value(&number)->value_name(unit)->default_value(number, format_number("%g", number));
+}
+
+inline po::typed_value<std::string>* name_option(std::string& name)
+{
+  return po::value(&name)->value_name("NAME")->default_value(name);
+}
+
+inline po::options_description method_options(Command_line& command)
+{
+  SMP::ABF_plus_plus_options& abf = command.options;
+  po::options_description options("How it is flattened", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("method", name_option(command.method), "direct: ABF++ on the whole chart");
+  add("barrier", number_option(abf.barrier, "KAPPA"),
+      "weight of the term that keeps angles away from zero; 0 is exactly the energy of the ABF++ paper");
+  add("layout", name_option(command.layout),
+      "the way from angles to coordinates. exact: along the border, then one Laplace equation; for charts "
+      "with one border. least-squares: the way of the paper. auto: exact where it applies");
+  add("tolerance", number_option(abf.tolerance, "RADIANS"), "largest violation of a constraint at a vertex");
+  add("max-iterations", po::value(&abf.max_iterations)->value_name("N")->default_value(abf.max_iterations),
+      "largest number of Newton steps");
+  add("step", name_option(command.step),
+      "newton: full Newton steps. sqp: without the constraints' second derivatives, as in the paper");
+  add("solver", name_option(command.solver),
+      "of the linear systems: superlu, eigen, or cholmod where built with it");
+  return options;
+}
+
+inline po::options_description other_options(Command_line& command)
+{
+  po::options_description options("Other", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("verbose,v", po::bool_switch(&command.verbose),
+      "tell on standard error what is done: a line for every stage and every Newton step");
+  add("help,h", po::bool_switch(&command.help), "print this text");
+  return options;
+}
+
+inline po::options_description all_options(Command_line& command)
+{
+  po::options_description options;
+  options.add(file_options(command)).add(chart_options(command));
+  options.add(method_options(command)).add(other_options(command));
+  return options;
+}
+
+inline bool is_same_file(const std::string& a, const std::string& b)
+{
+  if(a.empty() || b.empty()) {
+    return false;
+  }
+  std::error_code error;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error) &&
+         (std::filesystem::is_regular_file(a, error) || !std::filesystem::exists(a, error));
+}
+
+inline void check_files(const Command_line& command)
+{
+  if(command.input.empty()) {
+    throw Input_error(
+        "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
+  }
+  for(const std::string& output : {command.output, command.svg, command.json}) {
+    if(is_same_file(command.input, output)) {
+      throw Input_error("'" + output + "' would overwrite the input: choose another name");
+    }
+  }
+  if(is_same_file(command.output, command.svg) || is_same_file(command.output, command.json) ||
+     is_same_file(command.svg, command.json)) {
+    throw Input_error("two outputs have the same name: choose different ones for --output, --svg and --json");
+  }
+}
+
+inline void check_numbers(const Command_line& command)
+{
+  const SMP::ABF_plus_plus_options& abf = command.options;
+  if(command.component < 0) {
+    throw Input_error("--component counts from 0; see --help");
+  }
+  if(command.border < 0) {
+    throw Input_error("--border counts from 0; see --help");
+  }
+  if(!std::isfinite(abf.barrier) || abf.barrier < 0) {
+    throw Input_error("--barrier takes a number of at least 0; see --help");
+  }
+  if(!std::isfinite(abf.tolerance) || abf.tolerance <= 0) {
+    throw Input_error("--tolerance takes a number above 0; see --help");
+  }
+  if(abf.max_iterations < 1) {
+    throw Input_error("--max-iterations takes a number of at least 1; see --help");
+  }
+}
+
+// Turns the names of methods into the parameterizer's options.
+inline void understand_names(Command_line& command)
+{
+  using Options = SMP::ABF_plus_plus_options;
+  const auto refuse = [](const std::string& option, const std::string& value, const std::string& known) {
+    throw Input_error("unknown --" + option + " '" + value + "': it is " + known);
+  };
+  if(command.method != "direct") {
+    refuse("method", command.method, "direct");
+  }
+  if(command.solver != "superlu" && command.solver != "eigen" && command.solver != "cholmod") {
+    refuse("solver", command.solver, "superlu, eigen or cholmod");
+  }
+#ifndef ABF_WITH_CHOLMOD
+  if(command.solver == "cholmod") {
+    throw Input_error("this program was built without CHOLMOD: use --solver superlu or --solver eigen");
+  }
+#endif
+  if(command.layout != "auto" && command.layout != "exact" && command.layout != "least-squares") {
+    refuse("layout", command.layout, "auto, exact or least-squares");
+  }
+  if(command.step != "newton" && command.step != "sqp") {
+    refuse("step", command.step, "newton or sqp");
+  }
+  command.options.layout = command.layout == "exact"           ? Options::EXACT_LAYOUT
+                           : command.layout == "least-squares" ? Options::LEAST_SQUARES_LAYOUT
+                                                               : Options::AUTOMATIC_LAYOUT;
+  command.options.step = command.step == "sqp" ? Options::SEQUENTIAL_LINEARLY_CONSTRAINED : Options::NEWTON;
+  command.options.allow_holes = true;
+}
+
+} // namespace internal
+
+// Throws an `Input_error` for wrong usage.
+inline Command_line parse_command_line(const int argc, const char* const argv[])
+{
+  namespace po = boost::program_options;
+  Command_line command;
+  const po::options_description options = internal::all_options(command);
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  try {
+    namespace style = po::command_line_style;
+    po::variables_map values;
+    po::store(po::command_line_parser(argc, argv)
+                  .options(options)
+                  .positional(positional)
+                  .style(style::unix_style & ~style::allow_guessing)
+                  .run(),
+              values);
+    po::notify(values);
+  } catch(const po::too_many_positional_options_error&) {
+    throw Input_error("more than one input: name one mesh file; see --help");
+  } catch(const po::error& error) {
+    throw Input_error(std::string(error.what()) + "; see --help");
+  }
+  if(!command.help) {
+    internal::check_files(command);
+    internal::check_numbers(command);
+    internal::understand_names(command);
+  }
+  return command;
+}
+
+inline std::string help_text()
+{
+  Command_line defaults;
+  std::ostringstream text;
+  text << "flatten_mesh: flattens a surface with a border into the plane, angle by angle (ABF++).\n\n"
+          "usage: flatten_mesh FILE [options]\n"
+       << internal::all_options(defaults)
+       << "\nExamples:\n"
+          "  flatten_mesh scan.ply --output flat.obj --svg flat.svg\n"
+          "  flatten_mesh garment.obj --component 2 --output sleeve.obj --json sleeve.json\n"
+          "  flatten_mesh mask.off --barrier 0 --layout least-squares --step sqp --verbose\n"
+          "\nA surface without a border has to be cut open first. Messages count vertices, faces and lines\n"
+          "from 1, as OBJ files do.\n"
+          "\nExit status: 0 when the flattening is valid, with no flipped triangle, and written where asked\n"
+          "for; 1 when the computation failed; 2 when the command line or the input is wrong. Where it is\n"
+          "not 0, neither OBJ nor SVG are written.\n";
+  return text.str();
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_COMMAND_LINE_H

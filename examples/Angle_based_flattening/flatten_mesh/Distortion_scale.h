@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_DISTORTION_SCALE_H
+#define FLATTEN_MESH_DISTORTION_SCALE_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+// Colours for numbers that span powers of ten: a logarithmic scale of a few whole decades, from a dark blue
+// for little distortion over green to a light yellow for much.
+class Distortion_scale
+{
+public:
+  static constexpr int number_of_colors = 64;
+
+  // The scale covers nearly all the values; those outside get the colours of the ends.
+  explicit Distortion_scale(std::vector<double> values)
+  {
+    values.erase(std::remove_if(values.begin(), values.end(), [](const double x) { return !(x > 1e-30); }),
+                 values.end());
+    if(!values.empty()) {
+      m_first_decade = static_cast<int>(std::floor(std::log10(quantile(values, 0.05))));
+      m_last_decade = static_cast<int>(std::ceil(std::log10(quantile(values, 0.99))));
+    }
+    m_last_decade = (std::max)(m_last_decade, m_first_decade + 2);
+    m_first_decade = (std::max)(m_first_decade, m_last_decade - 6);
+  }
+
+  int first_decade() const { return m_first_decade; }
+
+  int last_decade() const { return m_last_decade; }
+
+  int color_index(const double value) const
+  {
+    const double decade = value > 1e-30 ? std::log10(value) : m_first_decade;
+    const double part = (decade - m_first_decade) / (m_last_decade - m_first_decade);
+    return (std::min)((std::max)(static_cast<int>(part * number_of_colors), 0), number_of_colors - 1);
+  }
+
+  // "#rrggbb". Lightness rises evenly, so that differences look alike everywhere, and a grey print is still
+  // right.
+  static std::string color(const int index)
+  {
+    const double part = (index + 0.5) / number_of_colors;
+    const double lightness = 0.30 + 0.63 * part;
+    const double chroma = 0.12 + 0.05 * part;
+    const double hue = (285. - 185. * part) * 3.14159265358979 / 180.;
+    return oklab_color(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
+  }
+
+private:
+  static double quantile(std::vector<double>& values, const double part)
+  {
+    const auto nth =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+  }
+
+  // From Oklab, a space in which distances are differences to the eye, to sRGB.
+  static std::string oklab_color(const double lightness, const double a, const double b)
+  {
+    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+    const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+    const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+    char text[8];
+    std::snprintf(text, sizeof(text), "#%02x%02x%02x",
+                  srgb_byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+                  srgb_byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+                  srgb_byte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s));
+    return text;
+  }
+
+  static unsigned srgb_byte(const double linear)
+  {
+    const double x = (std::min)((std::max)(linear, 0.), 1.);
+    const double gamma = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1. / 2.4) - 0.055;
+    return static_cast<unsigned>(std::lround(255. * gamma)) & 255u;
+  }
+
+  int m_first_decade = -6;
+  int m_last_decade = -4;
+};
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_DISTORTION_SCALE_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_POLYGON_SOUP_H
+#define FLATTEN_MESH_POLYGON_SOUP_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Polygon = std::vector<std::size_t>;
+
+// Points and polygons in the order of the file.
+struct Polygon_soup
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<Polygon> polygons;
+};
+
+// Vertices and faces as people know them from OBJ files: counted from 1.
+inline std::string vertex_name(const std::size_t index)
+{
+  return "vertex " + std::to_string(index + 1);
+}
+
+inline std::string face_name(const std::size_t index)
+{
+  return "face " + std::to_string(index + 1);
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_POLYGON_SOUP_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_RUN_RECORD_H
+#define FLATTEN_MESH_RUN_RECORD_H
+
+#include "Flattening.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+namespace flatten_mesh {
+
+// Everything that the reports for people and for programs tell.
+struct Run_record
+{
+  std::string input;
+  std::size_t vertices = 0; // of the chart, as are the next two
+  std::size_t triangles = 0;
+  std::size_t borders = 0;
+  std::size_t components = 0; // of the whole mesh
+  double read_seconds = 0;
+  double write_seconds = 0;
+  Flattening flattening;
+  std::vector<std::string> written;
+};
+
+// The name of a diagnosis, "OK" for none.
+inline std::string status_name(const SMP::ABF_plus_plus_report& report)
+{
+  using Report = SMP::ABF_plus_plus_report;
+  switch(report.diagnosis) {
+  case Report::NOTHING_WRONG:
+    return report.status == SMP::OK ? "OK" : "FAILED";
+  case Report::EMPTY_MESH:
+    return "EMPTY_MESH";
+  case Report::NOT_ON_BORDER:
+    return "NOT_ON_BORDER";
+  case Report::NOT_TRIANGULATED:
+    return "NOT_TRIANGULATED";
+  case Report::NON_FINITE_POINT:
+    return "NON_FINITE_POINT";
+  case Report::TOO_LARGE:
+    return "TOO_LARGE";
+  case Report::PINCHED_VERTEX:
+    return "PINCHED_VERTEX";
+  case Report::SEVERAL_BORDERS:
+    return "SEVERAL_BORDERS";
+  case Report::HANDLES:
+    return "HANDLES";
+  case Report::PARALLEL_EDGES:
+    return "PARALLEL_EDGES";
+  case Report::LINEAR_SYSTEM_FAILED:
+    return "LINEAR_SYSTEM_FAILED";
+  case Report::NO_CONVERGENCE:
+    return "NO_CONVERGENCE";
+  case Report::WRONG_LAYOUT:
+    return "WRONG_LAYOUT";
+  case Report::FLIPPED_TRIANGLES:
+    return "FLIPPED_TRIANGLES";
+  }
+  return "FAILED";
+}
+
+inline std::string layout_name(const SMP::ABF_plus_plus_report& report)
+{
+  using Report = SMP::ABF_plus_plus_report;
+  return report.layout == Report::EXACT           ? "exact"
+         : report.layout == Report::LEAST_SQUARES ? "least-squares"
+                                                  : "none";
+}
+
+// Whether the computation failed, and not the input.
+inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
+{
+  using Report = SMP::ABF_plus_plus_report;
+  switch(report.diagnosis) {
+  case Report::NOTHING_WRONG:
+  case Report::LINEAR_SYSTEM_FAILED:
+  case Report::NO_CONVERGENCE:
+  case Report::WRONG_LAYOUT:
+  case Report::FLIPPED_TRIANGLES:
+    return true;
+  default:
+    return false;
+  }
+}
+
+// The stages, with the time of each. The chart's reading and writing are `chart` and `uv`; files have `read`
+// and `write`. `parameterize` is the whole call of the parameterizer, so the sum of `chart` up to `uv`.
+inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_record& record)
+{
+  const SMP::ABF_plus_plus_report::Seconds& seconds = record.flattening.report.seconds;
+  return {{"read", record.read_seconds},
+          {"chart", seconds.read},
+          {"targets", seconds.targets},
+          {"angles", seconds.angles},
+          {"layout", seconds.layout},
+          {"certify", seconds.certify},
+          {"uv", seconds.write},
+          {"parameterize", record.flattening.parameterize_seconds},
+          {"measure", record.flattening.measure_seconds},
+          {"write", record.write_seconds}};
+}
+
+// The largest memory that this process has taken so far, in megabytes; negative where unknown.
+inline double peak_memory_mb()
+{
+#if defined(__APPLE__)
+  const double megabyte = 1024. * 1024.; // counted in bytes
+#else
+  const double megabyte = 1024.; // counted in kilobytes
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+  rusage usage;
+  if(getrusage(RUSAGE_SELF, &usage) == 0) {
+    return static_cast<double>(usage.ru_maxrss) / megabyte;
+  }
+#endif
+  return -megabyte;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_RUN_RECORD_H

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_FLATTEN_CHART_H
+#define FLATTEN_MESH_FLATTEN_CHART_H
+
+#include "Chart.h"
+#include "Command_line.h"
+#include "Flattening.h"
+#include "Progress.h"
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+
+#include <Eigen/SparseCholesky>
+
+#ifdef ABF_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// The numbers of the first few of many vertices, as in "vertices 3, 17, ...".
+inline std::string vertices_text(const std::vector<Vertex>& vertices)
+{
+  const std::size_t shown = (std::min)(vertices.size(), std::size_t(6));
+  std::string text = vertices.size() == 1 ? "vertex " : "vertices ";
+  for(std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(vertices[i].idx() + 1);
+  }
+  return text + (shown < vertices.size() ? ", ..." : "");
+}
+
+// Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons
+// were divided.
+template <class Parameterizer>
+std::string place_text(const Mesh& mesh, const Parameterizer& parameterizer)
+{
+  if(!parameterizer.offending_vertices().empty()) {
+    return " (" + vertices_text(parameterizer.offending_vertices()) + ")";
+  }
+  if(!parameterizer.offending_faces().empty()) {
+    const Halfedge h = mesh.halfedge(parameterizer.offending_faces().front());
+    const auto vertices = mesh.vertices_around_face(h);
+    return " (the triangle of " + vertices_text(std::vector<Vertex>(vertices.begin(), vertices.end())) +
+           (parameterizer.offending_faces().size() > 1 ? ", and others)" : ")");
+  }
+  return "";
+}
+
+template <class Solver_traits>
+void run_parameterizer(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_options& options,
+                       Flattening& flattening)
+{
+  SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits> parameterizer(options);
+  const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
+  CGAL::Real_timer timer;
+  timer.start();
+  parameterizer.parameterize(mesh, chart.border, flattening.uv, get(boost::vertex_index, mesh),
+                             is_parameterized);
+  timer.stop();
+  flattening.parameterize_seconds = timer.time();
+  flattening.report = parameterizer.report();
+  flattening.place = place_text(mesh, parameterizer);
+}
+
+inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& command,
+                          const SMP::ABF_plus_plus_options& options, Flattening& flattening)
+{
+  using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
+  if(command.solver == "eigen") {
+    run_parameterizer<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>>(mesh, chart, options,
+                                                                                flattening);
+#ifdef ABF_WITH_CHOLMOD
+  } else if(command.solver == "cholmod") {
+    run_parameterizer<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix>>>(mesh, chart, options,
+                                                                                      flattening);
+#endif
+  } else {
+    run_parameterizer<CGAL::SuperLU_solver_traits<>>(mesh, chart, options, flattening);
+  }
+}
+
+} // namespace internal
+
+inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command,
+                                const Progress& progress)
+{
+  Flattening flattening;
+  flattening.uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
+  flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
+  SMP::ABF_plus_plus_options options = command.options;
+  if(progress.is_on()) {
+    options.on_step = [&progress](const SMP::ABF_plus_plus_step& step) { progress.step(step); };
+  }
+  internal::choose_solver(mesh, chart, command, options, flattening);
+  if(flattening.succeeded()) {
+    CGAL::Real_timer timer;
+    timer.start();
+    flattening.measures = SMP::measure_flattening(mesh, chart.border, flattening.uv, flattening.distortion);
+    flattening.measure_seconds = timer.time();
+  }
+  return flattening;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_FLATTEN_CHART_H

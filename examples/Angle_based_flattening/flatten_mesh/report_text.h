@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_REPORT_TEXT_H
+#define FLATTEN_MESH_REPORT_TEXT_H
+
+#include "Run_record.h"
+#include "number_text.h"
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline std::string report_line(std::string label, const std::string& value, const std::string& remark = "")
+{
+  label.resize(22, ' ');
+  std::string line = label + value;
+  if(!remark.empty()) {
+    line.resize((std::max)(line.size() + 2, std::size_t(36)), ' ');
+    line += "(" + remark + ")";
+  }
+  return line + "\n";
+}
+
+inline std::string degrees_text(const double radians)
+{
+  return format_number("%.4g", radians * 180. / CGAL_PI) + " degrees";
+}
+
+inline std::string quality_text(const SMP::Flattening_measures& measures)
+{
+  return report_line("angular distortion", format_number("%.4e", measures.angular_distortion),
+                     "E/3n_f, mean square relative change of the angles; best 0") +
+         report_line("L2 stretch", format_number("%.5g", measures.l2_stretch), "lengths; best 1") +
+         report_line("L2 shear", format_number("%.5g", measures.l2_shear), "axes, Equation 24; best 0") +
+         report_line("flipped triangles", std::to_string(measures.flipped_triangles), "must be 0") +
+         report_line("smallest angle", degrees_text(measures.smallest_angle));
+}
+
+inline std::string time_text(const Run_record& record)
+{
+  std::string text;
+  for(const auto& stage : seconds_of_stages(record)) {
+    const bool is_part = stage.first == "chart" || stage.first == "targets" || stage.first == "angles" ||
+                         stage.first == "layout" || stage.first == "certify" || stage.first == "uv";
+    const std::string label = (is_part ? "    " : "  ") + stage.first;
+    text += report_line(label, format_number("%9.3f", stage.second),
+                        stage.first == "parameterize" ? "the six stages above" : "");
+  }
+  return "seconds\n" + text;
+}
+
+} // namespace internal
+
+// The report for people.
+inline std::string report_text(const Run_record& record)
+{
+  using internal::report_line;
+  const SMP::ABF_plus_plus_report& report = record.flattening.report;
+  std::string text;
+  text += report_line(
+      "input", record.input,
+      record.components > 1 ? count_text(record.components, "component") + ", one of them flattened" : "");
+  text += report_line("vertices", std::to_string(record.vertices));
+  text += report_line("triangles", std::to_string(record.triangles));
+  text +=
+      report_line("borders", std::to_string(record.borders),
+                  record.borders > 1 ? "the outer one and " + count_text(record.borders - 1, "hole") : "");
+  text += report_line("iterations", std::to_string(report.iterations),
+                      "Newton steps; constraints hold within " +
+                          format_number("%.1e", report.constraint_residual));
+  text += report_line("layout", layout_name(report));
+  text += internal::quality_text(record.flattening.measures);
+  text += internal::time_text(record);
+  if(peak_memory_mb() >= 0) {
+    text += report_line("peak memory", format_number("%.0f MB", peak_memory_mb()));
+  }
+  for(const std::string& name : record.written) {
+    text += report_line("written", name);
+  }
+  if(record.written.empty()) {
+    text += report_line("written", "nothing", "--output FILE.obj keeps the result, --svg FILE.svg draws it");
+  }
+  return text;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_REPORT_TEXT_H

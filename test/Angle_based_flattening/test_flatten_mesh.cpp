@@ -1,0 +1,673 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program `flatten_mesh`, from outside: exit status, messages, files.
+
+#define BOOST_TEST_MODULE flatten_mesh
+#include <boost/test/unit_test.hpp>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+// A place the build names as a macro, and the environment may change.
+std::string place(const char* variable, const char* built)
+{
+  const char* value = std::getenv(variable);
+  return value != nullptr ? value : built;
+}
+
+std::string program()
+{
+  return place("ABF_FLATTEN_MESH", ABF_FLATTEN_MESH);
+}
+
+std::string shell()
+{
+  return place("ABF_EXAMPLES_DIR", ABF_EXAMPLES_DIR) + "/shell.off";
+}
+
+std::string content(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+Lines lines_of(const std::string& text)
+{
+  Lines lines;
+  std::istringstream stream(text);
+  for(std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+// The lines that begin with a word, without it.
+Lines lines_with(const std::string& text, const std::string& word)
+{
+  Lines result;
+  for(const std::string& line : lines_of(text)) {
+    if(line.compare(0, word.size() + 1, word + " ") == 0) {
+      result.push_back(line.substr(word.size() + 1));
+    }
+  }
+  return result;
+}
+
+std::string quoted(const std::string& word)
+{
+  return "'" + word + "'";
+}
+
+// A folder of its own for each test, and what the program did last.
+struct Folder
+{
+  Folder() : path(fs::temp_directory_path() / ("test_flatten_mesh_" + std::to_string(::getpid())))
+  {
+    fs::remove_all(path);
+    fs::create_directory(path);
+  }
+
+  ~Folder()
+  {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+
+  std::string file(const std::string& name) const { return (path / name).string(); }
+
+  std::string write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return file(name);
+  }
+
+  void run(const std::string& arguments)
+  {
+    const std::string command = quoted(program()) + " " + arguments + " > " + quoted(file("stdout")) +
+                                " 2> " + quoted(file("stderr"));
+    const int result = std::system(command.c_str());
+    status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
+    standard_output = content(path / "stdout");
+    standard_error = content(path / "stderr");
+  }
+
+  // Runs the program on a file, with all outputs.
+  void flatten(const std::string& input, const std::string& options = "")
+  {
+    run(quoted(input) + " --output " + quoted(file("flat.obj")) + " --svg " + quoted(file("flat.svg")) +
+        " --json " + quoted(file("flat.json")) + " " + options);
+  }
+
+  boost::property_tree::ptree json() const
+  {
+    boost::property_tree::ptree tree;
+    boost::property_tree::read_json(file("flat.json"), tree);
+    return tree;
+  }
+
+  std::string obj() const { return content(path / "flat.obj"); }
+
+  // Status 2, one line that contains all the words, and none of the three files.
+  void check_refusal(const Lines& words)
+  {
+    BOOST_TEST(status == 2);
+    BOOST_TEST(lines_of(standard_error).size() == 1u, standard_error);
+    BOOST_TEST(standard_output == "");
+    for(const std::string& word : words) {
+      BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
+    }
+    for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
+      BOOST_TEST(entry.path().stem() != "flat", entry.path() << " is left");
+      BOOST_TEST(entry.path().extension() != ".unfinished", entry.path() << " is left");
+    }
+  }
+
+  void check_success()
+  {
+    BOOST_TEST(status == 0);
+    BOOST_TEST(standard_error == "");
+    BOOST_TEST(json().get<std::string>("status") == "OK");
+    BOOST_TEST(json().get<int>("flipped_triangles") == 0);
+  }
+
+  fs::path path;
+  int status = -1;
+  std::string standard_output;
+  std::string standard_error;
+};
+
+// A bent sheet of `columns` by `rows` quadrangles as OFF text, without the quadrangles of `holes`.
+struct Sheet
+{
+  int columns = 6;
+  int rows = 4;
+  bool triangulated = true;
+  std::vector<int> holes;
+  double shift = 0;
+
+  int vertices() const { return (columns + 1) * (rows + 1); }
+
+  std::string points() const
+  {
+    std::ostringstream text;
+    for(int j = 0; j <= rows; ++j) {
+      for(int i = 0; i <= columns; ++i) {
+        text << shift + i + 0.1 * (j % 2) << ' ' << j << ' ' << 0.05 * i * i + 0.03 * i * j << '\n';
+      }
+    }
+    return text.str();
+  }
+
+  std::vector<std::vector<int>> faces(const int first = 0) const
+  {
+    std::vector<std::vector<int>> result;
+    for(int q = 0; q < columns * rows; ++q) {
+      if(std::find(holes.begin(), holes.end(), q) == holes.end()) {
+        const int a = first + q / columns * (columns + 1) + q % columns, b = a + 1, d = a + columns + 1,
+                  c = d + 1;
+        if(triangulated) {
+          result.push_back({a, b, c});
+          result.push_back({a, c, d});
+        } else {
+          result.push_back({a, b, c, d});
+        }
+      }
+    }
+    return result;
+  }
+};
+
+std::string face_lines(const std::vector<std::vector<int>>& faces)
+{
+  std::ostringstream text;
+  for(const std::vector<int>& face : faces) {
+    text << face.size();
+    for(const int v : face) {
+      text << ' ' << v;
+    }
+    text << '\n';
+  }
+  return text.str();
+}
+
+std::string off(const int vertices, const std::string& points, const std::vector<std::vector<int>>& faces)
+{
+  return "OFF\n" + std::to_string(vertices) + " " + std::to_string(faces.size()) + " 0\n" + points +
+         face_lines(faces);
+}
+
+std::string off(const Sheet& sheet)
+{
+  return off(sheet.vertices(), sheet.points(), sheet.faces());
+}
+
+// The vertices of the faces in an OBJ text, from 0, and whether all of them have texture coordinates.
+std::vector<std::vector<int>> obj_faces(const std::string& text, std::vector<bool>& has_texture)
+{
+  std::vector<std::vector<int>> faces;
+  has_texture.clear();
+  for(const std::string& line : lines_with(text, "f")) {
+    std::istringstream words(line);
+    faces.emplace_back();
+    has_texture.push_back(true);
+    for(std::string word; words >> word;) {
+      faces.back().push_back(std::stoi(word) - 1);
+      has_texture.back() = has_texture.back() && word.find('/') != std::string::npos;
+    }
+  }
+  return faces;
+}
+
+std::vector<double> numbers(const Lines& lines)
+{
+  std::vector<double> result;
+  for(const std::string& line : lines) {
+    std::istringstream words(line);
+    for(double number; words >> number;) {
+      result.push_back(number);
+    }
+  }
+  return result;
+}
+
+template <class Number>
+void append_binary(std::string& text, const Number number)
+{
+  char bytes[sizeof(Number)];
+  std::memcpy(bytes, &number, sizeof(Number));
+  text.append(bytes, sizeof(Number));
+}
+
+// A binary PLY; its format knows numbers that are none.
+std::string ply(const std::vector<float>& coordinates, const std::vector<std::vector<int>>& triangles)
+{
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(coordinates.size() / 3) +
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+      std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  for(const float x : coordinates) {
+    append_binary(text, x);
+  }
+  for(const std::vector<int>& triangle : triangles) {
+    append_binary(text, static_cast<std::uint8_t>(triangle.size()));
+    for(const int v : triangle) {
+      append_binary(text, static_cast<std::int32_t>(v));
+    }
+  }
+  return text;
+}
+
+std::vector<float> floats(const Sheet& sheet)
+{
+  const std::vector<double> all = numbers(lines_of(sheet.points()));
+  return std::vector<float>(all.begin(), all.end());
+}
+
+std::string stl(const Sheet& sheet)
+{
+  const Lines points = lines_of(sheet.points());
+  std::string text = "solid sheet\n";
+  for(const std::vector<int>& face : sheet.faces()) {
+    text += "facet normal 0 0 1\nouter loop\n";
+    for(const int v : face) {
+      text += "vertex " + points[static_cast<std::size_t>(v)] + "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid sheet\n";
+}
+
+std::string obj_input(const Sheet& sheet)
+{
+  std::string text = "# sheet\no sheet\n";
+  for(const std::string& line : lines_of(sheet.points())) {
+    text += "v " + line + "\n";
+  }
+  for(const std::vector<int>& face : sheet.faces()) {
+    text += "f";
+    for(const int v : face) {
+      text += " " + std::to_string(v + 1);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+BOOST_FIXTURE_TEST_SUITE(good_input, Folder)
+
+BOOST_AUTO_TEST_CASE(bundled_mesh)
+{
+  flatten(shell());
+  check_success();
+  for(const char* word :
+      {"vertices", "triangles", "borders", "iterations", "angular distortion", "L2 stretch", "L2 shear",
+       "flipped triangles", "smallest angle", "seconds", "layout"}) {
+    BOOST_TEST((standard_output.find(word) != std::string::npos), standard_output << " lacks " << word);
+  }
+  const auto tree = json();
+  for(const char* key : {"angular_distortion", "l2_stretch", "l2_shear", "smallest_angle", "iterations",
+                         "peak_memory_mb", "seconds.read", "seconds.write", "seconds.parameterize",
+                         "seconds.targets", "seconds.angles", "seconds.layout", "seconds.certify"}) {
+    BOOST_TEST_CONTEXT(key)
+    {
+      BOOST_TEST(std::isfinite(tree.get<double>(key)));
+    }
+  }
+  BOOST_TEST(tree.get<int>("borders") == 1);
+  BOOST_TEST(tree.get<int>("triangles") > 5000);
+  BOOST_TEST(lines_with(obj(), "vt").size() == tree.get<std::size_t>("vertices"));
+  const std::string svg = content(file("flat.svg"));
+  BOOST_TEST(svg.compare(0, 4, "<svg") == 0);
+  BOOST_TEST(svg.size() > 10000u);
+  BOOST_TEST((svg.find("nan") == std::string::npos));
+}
+
+BOOST_AUTO_TEST_CASE(order_and_coordinates_survive)
+{
+  const Sheet sheet;
+  flatten(write("sheet.off", off(sheet)));
+  check_success();
+  BOOST_TEST(numbers(lines_with(obj(), "v")) == numbers(lines_of(sheet.points())),
+             boost::test_tools::per_element());
+  std::vector<bool> has_texture;
+  BOOST_TEST((obj_faces(obj(), has_texture) == sheet.faces()));
+  BOOST_TEST((std::count(has_texture.begin(), has_texture.end(), false) == 0));
+}
+
+BOOST_AUTO_TEST_CASE(quadrangles_stay)
+{
+  Sheet sheet;
+  sheet.triangulated = false;
+  flatten(write("quads.off", off(sheet)));
+  check_success();
+  std::vector<bool> has_texture;
+  BOOST_TEST((obj_faces(obj(), has_texture) == sheet.faces()));
+  BOOST_TEST(json().get<int>("triangles") == 2 * sheet.columns * sheet.rows);
+}
+
+BOOST_AUTO_TEST_CASE(unused_vertices_stay)
+{
+  const Sheet sheet;
+  flatten(write("unused.off", off(sheet.vertices() + 1, sheet.points() + "7 7 7\n", sheet.faces())));
+  check_success();
+  BOOST_TEST(lines_with(obj(), "v").size() == static_cast<std::size_t>(sheet.vertices() + 1));
+  BOOST_TEST(lines_with(obj(), "vt").size() == static_cast<std::size_t>(sheet.vertices()));
+}
+
+BOOST_AUTO_TEST_CASE(other_formats)
+{
+  const Sheet sheet;
+  for(const std::string& input : {write("sheet.obj", obj_input(sheet)), write("sheet.stl", stl(sheet)),
+                                  write("sheet.PLY", ply(floats(sheet), sheet.faces()))}) {
+    BOOST_TEST_CONTEXT(input)
+    {
+      flatten(input);
+      check_success();
+      BOOST_TEST(json().get<int>("vertices") == sheet.vertices());
+      BOOST_TEST(lines_with(obj(), "f").size() == sheet.faces().size());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(components)
+{
+  Sheet small, large;
+  small.rows = 3;
+  large.shift = 20;
+  std::vector<std::vector<int>> faces = small.faces();
+  for(const std::vector<int>& face : large.faces(small.vertices())) {
+    faces.push_back(face);
+  }
+  const std::string input =
+      write("two.off", off(small.vertices() + large.vertices(), small.points() + large.points(), faces));
+  std::vector<bool> has_texture;
+  flatten(input);
+  check_success();
+  BOOST_TEST(json().get<int>("vertices") == large.vertices());
+  BOOST_TEST((obj_faces(obj(), has_texture) == faces));
+  BOOST_TEST(!has_texture.front());
+  BOOST_TEST(has_texture.back());
+
+  flatten(input, "--component 1");
+  check_success();
+  BOOST_TEST(json().get<int>("vertices") == small.vertices());
+  BOOST_TEST((obj_faces(obj(), has_texture) == faces));
+  BOOST_TEST(has_texture.front());
+  BOOST_TEST(!has_texture.back());
+}
+
+BOOST_AUTO_TEST_CASE(holes)
+{
+  Sheet sheet;
+  sheet.holes = {7, 16};
+  const std::string input = write("holes.off", off(sheet));
+  flatten(input);
+  check_success();
+  BOOST_TEST(json().get<int>("borders") == 3);
+  flatten(input, "--border 2");
+  check_success();
+}
+
+BOOST_AUTO_TEST_CASE(all_options)
+{
+  const Sheet sheet;
+  const std::string input = write("sheet.off", off(sheet));
+  for(const std::string options :
+      {"--barrier 0", "--layout exact", "--layout least-squares", "--layout auto",
+       "--tolerance 1e-6 --max-iterations 50", "--step sqp", "--step newton", "--solver eigen",
+       "--solver superlu", "--method direct --component 0 --border 0"}) {
+    BOOST_TEST_CONTEXT(options)
+    {
+      flatten(input, options);
+      check_success();
+    }
+  }
+  run("--input " + quoted(input) + " --json " + quoted(file("flat.json")));
+  check_success();
+}
+
+BOOST_AUTO_TEST_CASE(layouts_are_named)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  flatten(input, "--layout exact");
+  BOOST_TEST(json().get<std::string>("layout") == "exact");
+  flatten(input, "--layout least-squares");
+  BOOST_TEST(json().get<std::string>("layout") == "least-squares");
+}
+
+BOOST_AUTO_TEST_CASE(verbose_tells_steps)
+{
+  flatten(write("sheet.off", off(Sheet())), "--verbose");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(lines_with(standard_error, "step").size() == json().get<std::size_t>("iterations"));
+  BOOST_TEST((standard_error.find("layout") != std::string::npos));
+}
+
+BOOST_AUTO_TEST_CASE(help_explains_every_option)
+{
+  run("--help");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(standard_error == "");
+  for(const char* option : {"input", "output", "svg", "json", "component", "border", "method", "barrier",
+                            "layout", "tolerance", "max-iterations", "step", "solver", "verbose", "help"}) {
+    BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_with_blanks_and_quotes)
+{
+  fs::create_directory(path / "a \"b\"");
+  const std::string input = write("a \"b\"/sheet 1.off", off(Sheet()));
+  flatten(input);
+  check_success();
+  BOOST_TEST(json().get<std::string>("input") == input);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(bad_input, Folder)
+
+BOOST_AUTO_TEST_CASE(missing_empty_or_damaged_files)
+{
+  flatten(file("missing.off"));
+  check_refusal({"missing.off", "no file"});
+  flatten(path.string());
+  check_refusal({"folder"});
+  for(const char* format : {"off", "obj", "ply", "stl", "ts"}) {
+    BOOST_TEST_CONTEXT(format)
+    {
+      flatten(write(std::string("empty.") + format, ""));
+      check_refusal({"empty"});
+      std::string garbage;
+      for(unsigned i = 0, x = 1; i < 5000; ++i, x = x * 1103515245u + 12345u) {
+        garbage += static_cast<char>(x >> 16);
+      }
+      flatten(write(std::string("garbage.") + format, garbage));
+      check_refusal({"garbage."});
+      flatten(write(std::string("words.") + format, "these are no numbers\nbut words\n"));
+      check_refusal({"words."});
+    }
+  }
+  flatten(write("sheet.xyz", off(Sheet())));
+  check_refusal({"format", ".ply"});
+  flatten(write("no_extension", off(Sheet())));
+  check_refusal({"format"});
+}
+
+BOOST_AUTO_TEST_CASE(files_cut_short)
+{
+  const Sheet sheet;
+  const std::string whole = off(sheet);
+  flatten(write("short.off", whole.substr(0, whole.size() / 2)));
+  check_refusal({"short.off"});
+  const std::string binary = ply(floats(sheet), sheet.faces());
+  flatten(write("short.ply", binary.substr(0, binary.size() - 40)));
+  check_refusal({"short.ply"});
+  flatten(write("huge.off", "OFF\n4000000000000000000 4000000000000000000 0\n0 0 0\n"));
+  check_refusal({"huge.off"});
+}
+
+BOOST_AUTO_TEST_CASE(no_faces)
+{
+  const Sheet sheet;
+  flatten(write("cloud.off", off(sheet.vertices(), sheet.points(), {})));
+  check_refusal({"cloud.off", "faces"});
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_none)
+{
+  const Sheet sheet;
+  std::vector<float> coordinates = floats(sheet);
+  coordinates[3 * 16 + 1] = std::numeric_limits<float>::quiet_NaN();
+  flatten(write("nan.ply", ply(coordinates, sheet.faces())));
+  check_refusal({"vertex 17", "finite"});
+  coordinates[3 * 16 + 1] = std::numeric_limits<float>::infinity();
+  flatten(write("inf.ply", ply(coordinates, sheet.faces())));
+  check_refusal({"vertex 17", "finite"});
+  flatten(write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+  check_refusal({"line 5", "nan"});
+  flatten(write("nan.obj", "v 0 0 0\nv 1 0 0\nv 1 1 -inf\nf 1 2 3\n"));
+  check_refusal({"line 3", "inf"});
+}
+
+BOOST_AUTO_TEST_CASE(wrong_faces)
+{
+  const Sheet sheet;
+  const auto with = [&sheet](const std::vector<std::vector<int>>& more) {
+    std::vector<std::vector<int>> faces = sheet.faces();
+    faces.insert(faces.end(), more.begin(), more.end());
+    return off(sheet.vertices() + 2, sheet.points() + "3 3 9\n4 4 9\n", faces);
+  };
+  const int more = sheet.vertices();
+  flatten(write("twice.off", with({{more, more + 1, more}})));
+  check_refusal({"face 49", "vertex 36", "twice"});
+  flatten(write("short_face.off", with({{more, more + 1}})));
+  check_refusal({"short_face.off"});
+  flatten(write("absent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"));
+  check_refusal({"absent.obj", "not there"});
+  flatten(write("third.off", with({{0, 8, more}})));
+  check_refusal({"between vertices 1 and 9", "3 faces", "manifold"});
+  flatten(write("turned.off", with({{1, 0, more}, {1, 0, more + 1}})));
+  check_refusal({"between vertices 1 and 2"});
+}
+
+BOOST_AUTO_TEST_CASE(orientation)
+{
+  std::vector<std::vector<int>> faces = Sheet().faces();
+  std::swap(faces[1][1], faces[1][2]);
+  flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)));
+  check_refusal({"oriented differently", "faces 2 and 13", "vertices 8 and 9"});
+}
+
+BOOST_AUTO_TEST_CASE(bow_tie)
+{
+  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
+  check_refusal({"vertex 1", "manifold"});
+}
+
+BOOST_AUTO_TEST_CASE(closed_surface)
+{
+  flatten(
+      write("closed.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"));
+  check_refusal({"closed", "border", "cut"});
+}
+
+BOOST_AUTO_TEST_CASE(handle)
+{
+  // A torus of 5 by 5 quadrangles without one of them.
+  std::ostringstream points;
+  std::vector<std::vector<int>> faces;
+  for(int i = 0; i < 25; ++i) {
+    const double a = 2 * 3.14159265 * (i / 5) / 5, b = 2 * 3.14159265 * (i % 5) / 5;
+    points << (3 + std::cos(b)) * std::cos(a) << ' ' << (3 + std::cos(b)) * std::sin(a) << ' ' << std::sin(b)
+           << '\n';
+    const int right = (i + 5) % 25, up = i / 5 * 5 + (i + 1) % 5, across = (up + 5) % 25;
+    if(i > 0) {
+      faces.push_back({i, right, across, up});
+    }
+  }
+  const std::string input = write("handle.off", off(25, points.str(), faces));
+  run(quoted(input) + " --output " + quoted(file("flat.obj")));
+  check_refusal({"HANDLES", "handle"});
+  flatten(input);
+  BOOST_TEST(status == 2);
+  BOOST_TEST(json().get<std::string>("status") == "HANDLES");
+  BOOST_TEST(!fs::exists(file("flat.obj")));
+  BOOST_TEST(!fs::exists(file("flat.svg")));
+}
+
+BOOST_AUTO_TEST_CASE(component_and_border_out_of_range)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  flatten(input, "--component 1");
+  check_refusal({"component 1", "1 component"});
+  flatten(input, "--border 7");
+  check_refusal({"border 7", "1 border"});
+}
+
+BOOST_AUTO_TEST_CASE(unwritable_output)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  for(const char* option : {"--output ", "--svg ", "--json "}) {
+    BOOST_TEST_CONTEXT(option)
+    {
+      run(quoted(input) + " " + option + quoted(file("absent/flat.x")));
+      check_refusal({"cannot write", "absent/flat.x"});
+      run(quoted(input) + " " + option + quoted(path.string()));
+      check_refusal({"cannot write", "folder"});
+      run(quoted(input) + " " + option + quoted(input));
+      check_refusal({"overwrite"});
+    }
+  }
+  run(quoted(input) + " --output " + quoted(file("flat.obj")) + " --svg " + quoted(file("absent/flat.svg")));
+  check_refusal({"cannot write"});
+  run(quoted(input) + " --output " + quoted(file("flat")) + " --svg " + quoted(file("flat")));
+  check_refusal({"same name"});
+  BOOST_TEST(content(input) == off(Sheet()));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  for(const std::string options :
+      {"--unknown", "--outp x.obj", "--barrier", "--barrier -1", "--barrier=-1", "--barrier nan",
+       "--barrier x", "--tolerance 0", "--tolerance inf", "--max-iterations 0", "--max-iterations 1.5",
+       "--component -1", "--component=-1", "--border=-1", "--layout round", "--step big", "--solver none",
+       "--method hierarchical", "second.off"}) {
+    BOOST_TEST_CONTEXT(options)
+    {
+      flatten(input, options);
+      check_refusal({"flatten_mesh: "});
+    }
+  }
+  run("");
+  check_refusal({"no input", "--help"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
