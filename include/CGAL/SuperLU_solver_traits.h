@@ -41,7 +41,8 @@ partial pivoting, after its rows and columns were scaled.
 The ordering depends on the pattern of the matrix only: factoring another matrix that has its entries at
 the same places as the one before reuses it.
 
-\cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d}
+\cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d,
+NormalEquationSparseLinearAlgebraTraits_d}
 
 \tparam FT the number type, must be `double`
 
@@ -114,14 +115,11 @@ public:
   bool factor(const Matrix& A, NT& D)
   {
     D = 1;
-    m_factorization.reset();
-    m_ordering_reused = false;
-    try {
-      return factor_columns(A);
-    } catch(const std::bad_alloc&) {
-      m_factorization.reset();
-      return false;
-    }
+    return factor_anew([&] {
+      const Columns& a = A.eigen_object();
+      return stores_one_triangle(A) ? factor_columns(a.template selfadjointView<Eigen::Lower>())
+                                    : factor_columns(a);
+    });
   }
 
   /// solves the linear system \f$ A \times X = B\f$, with \f$ A\f$ being the matrix passed to `factor()`.
@@ -131,6 +129,38 @@ public:
   /// solves one linear system for each column of `B`.
   /// \return `true` if successful, otherwise `X` is unspecified
   bool linear_solver(const Dense_matrix& B, Dense_matrix& X) const { return solve(B, X); }
+
+  /// factors \f$ A^t \times A\f$ for subsequent calls of `normal_equation_solver()`. `A` may have more rows than
+  /// columns, and its columns must be linearly independent. Symmetric mode is used.
+  /// \return `true` if successful
+  bool normal_equation_factor(const Matrix& A)
+  {
+    return factor_anew([&] {
+      Columns a = A.eigen_object();
+      if(stores_one_triangle(A))
+        a = Columns(a.template selfadjointView<Eigen::Lower>());
+      m_transposed = std::make_shared<const Columns>(a.transpose());
+      return factor_columns(*m_transposed * a);
+    });
+  }
+
+  /// solves the linear system \f$ A^t \times A \times X = A^t \times B\f$, with \f$ A\f$ being the matrix passed
+  /// to `normal_equation_factor()`: finds the `X` for which \f$ A \times X\f$ is nearest to `B`.
+  /// \return `true` if successful, otherwise `X` is unspecified
+  bool normal_equation_solver(const Vector& B, Vector& X) const
+  {
+    if(m_transposed == nullptr || B.rows() != m_transposed->cols())
+      return false;
+    Vector right_side;
+    right_side.eigen_object() = *m_transposed * B.eigen_object();
+    return linear_solver(right_side, X);
+  }
+
+  /// calls `normal_equation_factor(A)` and then `normal_equation_solver(B, X)`.
+  bool normal_equation_solver(const Matrix& A, const Vector& B, Vector& X)
+  {
+    return normal_equation_factor(A) && normal_equation_solver(B, X);
+  }
 
   /// frees the memory of the factorization and of the ordering, unless a copy of this object needs it.
   void clear() { *this = SuperLU_solver_traits(); }
@@ -155,19 +185,32 @@ public:
   /// @}
 
 private:
-  bool factor_columns(const Matrix& A)
+  // Runs `factor`, which returns whether it succeeded; what was factored before is forgotten.
+  template <class Factor>
+  bool factor_anew(const Factor& factor)
   {
-    const Columns& a = A.eigen_object();
-    if(!internal::superlu_is_well_formed(a))
-      return false;
-    if(!internal::superlu_stores_one_triangle(A))
-      return factor_columns(a);
-    const Columns both_triangles = a.template selfadjointView<Eigen::Lower>();
-    return factor_columns(both_triangles);
+    m_factorization.reset();
+    m_transposed.reset();
+    m_ordering_reused = false;
+    try {
+      if(factor())
+        return true;
+    } catch(const std::bad_alloc&) {
+    }
+    m_factorization.reset();
+    m_transposed.reset();
+    return false;
+  }
+
+  static bool stores_one_triangle(const Matrix& A)
+  {
+    return A.row_dimension() == A.column_dimension() && internal::superlu_stores_one_triangle(A);
   }
 
   bool factor_columns(const Columns& a)
   {
+    if(!internal::superlu_is_well_formed(a))
+      return false;
     double sign = 1;
     if(internal::superlu_may_be_definite(a, sign)) {
       const Factorization::Result result = factor_columns(a, true, sign);
@@ -215,6 +258,7 @@ private:
 
   std::shared_ptr<const Factorization> m_factorization;
   std::shared_ptr<const Analysis> m_symmetric_analysis, m_general_analysis;
+  std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   bool m_ordering_reused = false;
 };
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/SuperLU_solver_traits.h>
 
+#include <Eigen/QR>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
@@ -492,4 +493,47 @@ BOOST_AUTO_TEST_CASE(names_of_the_user)
   BOOST_CHECK_EQUAL(EMPTY + TRUE, 7);
   const int NOTRANS = 1, BOTH = 2;
   BOOST_CHECK_EQUAL(ROW + NO + NOTRANS + BOTH + SuperMatrix().int_t, 17);
+}
+
+// The normal equation finds the least squares solution, as Eigen's QR decomposition does.
+BOOST_AUTO_TEST_CASE(normal_equation)
+{
+  std::mt19937 random(12);
+  for(int n : {1, 4, 30, 100}) {
+    const int rows = n + n / 2;
+    const Columns square = random_matrix(n, 3, random, 3);
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, n);
+    dense.topRows(n) = Eigen::MatrixXd(square);
+    dense.bottomRows(rows - n) = Eigen::MatrixXd(square).topRows(rows - n).rowwise().reverse();
+    const Columns a = dense.sparseView();
+    const Vector b = random_vector(rows, random);
+    const Eigen::VectorXd expected = dense.colPivHouseholderQr().solve(b.eigen_object());
+
+    Solver solver;
+    Vector x(1);
+    BOOST_REQUIRE(solver.normal_equation_solver(Matrix(a), b, x));
+    BOOST_CHECK(solver.symmetric());
+    BOOST_CHECK_LE((x - expected).norm(), 1e-10 * expected.norm());
+    BOOST_REQUIRE(solver.normal_equation_solver(b, x)); // once more, A being gone
+    BOOST_CHECK_LE((x - expected).norm(), 1e-10 * expected.norm());
+    BOOST_CHECK(!solver.normal_equation_solver(random_vector(rows + 1, random), x));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_normal_equations)
+{
+  Solver solver;
+  Vector x(3), b(3);
+  b.setOnes();
+  BOOST_CHECK(!solver.normal_equation_solver(b, x)); // nothing was factored
+  BOOST_CHECK(!solver.normal_equation_factor(Matrix(Columns(0, 0))));
+  BOOST_CHECK(!solver.normal_equation_factor(Matrix(Columns(3, 4)))); // dependent columns
+  Columns a = grid_laplacian(2, 2, 1);
+  a.coeffRef(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK(!solver.normal_equation_factor(Matrix(a)));
+  a.coeffRef(1, 1) = 1e200; // its square is infinite
+  BOOST_CHECK(!solver.normal_equation_factor(Matrix(a)));
+  double d;
+  BOOST_CHECK(solver.factor(Matrix(grid_laplacian(2, 2, 1)), d));
+  BOOST_CHECK(!solver.normal_equation_solver(Vector(4), x)); // another kind of factorization
 }

@@ -430,8 +430,14 @@ BOOST_AUTO_TEST_CASE(holes)
   flatten(input);
   check_success();
   BOOST_TEST(json().get<int>("borders") == 3);
+  BOOST_TEST(json().get<std::string>("layout") == "exact"); // the holes were closed on the way
   flatten(input, "--border 2");
   check_success();
+  flatten(input, "--holes open");
+  check_success();
+  BOOST_TEST(json().get<std::string>("layout") == "least-squares");
+  flatten(input, "--holes shut");
+  check_refusal({"--holes", "close or open"});
 }
 
 BOOST_AUTO_TEST_CASE(all_options)

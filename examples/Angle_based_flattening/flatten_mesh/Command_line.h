@@ -32,6 +32,7 @@ struct Command_line
   std::string json;
   int component = 0;
   int border = 0;
+  std::string holes = "close";
   std::string method = "direct";
   std::string solver = "superlu";
   std::string layout = "auto";
@@ -63,17 +64,6 @@ inline po::options_description file_options(Command_line& command)
   return options;
 }
 
-inline po::options_description chart_options(Command_line& command)
-{
-  po::options_description options("What is flattened", 100, 60);
-  po::options_description_easy_init add = options.add_options();
-  add("component", po::value(&command.component)->value_name("N")->default_value(command.component),
-      "the connected component, numbered from 0 by falling number of faces");
-  add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
-      "the component's outer border, numbered from 0 by falling length; all others are holes");
-  return options;
-}
-
 // A number with its default, shown as it is meant and not with all the digits of a double.
 inline po::typed_value<double>* number_option(double& number, const std::string& unit)
 {
@@ -83,6 +73,21 @@ inline po::typed_value<double>* number_option(double& number, const std::string&
 inline po::typed_value<std::string>* name_option(std::string& name)
 {
   return po::value(&name)->value_name("NAME")->default_value(name);
+}
+
+inline po::options_description chart_options(Command_line& command)
+{
+  po::options_description options("What is flattened", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("component", po::value(&command.component)->value_name("N")->default_value(command.component),
+      "the connected component, numbered from 0 by falling number of faces");
+  add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
+      "the component's outer border, numbered from 0 by falling length; all others are holes");
+  add("holes", name_option(command.holes),
+      "close: each hole is covered by a fan of triangles while the surface is flattened; its shape then "
+      "changes "
+      "little. open: holes may take any shape; only for small distortions this comes out valid");
+  return options;
 }
 
 inline po::options_description method_options(Command_line& command)
@@ -180,6 +185,9 @@ inline void understand_names(Command_line& command)
   };
   if(command.method != "direct") {
     refuse("method", command.method, "direct");
+  }
+  if(command.holes != "close" && command.holes != "open") {
+    refuse("holes", command.holes, "close or open");
   }
   if(command.solver != "superlu" && command.solver != "eigen" && command.solver != "cholmod") {
     refuse("solver", command.solver, "superlu, eigen or cholmod");

@@ -17,10 +17,12 @@ namespace flatten_mesh {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+
 // What came out of the parameterizer.
 struct Flattening
 {
-  Mesh::Property_map<Vertex, Kernel::Point_2> uv;
+  UV_map uv;
   Mesh::Property_map<Face, double> distortion; // angular, of each face of the chart
   SMP::ABF_plus_plus_report report;
   SMP::Flattening_measures measures; // only if it succeeded

@@ -10,6 +10,7 @@
 #include "Command_line.h"
 #include "Flattening.h"
 #include "Progress.h"
+#include "close_holes.h"
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Real_timer.h>
@@ -61,14 +62,13 @@ std::string place_text(const Mesh& mesh, const Parameterizer& parameterizer)
 
 template <class Solver_traits>
 void run_parameterizer(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_options& options,
-                       Flattening& flattening)
+                       const UV_map& uv, Flattening& flattening)
 {
   SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits> parameterizer(options);
   const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
   CGAL::Real_timer timer;
   timer.start();
-  parameterizer.parameterize(mesh, chart.border, flattening.uv, get(boost::vertex_index, mesh),
-                             is_parameterized);
+  parameterizer.parameterize(mesh, chart.border, uv, get(boost::vertex_index, mesh), is_parameterized);
   timer.stop();
   flattening.parameterize_seconds = timer.time();
   flattening.report = parameterizer.report();
@@ -76,19 +76,32 @@ void run_parameterizer(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_
 }
 
 inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& command,
-                          const SMP::ABF_plus_plus_options& options, Flattening& flattening)
+                          const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
 {
   using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
   if(command.solver == "eigen") {
-    run_parameterizer<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>>(mesh, chart, options,
+    run_parameterizer<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>>(mesh, chart, options, uv,
                                                                                 flattening);
 #ifdef ABF_WITH_CHOLMOD
   } else if(command.solver == "cholmod") {
     run_parameterizer<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix>>>(mesh, chart, options,
-                                                                                      flattening);
+                                                                                      uv, flattening);
 #endif
   } else {
-    run_parameterizer<CGAL::SuperLU_solver_traits<>>(mesh, chart, options, flattening);
+    run_parameterizer<CGAL::SuperLU_solver_traits<>>(mesh, chart, options, uv, flattening);
+  }
+}
+
+// Flattens a copy of the mesh whose holes are closed, and keeps the part that is the chart.
+inline void flatten_without_holes(const Mesh& mesh, const Chart& chart, const Command_line& command,
+                                  const SMP::ABF_plus_plus_options& options, Flattening& flattening)
+{
+  Mesh closed(mesh);
+  close_holes(closed, chart);
+  const UV_map uv = closed.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_closed_uv").first;
+  choose_solver(closed, chart, command, options, uv, flattening);
+  for(const Vertex v : mesh.vertices()) {
+    flattening.uv[v] = uv[v];
   }
 }
 
@@ -104,7 +117,11 @@ inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_li
   if(progress.is_on()) {
     options.on_step = [&progress](const SMP::ABF_plus_plus_step& step) { progress.step(step); };
   }
-  internal::choose_solver(mesh, chart, command, options, flattening);
+  if(command.holes == "close" && chart.borders.size() > 1) {
+    internal::flatten_without_holes(mesh, chart, command, options, flattening);
+  } else {
+    internal::choose_solver(mesh, chart, command, options, flattening.uv, flattening);
+  }
   if(flattening.succeeded()) {
     CGAL::Real_timer timer;
     timer.start();

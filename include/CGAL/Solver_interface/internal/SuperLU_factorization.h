@@ -82,13 +82,13 @@ public:
         return NOT_DEFINITE;
       if(is_singular(a))
         return FAILED;
-      return pivots_have_sign(sign) ? FACTORED : NOT_DEFINITE;
+      return pivots_have_sign(sign) && is_accurate(a) ? FACTORED : NOT_DEFINITE;
     }
-    std::unique_ptr<SuperLU_matrix> scaled = std::make_unique<SuperLU_matrix>(a);
-    m_scaling.equilibrate(*scaled);
+    SuperLU_matrix scaled = a;
+    m_scaling.equilibrate(scaled);
     const double significant = 64 * std::numeric_limits<double>::epsilon();
-    const bool good = run(*scaled) && least_relative_pivot(Eigen::VectorXd::Ones(size())) > significant &&
-                      is_accurate(std::move(scaled));
+    const bool good = run(scaled) && least_relative_pivot(Eigen::VectorXd::Ones(size())) > significant &&
+                      is_accurate(scaled);
     return good ? FACTORED : FAILED;
   }
 
@@ -275,18 +275,18 @@ private:
   }
 
   // Solves one system to see whether solutions need refinement, and keeps the matrix if they do.
-  bool is_accurate(std::unique_ptr<SuperLU_matrix> a)
+  bool is_accurate(const SuperLU_matrix& a)
   {
     Eigen::MatrixXd b(size(), 1);
     for(int i = 0; i < size(); ++i)
       b(i, 0) = 1. + (i % 7) / 7.;
-    b = (*a * b).eval();
+    b = (a * b).eval();
     Eigen::MatrixXd x = b;
     if(!substitute(Block(x.data(), x.rows(), x.cols())))
       return false;
-    if(residual(*a, b, x) <= good_residual)
+    if(residual(a, b, x) <= good_residual)
       return true;
-    m_matrix = std::move(a);
+    m_matrix = std::make_unique<const SuperLU_matrix>(a);
     return refine(b, x);
   }
 
