@@ -228,7 +228,7 @@ private:
     m_ordering_reused = analysis != nullptr && analysis->has_pattern_of(a);
     if(!m_ordering_reused) {
       analysis.reset();
-      analysis = Factorization::analyze(a, symmetric);
+      analysis = internal::SuperLU_factors::analyze(a, symmetric);
     }
     std::shared_ptr<Factorization> factorization = std::make_shared<Factorization>(analysis);
     const Factorization::Result result = factorization->factor(a, sign);

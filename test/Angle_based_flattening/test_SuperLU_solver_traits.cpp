@@ -6,8 +6,25 @@
 #define BOOST_TEST_MODULE SuperLU_solver_traits
 #include <boost/test/unit_test.hpp>
 
+// Names of SuperLU are free for others, before its header is included...
 #define ABORT a_macro_of_the_user
 #define COL 17
+namespace used_before {
+enum Names
+{
+  EMPTY = 7,
+  TRUE,
+  FALSE,
+  NO,
+  YES,
+  ROW,
+  TRANS,
+  FACT,
+  SOLVE,
+  COLAMD,
+  NATURAL
+};
+}
 
 #include <CGAL/SuperLU_solver_traits.h>
 
@@ -42,7 +59,7 @@ static_assert(std::is_copy_constructible<Solver>::value && std::is_copy_assignab
               "copyable");
 static_assert(std::is_nothrow_move_constructible<Solver>::value, "movable");
 
-// Names of SuperLU are free for others.
+// ...and after it.
 enum User_enumerators
 {
   EMPTY = 3,
@@ -491,6 +508,7 @@ BOOST_AUTO_TEST_CASE(names_of_the_user)
   BOOST_CHECK_EQUAL(std::string(TEXT(ABORT)), "a_macro_of_the_user");
   BOOST_CHECK_EQUAL(COL, 17);
   BOOST_CHECK_EQUAL(EMPTY + TRUE, 7);
+  BOOST_CHECK_EQUAL(used_before::EMPTY + used_before::TRUE, 15);
   const int NOTRANS = 1, BOTH = 2;
   BOOST_CHECK_EQUAL(ROW + NO + NOTRANS + BOTH + SuperMatrix().int_t, 17);
 }

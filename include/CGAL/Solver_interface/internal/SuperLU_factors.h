@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
+#define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
+
+#include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
+#include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
+#include <CGAL/Solver_interface/internal/SuperLU_headers.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+
+// The triangular factors of one matrix, and all calls of SuperLU.
+//
+// SuperLU ends the program when one of its small allocations fails, prints when a large one
+// does, and does not notice when an index overflows. So sizes are known, and
+// memory is seen to be there, before it is called.
+class SuperLU_factors
+{
+public:
+  typedef Eigen::Map<Eigen::MatrixXd> Block;
+
+  explicit SuperLU_factors(std::shared_ptr<const SuperLU_analysis> analysis)
+      : m_analysis(analysis), m_row_permutation(analysis->size()), m_lower(), m_upper()
+  {}
+
+  SuperLU_factors(const SuperLU_factors&) = delete;
+  SuperLU_factors& operator=(const SuperLU_factors&) = delete;
+
+  ~SuperLU_factors()
+  {
+    if(m_lower.Store != nullptr)
+      superlu::Destroy_SuperNode_Matrix(&m_lower);
+    if(m_upper.Store != nullptr)
+      superlu::Destroy_CompCol_Matrix(&m_upper);
+  }
+
+  static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_matrix& a, bool symmetric)
+  {
+    return std::make_shared<SuperLU_analysis>(a, symmetric, superlu::sp_ienv(2), superlu::sp_ienv(3));
+  }
+
+  bool is_symmetric() const { return m_analysis->is_symmetric(); }
+  int size() const { return m_analysis->size(); }
+
+  // The number of entries of L and U, the unit diagonal of L not counted
+  std::size_t nonzeros() const
+  {
+    const std::size_t lower = static_cast<const superlu::SCformat*>(m_lower.Store)->nnz;
+    const std::size_t upper = static_cast<const superlu::NCformat*>(m_upper.Store)->nnz;
+    return lower + upper - size();
+  }
+
+  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
+  bool factor(const SuperLU_matrix& a)
+  {
+    const double entries = initial_size(a);
+    const double upper_bound = (std::max)(entries, static_cast<double>(m_analysis->factor_size()));
+    const int width = panel_size();
+    if(width == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
+      return false;
+    // two arrays of reals, two of integers, the work arrays, a dozen of vectors
+    if(!can_allocate(24 * entries + 2 * work_size(width) + 64. * size()))
+      return false;
+
+    superlu::SuperLUStat_t statistics;
+    superlu::StatInit(&statistics);
+    const bool done = call_superlu(a, entries, width, statistics);
+    superlu::StatFree(&statistics);
+    return done;
+  }
+
+  // Whether the pivot of column `i` of the matrix was taken from the diagonal
+  bool is_pivot_diagonal(int i) const { return m_row_permutation[i] == m_analysis->permutation()[i]; }
+
+  // The pivot of column `i` of the matrix: an entry of U on the diagonal, which is kept with the supernodes of L
+  double pivot(int i) const
+  {
+    const int j = m_analysis->permutation()[i];
+    const superlu::SCformat* lower = static_cast<const superlu::SCformat*>(m_lower.Store);
+    const int first = lower->sup_to_col[lower->col_to_sup[j]];
+    return static_cast<const double*>(lower->nzval)[lower->nzval_colptr[j] + (j - first)];
+  }
+
+  // An estimate of the reciprocal condition number in the 1-norm, that of the matrix being `norm`; 0 if unknown
+  double reciprocal_condition(double norm) const
+  {
+    if(!can_allocate(4. * size() * sizeof(double)))
+      return 0;
+    char one_norm[] = "1";
+    double result = 0;
+    int info = 0;
+    superlu::SuperLUStat_t statistics;
+    superlu::StatInit(&statistics);
+    const SuperLU_one_blas_thread one_thread;
+    superlu::dgscon(one_norm, const_cast<superlu::SuperMatrix*>(&m_lower),
+                    const_cast<superlu::SuperMatrix*>(&m_upper), norm, &result, &statistics, &info);
+    superlu::StatFree(&statistics);
+    return info == 0 ? result : 0;
+  }
+
+  // Replaces the columns of `b` by the solutions.
+  bool solve(Block b) const
+  {
+    const int n = size();
+    if(!can_allocate((b.cols() + 2.) * n * sizeof(double)))
+      return false;
+    superlu::DNformat store = {n, b.data()};
+    superlu::SuperMatrix right_side = {
+        superlu::SLU_DN, superlu::SLU_D, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};
+    superlu::SuperLUStat_t statistics;
+    superlu::StatInit(&statistics);
+    int info = 0;
+    const SuperLU_one_blas_thread one_thread;
+    superlu::dgstrs(superlu::NOTRANS, const_cast<superlu::SuperMatrix*>(&m_lower),
+                    const_cast<superlu::SuperMatrix*>(&m_upper), column_permutation(),
+                    const_cast<int*>(m_row_permutation.data()), &right_side, &statistics, &info);
+    superlu::StatFree(&statistics);
+    return info == 0;
+  }
+
+private:
+  static bool can_allocate(double bytes)
+  {
+    if(bytes >= static_cast<double>((std::numeric_limits<std::ptrdiff_t>::max)()))
+      return false;
+    void* volatile memory =
+        std::malloc(static_cast<std::size_t>(bytes)); // volatile: do not optimize this away
+    std::free(memory);
+    return memory != nullptr;
+  }
+
+  // The largest number of columns that SuperLU may treat at once without a size overflowing in it, or 0
+  int panel_size() const
+  {
+    int width = superlu::sp_ienv(1);
+    while(width > 0 && work_size(width) > (std::numeric_limits<int>::max)())
+      width /= 2;
+    return width;
+  }
+
+  // The number of bytes of the larger one of SuperLU's work arrays
+  double work_size(int width) const
+  {
+    const double n = size();
+    const double block = superlu::sp_ienv(3) + superlu::sp_ienv(4);
+    const double integers = (2. * width + 8) * n * sizeof(int);
+    const double reals = (width * n + (std::max)(n, block * width)) * sizeof(double);
+    return (std::max)(integers, reals);
+  }
+
+  // The number of entries for which SuperLU shall allocate memory initially. More than it will need, if that
+  // is known; growing costs copies. Beyond its default, bounds tend to be pessimistic.
+  double initial_size(const SuperLU_matrix& a) const
+  {
+    const double needed = 1.01 * static_cast<double>(m_analysis->factor_size()) + 1000;
+    if(is_symmetric())
+      return needed;
+    return (std::min)(needed,
+                      (std::max)(1., double(superlu::sp_ienv(6))) * static_cast<double>(a.nonZeros()));
+  }
+
+  bool call_superlu(const SuperLU_matrix& a, double entries, int width, superlu::SuperLUStat_t& statistics)
+  {
+    const int n = size();
+    std::vector<int> begin(n), end(n);
+    for(int j = 0; j < n; ++j) {
+      begin[m_analysis->permutation()[j]] = a.outerIndexPtr()[j];
+      end[m_analysis->permutation()[j]] = a.outerIndexPtr()[j + 1];
+    }
+    std::vector<int> tree = m_analysis->elimination_tree(); // SuperLU renumbers it temporarily
+
+    // SuperLU uses the number of entries for a first guess of the size of the factors, and only for that.
+    superlu::NCPformat store;
+    store.nnz = static_cast<int>(std::ceil(entries / (std::max)(1, superlu::sp_ienv(6))));
+    store.nzval = const_cast<double*>(a.valuePtr());
+    store.rowind = const_cast<int*>(a.innerIndexPtr());
+    store.colbeg = begin.data();
+    store.colend = end.data();
+    superlu::SuperMatrix columns = {superlu::SLU_NCP, superlu::SLU_D, superlu::SLU_GE, n, n, &store};
+
+    superlu::superlu_options_t options;
+    superlu::set_default_options(&options);
+    options.ColPerm = superlu::MY_PERMC;
+    options.Equil = superlu::NO;
+    options.PrintStat = superlu::NO;
+    options.SymmetricMode = is_symmetric() ? superlu::YES : superlu::NO;
+    options.DiagPivotThresh = is_symmetric() ? 0. : 1.;
+
+    superlu::GlobalLU_t growing = superlu::GlobalLU_t();
+    int info = 0;
+    const SuperLU_one_blas_thread one_thread;
+    superlu::dgstrf(&options, &columns, superlu::sp_ienv(2), width, tree.data(), nullptr, 0,
+                    column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing, &statistics,
+                    &info);
+    if(m_lower.Store == nullptr) // memory was exhausted, and what was there is left to us
+      free_growing(growing);
+    return info == 0;
+  }
+
+  static void free_growing(superlu::GlobalLU_t& growing)
+  {
+    void* arrays[] = {growing.xsup,   growing.supno, growing.lsub, growing.xlsub, growing.lusup,
+                      growing.xlusup, growing.ucol,  growing.usub, growing.xusub, growing.expanders};
+    for(void* array : arrays) {
+      if(array != nullptr)
+        superlu::superlu_free(array);
+    }
+  }
+
+  // SuperLU's interface is not const-correct
+  int* column_permutation() const { return const_cast<int*>(m_analysis->permutation().data()); }
+
+  std::shared_ptr<const SuperLU_analysis> m_analysis;
+  std::vector<int> m_row_permutation;
+  superlu::SuperMatrix m_lower, m_upper;
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
