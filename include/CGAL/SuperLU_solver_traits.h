@@ -96,6 +96,8 @@ public:
   /// the type of matrices. If it was constructed with `is_symmetric` equal to `true`,
   /// so that it stores one triangle only, then it stands for the whole symmetric matrix.
   typedef CGAL::Eigen_sparse_matrix<NT> Matrix;
+  /// the type of indices
+  typedef Eigen::Index Index;
   /// the type of several vectors, which are the columns of a dense matrix
   typedef Eigen::Matrix<NT, Eigen::Dynamic, Eigen::Dynamic> Dense_matrix;
   /// @}
@@ -125,6 +127,14 @@ public:
   /// solves the linear system \f$ A \times X = B\f$, with \f$ A\f$ being the matrix passed to `factor()`.
   /// \return `true` if successful, otherwise `X` is unspecified
   bool linear_solver(const Vector& B, Vector& X) const { return solve(B.eigen_object(), X.eigen_object()); }
+
+  /// solves the linear system \f$ A \times X = B\f$ for a `B` that is a sparse matrix with one column.
+  /// \return `true` if successful, otherwise `X` is unspecified
+  bool linear_solver(const Matrix& B, Vector& X) const
+  {
+    const Columns& b = B.eigen_object();
+    return b.cols() == 1 && solve(typename Vector::EigenType(b.col(0)), X.eigen_object());
+  }
 
   /// solves one linear system for each column of `B`.
   /// \return `true` if successful, otherwise `X` is unspecified

@@ -147,7 +147,8 @@ private:
   static double residual(const SuperLU_matrix& a, const Eigen::MatrixXd& b, const Eigen::MatrixXd& x)
   {
     const double defect = (a * x - b).cwiseAbs().maxCoeff();
-    const double norm = (a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols())).maxCoeff();
+    const Eigen::VectorXd row_sums = a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols());
+    const double norm = row_sums.maxCoeff();
     const double scale = norm * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff();
     if(!x.allFinite() || !std::isfinite(defect) || !std::isfinite(scale))
       return std::numeric_limits<double>::infinity();

@@ -72,8 +72,10 @@ public:
     const int width = panel_size();
     if(width == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
-    // two arrays of reals, two of integers, the work arrays, a dozen of vectors
-    if(!can_allocate(24 * entries + 2 * work_size(width) + 64. * size()))
+    // two arrays of reals, two of integers, the work arrays, a dozen of vectors; and a buffer that OpenBLAS takes at its
+    // first use, and for which it would wait for ever
+    const double blas_buffer = 1.5e8;
+    if(!can_allocate(24 * entries + 2 * work_size(width) + 64. * size() + blas_buffer))
       return false;
 
     superlu::SuperLUStat_t statistics;

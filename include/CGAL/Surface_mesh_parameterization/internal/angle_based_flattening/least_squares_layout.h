@@ -78,19 +78,19 @@ public:
     Symmetric_system<SolverTraits> system(traits);
     if(!system.set_matrix(normal_matrix.matrix()))
       return false;
+    bool solved = false;
     const int refinements = 2;
     Eigen::VectorXd correction;
-    for(int i = 0; i <= refinements; ++i) {
-      if(!system.solve(minus_gradient(n), correction))
-        return false;
+    for(int i = 0; i <= refinements && system.solve(minus_gradient(n), correction); ++i) {
       for(std::size_t v = 0; v < m_z.size(); ++v)
         if(const int j = m_unknown[v]; j >= 0)
           m_z[v] += Complex(correction[2 * j], correction[2 * j + 1]);
+      solved = true; // an iterative solver may have nothing to improve later
     }
     uv.clear();
     for(const Complex& z : m_z)
       uv.emplace_back(z.real(), z.imag());
-    return true;
+    return solved;
   }
 
 private:

@@ -60,7 +60,7 @@ public:
     const int n = static_cast<int>(right_hand_side.size());
     Vector b(n), x(n);
     for(int i = 0; i < n; ++i)
-      b.set(i, right_hand_side[i]);
+      b[i] = right_hand_side[i];
     if constexpr(Has_factor<SolverTraits>::value) {
       if(!m_traits.linear_solver(b, x))
         return false;

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SOLVERS_TEMPORARY_FOLDER_H
+#define SOLVERS_TEMPORARY_FOLDER_H
+
+#include <stdlib.h> // mkdtemp() is not in the namespace std
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace solvers {
+
+// A folder that vanishes with the object.
+class Temporary_folder
+{
+public:
+  Temporary_folder() : m_path((std::filesystem::temp_directory_path() / "abf_solvers_XXXXXX").string())
+  {
+    if(mkdtemp(&m_path[0]) == nullptr) {
+      throw std::runtime_error("cannot make a temporary folder");
+    }
+  }
+
+  Temporary_folder(const Temporary_folder&) = delete;
+  Temporary_folder& operator=(const Temporary_folder&) = delete;
+
+  ~Temporary_folder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+  }
+
+  std::string file(const std::string& name) const { return m_path + "/" + name; }
+
+private:
+  std::string m_path;
+};
+
+} // namespace solvers
+
+#endif // SOLVERS_TEMPORARY_FOLDER_H
