@@ -8,6 +8,10 @@
 #define BOOST_TEST_MODULE parameterizer
 #include <boost/test/unit_test.hpp>
 
+// First, so that they are seen to need nothing before them.
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -16,8 +20,6 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <cmath>

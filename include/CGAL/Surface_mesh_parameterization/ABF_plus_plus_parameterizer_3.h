@@ -132,7 +132,7 @@ public:
     if(!defect)
       defect = internal::diagnose(reader.chart, m_options.allow_holes);
     report.vertices = reader.chart.number_of_vertices();
-    report.triangles = static_cast<int>(reader.faces.size());
+    report.triangles = static_cast<int>(reader.face_descriptors.size());
     report.borders = static_cast<int>(reader.chart.borders.size());
     report.seconds.read = stopwatch.lap();
     if(defect) {
@@ -153,7 +153,7 @@ public:
 
     stopwatch.lap();
     for(std::size_t v = 0; v < uv.size(); ++v)
-      put(uvmap, reader.vertices[v], Uv_point(Uv_FT(uv[v].x()), Uv_FT(uv[v].y())));
+      put(uvmap, reader.vertex_descriptors[v], Uv_point(Uv_FT(uv[v].x()), Uv_FT(uv[v].y())));
     report.seconds.write = stopwatch.lap();
     return OK;
   }
@@ -188,9 +188,9 @@ private:
                       const std::vector<int>& triangles)
   {
     for(int v : vertices)
-      m_outcome->offending_vertices.push_back(reader.vertices[v]);
+      m_outcome->offending_vertices.push_back(reader.vertex_descriptors[v]);
     for(int t : triangles)
-      m_outcome->offending_faces.push_back(reader.faces[t]);
+      m_outcome->offending_faces.push_back(reader.face_descriptors[t]);
   }
 
   ABF_plus_plus_options m_options;

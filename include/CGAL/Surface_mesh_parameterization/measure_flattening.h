@@ -76,7 +76,7 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
   const internal::Chart& chart = reader.chart;
 
   std::vector<internal::Chart::Point_2> uv;
-  for(auto v : reader.vertices) {
+  for(auto v : reader.vertex_descriptors) {
     const auto& p = get(uvmap, v);
     uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
   }
@@ -85,7 +85,7 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
   const std::vector<double> beta = internal::target_angles(chart);
   for(int t = 0; t < chart.number_of_triangles(); ++t) {
     const double distortion = internal::angular_distortion(chart, beta, uv, t);
-    put(face_distortion_map, reader.faces[t], distortion);
+    put(face_distortion_map, reader.face_descriptors[t], distortion);
     measures.angular_distortion += distortion / chart.number_of_triangles();
   }
   const internal::Stretch_and_shear both = internal::stretch_and_shear(chart, uv);

@@ -57,17 +57,17 @@ public:
   {
     const auto vimap = get(CGAL::dynamic_vertex_property_t<int>(), m_mesh);
     int index = 0;
-    for(vertex_descriptor v : CGAL::vertices(m_mesh))
+    for(vertex_descriptor v : vertices(m_mesh))
       put(vimap, v, index++);
     return read(bhd, vimap);
   }
 
   Chart chart;
-  std::vector<vertex_descriptor> vertices; // of each vertex of the chart
-  std::vector<face_descriptor> faces;      // of each triangle of the chart
+  std::vector<vertex_descriptor> vertex_descriptors; // of each vertex of the chart
+  std::vector<face_descriptor> face_descriptors;     // of each triangle of the chart
 
 private:
-  // Sets `faces`, in the order of the mesh, and the chart's corner table up to the vertices.
+  // Sets `face_descriptors`, in the order of the mesh, and the chart's corner table up to the vertices.
   Chart_defect find_faces(halfedge_descriptor bhd)
   {
     if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
@@ -85,15 +85,15 @@ private:
               {}};
 
     Face_ranks ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
-    for(face_descriptor f : CGAL::faces(m_mesh))
+    for(face_descriptor f : faces(m_mesh))
       put(ranks, f, -1);
     for(face_descriptor f : component)
       put(ranks, f, 0);
-    for(face_descriptor f : CGAL::faces(m_mesh)) {
+    for(face_descriptor f : faces(m_mesh)) {
       if(get(ranks, f) < 0)
         continue;
-      put(ranks, f, static_cast<int>(faces.size()));
-      faces.push_back(f);
+      put(ranks, f, static_cast<int>(face_descriptors.size()));
+      face_descriptors.push_back(f);
       if(next(next(next(halfedge(f, m_mesh), m_mesh), m_mesh), m_mesh) != halfedge(f, m_mesh))
         return {ABF_plus_plus_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {0}};
     }
@@ -115,9 +115,9 @@ private:
 
   void link_corners(const Face_ranks& ranks)
   {
-    chart.opposite.resize(3 * faces.size());
-    for(std::size_t t = 0; t < faces.size(); ++t) {
-      halfedge_descriptor h = halfedge(faces[t], m_mesh);
+    chart.opposite.resize(3 * face_descriptors.size());
+    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
+      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
       for(int k : {1, 2, 0}) {
         const halfedge_descriptor across = opposite(h, m_mesh);
         chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) ? -1 : facing_corner(across, ranks);
@@ -126,13 +126,13 @@ private:
     }
   }
 
-  // Sets `vertices`, in the order of `vimap`, and the vertex of each corner.
+  // Sets `vertex_descriptors`, in the order of `vimap`, and the vertex of each corner.
   template <typename VertexIndexMap>
   void number_vertices(VertexIndexMap vimap)
   {
     std::vector<vertex_descriptor> of_corner;
-    of_corner.reserve(3 * faces.size());
-    for(face_descriptor f : faces) {
+    of_corner.reserve(3 * face_descriptors.size());
+    for(face_descriptor f : face_descriptors) {
       halfedge_descriptor h = halfedge(f, m_mesh);
       for(int k = 0; k < 3; ++k, h = next(h, m_mesh)) {
         of_corner.push_back(target(h, m_mesh));
@@ -142,18 +142,18 @@ private:
     std::vector<int> indices = chart.vertex;
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    vertices.resize(indices.size());
+    vertex_descriptors.resize(indices.size());
     for(std::size_t c = 0; c < of_corner.size(); ++c) {
       const auto rank = std::lower_bound(indices.begin(), indices.end(), chart.vertex[c]) - indices.begin();
       chart.vertex[c] = static_cast<int>(rank);
-      vertices[rank] = of_corner[c];
+      vertex_descriptors[rank] = of_corner[c];
     }
   }
 
   void read_points()
   {
     const auto points = get(CGAL::vertex_point, m_mesh);
-    for(vertex_descriptor v : vertices) {
+    for(vertex_descriptor v : vertex_descriptors) {
       const auto& p = get(points, v);
       chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
