@@ -445,7 +445,8 @@ BOOST_AUTO_TEST_CASE(all_options)
   for(const std::string options :
       {"--barrier 0", "--layout exact", "--layout least-squares", "--layout auto",
        "--tolerance 1e-6 --max-iterations 50", "--step sqp", "--step newton", "--solver eigen",
-       "--solver superlu", "--method direct --component 0 --border 0"}) {
+       "--solver superlu", "--method direct --component 0 --border 0", "--method hierarchical --rate 0.9",
+       "--method hierarchical --polish", "--method auto"}) {
     BOOST_TEST_CONTEXT(options)
     {
       flatten(input, options);

@@ -10,6 +10,7 @@
 #include "number_text.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 
 #include <boost/program_options.hpp>
 
@@ -38,6 +39,7 @@ struct Command_line
   std::string layout = "auto";
   std::string step = "newton";
   SMP::ABF_plus_plus_options options;
+  SMP::Hierarchical_options hierarchical;
   bool verbose = false;
   bool help = false;
 };
@@ -95,7 +97,13 @@ inline po::options_description method_options(Command_line& command)
   SMP::ABF_plus_plus_options& abf = command.options;
   po::options_description options("How it is flattened", 100, 60);
   po::options_description_easy_init add = options.add_options();
-  add("method", name_option(command.method), "direct: ABF++ on the whole chart");
+  add("method", name_option(command.method),
+      "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
+      "large surfaces");
+  add("rate", number_option(command.hierarchical.simplification_rate, "PART"),
+      "part of the vertices that the hierarchical method removes");
+  add("polish", po::bool_switch(&command.hierarchical.polish),
+      "bring the result of the hierarchical method down to the distortion of the direct one");
   add("barrier", number_option(abf.barrier, "KAPPA"),
       "weight of the term that keeps angles away from zero; 0 is exactly the energy of the ABF++ paper");
   add("layout", name_option(command.layout),
@@ -171,6 +179,10 @@ inline void check_numbers(const Command_line& command)
   if(!std::isfinite(abf.tolerance) || abf.tolerance <= 0) {
     throw Input_error("--tolerance takes a number above 0; see --help");
   }
+  const double rate = command.hierarchical.simplification_rate;
+  if(!(rate > 0 && rate < 1)) {
+    throw Input_error("--rate takes a number between 0 and 1; see --help");
+  }
   if(abf.max_iterations < 1) {
     throw Input_error("--max-iterations takes a number of at least 1; see --help");
   }
@@ -183,8 +195,8 @@ inline void understand_names(Command_line& command)
   const auto refuse = [](const std::string& option, const std::string& value, const std::string& known) {
     throw Input_error("unknown --" + option + " '" + value + "': it is " + known);
   };
-  if(command.method != "direct") {
-    refuse("method", command.method, "direct");
+  if(command.method != "direct" && command.method != "hierarchical") {
+    refuse("method", command.method, "direct or hierarchical");
   }
   if(command.holes != "close" && command.holes != "open") {
     refuse("holes", command.holes, "close or open");

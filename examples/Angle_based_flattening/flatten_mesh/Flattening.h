@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -24,9 +26,13 @@ struct Flattening
 {
   UV_map uv;
   Mesh::Property_map<Face, double> distortion; // angular, of each face of the chart
-  SMP::ABF_plus_plus_report report;
-  SMP::Flattening_measures measures; // only if it succeeded
-  std::string place;                 // the vertices and faces at fault, if it failed
+  SMP::ABF_plus_plus_report report;            // of the hierarchical method: what both have in common
+  std::string method;                          // direct or hierarchical
+  int levels = 0;                              // of the hierarchical method
+  int coarse_triangles = 0;
+  std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
+  SMP::Flattening_measures measures;                  // only if it succeeded
+  std::string place;                                  // the vertices and faces at fault, if it failed
   double parameterize_seconds = 0;
   double measure_seconds = 0;
 

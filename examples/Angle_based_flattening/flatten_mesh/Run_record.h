@@ -95,20 +95,15 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
 }
 
 // The stages, with the time of each. The chart's reading and writing are `chart` and `uv`; files have `read`
-// and `write`. `parameterize` is the whole call of the parameterizer, so the sum of `chart` up to `uv`.
+// and `write`. `parameterize` is the whole call of the parameterizer, so the sum of its stages.
 inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_record& record)
 {
-  const SMP::ABF_plus_plus_report::Seconds& seconds = record.flattening.report.seconds;
-  return {{"read", record.read_seconds},
-          {"chart", seconds.read},
-          {"targets", seconds.targets},
-          {"angles", seconds.angles},
-          {"layout", seconds.layout},
-          {"certify", seconds.certify},
-          {"uv", seconds.write},
-          {"parameterize", record.flattening.parameterize_seconds},
-          {"measure", record.flattening.measure_seconds},
-          {"write", record.write_seconds}};
+  std::vector<std::pair<std::string, double>> result{{"read", record.read_seconds}};
+  result.insert(result.end(), record.flattening.stages.begin(), record.flattening.stages.end());
+  result.emplace_back("parameterize", record.flattening.parameterize_seconds);
+  result.emplace_back("measure", record.flattening.measure_seconds);
+  result.emplace_back("write", record.write_seconds);
+  return result;
 }
 
 // The largest memory that this process has taken so far, in megabytes; negative where unknown.

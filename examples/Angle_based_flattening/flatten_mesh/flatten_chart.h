@@ -16,6 +16,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -60,19 +61,61 @@ std::string place_text(const Mesh& mesh, const Parameterizer& parameterizer)
   return "";
 }
 
-template <class Solver_traits>
-void run_parameterizer(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_options& options,
-                       const UV_map& uv, Flattening& flattening)
+inline void take_report(const SMP::ABF_plus_plus_report& report, Flattening& flattening)
 {
-  SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits> parameterizer(options);
+  const SMP::ABF_plus_plus_report::Seconds& seconds = report.seconds;
+  flattening.report = report;
+  flattening.stages = {{"chart", seconds.read},    {"targets", seconds.targets}, {"angles", seconds.angles},
+                       {"layout", seconds.layout}, {"certify", seconds.certify}, {"uv", seconds.write}};
+}
+
+inline void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
+{
+  const SMP::Hierarchical_report::Seconds& seconds = report.seconds;
+  flattening.report.status = report.status;
+  flattening.report.diagnosis = report.diagnosis;
+  flattening.report.message = report.message;
+  flattening.report.iterations = report.polish_iterations;
+  flattening.report.constraint_residual = report.constraint_residual;
+  flattening.report.flipped_triangles = report.flipped_triangles;
+  flattening.report.smallest_angle = report.smallest_angle;
+  flattening.levels = report.levels;
+  flattening.coarse_triangles = report.coarse_triangles;
+  flattening.stages = {{"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.solve},
+                       {"refine", seconds.refine}, {"polish", seconds.polish},   {"certify", seconds.certify},
+                       {"uv", seconds.write}};
+}
+
+template <class Parameterizer>
+void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer parameterizer, const UV_map& uv,
+                       Flattening& flattening)
+{
   const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
   CGAL::Real_timer timer;
   timer.start();
   parameterizer.parameterize(mesh, chart.border, uv, get(boost::vertex_index, mesh), is_parameterized);
   timer.stop();
   flattening.parameterize_seconds = timer.time();
-  flattening.report = parameterizer.report();
+  take_report(parameterizer.report(), flattening);
   flattening.place = place_text(mesh, parameterizer);
+}
+
+template <class Solver_traits>
+void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
+                   const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
+{
+  flattening.method = command.method;
+  if(flattening.method == "direct") {
+    using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits>;
+    run_parameterizer(mesh, chart, Direct(options), uv, flattening);
+  } else {
+    using Coarse = SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Solver_traits>;
+    SMP::Hierarchical_options hierarchical = command.hierarchical;
+    hierarchical.allow_holes = options.allow_holes;
+    hierarchical.polish_options = options;
+    using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh, Coarse>;
+    run_parameterizer(mesh, chart, Hierarchical(hierarchical, Coarse(options)), uv, flattening);
+  }
 }
 
 inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& command,
@@ -80,15 +123,15 @@ inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& co
 {
   using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
   if(command.solver == "eigen") {
-    run_parameterizer<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>>(mesh, chart, options, uv,
-                                                                                flattening);
+    choose_method<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>>(mesh, chart, command, options, uv,
+                                                                            flattening);
 #ifdef ABF_WITH_CHOLMOD
   } else if(command.solver == "cholmod") {
-    run_parameterizer<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix>>>(mesh, chart, options,
-                                                                                      uv, flattening);
+    choose_method<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix>>>(mesh, chart, command,
+                                                                                  options, uv, flattening);
 #endif
   } else {
-    run_parameterizer<CGAL::SuperLU_solver_traits<>>(mesh, chart, options, uv, flattening);
+    choose_method<CGAL::SuperLU_solver_traits<>>(mesh, chart, command, options, uv, flattening);
   }
 }
 

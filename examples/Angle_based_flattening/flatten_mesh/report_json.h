@@ -47,6 +47,7 @@ inline std::string report_json(const Run_record& record)
   json.add("triangles", record.triangles);
   json.add("borders", record.borders);
   json.add("components", record.components);
+  json.add("method", record.flattening.method);
   json.add("iterations", static_cast<std::size_t>(report.iterations));
   json.add("constraint_residual", report.constraint_residual);
   json.add("energy", report.energy);

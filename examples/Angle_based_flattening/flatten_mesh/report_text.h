@@ -35,6 +35,26 @@ inline std::string degrees_text(const double radians)
   return format_number("%.4g", radians * 180. / CGAL_PI) + " degrees";
 }
 
+inline std::string method_text(const Flattening& flattening)
+{
+  const SMP::ABF_plus_plus_report& report = flattening.report;
+  std::string text;
+  if(flattening.method == "hierarchical") {
+    text += report_line("method", flattening.method,
+                        count_text(flattening.levels, "level") + ", " +
+                            count_text(flattening.coarse_triangles, "triangle") + " in the coarsest");
+  }
+  if(report.iterations > 0) {
+    text += report_line("iterations", std::to_string(report.iterations),
+                        "Newton steps; constraints hold within " +
+                            format_number("%.1e", report.constraint_residual));
+  }
+  if(flattening.method == "direct") {
+    text += report_line("layout", layout_name(report));
+  }
+  return text;
+}
+
 inline std::string quality_text(const SMP::Flattening_measures& measures)
 {
   return report_line("angular distortion", format_number("%.4e", measures.angular_distortion),
@@ -49,11 +69,11 @@ inline std::string time_text(const Run_record& record)
 {
   std::string text;
   for(const auto& stage : seconds_of_stages(record)) {
-    const bool is_part = stage.first == "chart" || stage.first == "targets" || stage.first == "angles" ||
-                         stage.first == "layout" || stage.first == "certify" || stage.first == "uv";
+    const bool is_part = stage.first != "read" && stage.first != "parameterize" && stage.first != "measure" &&
+                         stage.first != "write";
     const std::string label = (is_part ? "    " : "  ") + stage.first;
     text += report_line(label, format_number("%9.3f", stage.second),
-                        stage.first == "parameterize" ? "the six stages above" : "");
+                        stage.first == "parameterize" ? "the stages above" : "");
   }
   return "seconds\n" + text;
 }
@@ -64,7 +84,6 @@ inline std::string time_text(const Run_record& record)
 inline std::string report_text(const Run_record& record)
 {
   using internal::report_line;
-  const SMP::ABF_plus_plus_report& report = record.flattening.report;
   std::string text;
   text += report_line(
       "input", record.input,
@@ -74,10 +93,7 @@ inline std::string report_text(const Run_record& record)
   text +=
       report_line("borders", std::to_string(record.borders),
                   record.borders > 1 ? "the outer one and " + count_text(record.borders - 1, "hole") : "");
-  text += report_line("iterations", std::to_string(report.iterations),
-                      "Newton steps; constraints hold within " +
-                          format_number("%.1e", report.constraint_residual));
-  text += report_line("layout", layout_name(report));
+  text += internal::method_text(record.flattening);
   text += internal::quality_text(record.flattening.measures);
   text += internal::time_text(record);
   if(peak_memory_mb() >= 0) {

@@ -49,8 +49,9 @@ private:
   Real_timer m_timer;
 };
 
-inline void fail(ABF_plus_plus_report& report, Error_code status, ABF_plus_plus_report::Diagnosis diagnosis,
-                 const std::string& message)
+template <typename Report>
+void fail(Report& report, Error_code status, ABF_plus_plus_report::Diagnosis diagnosis,
+          const std::string& message)
 {
   report.status = status;
   report.diagnosis = diagnosis;

@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZER_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/polish.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// \file Hierarchical_parameterizer_3.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer.
+typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The class `Hierarchical_parameterizer_3` flattens surfaces of millions of triangles in seconds: the hierarchical
+/// method of Section 5 of \cgalCite{cgal:slmb-abf-05}. The surface is simplified, the coarse chart is flattened by
+/// another parameterizer, and its map is refined while the vertices that were removed are put back.
+///
+/// No triangle is flipped on the way: a vertex is only put, and only moved, where all its triangles keep their
+/// orientation. In the end an exact predicate looks at every triangle.
+///
+/// Vertices are removed in levels of independent vertices, cheapest first, by half-edge collapses that are ranked by
+/// the volume they sweep. Where the coarse chart cannot be flattened, finer ones are tried, and in the end a
+/// single triangle, for which no solver is needed.
+///
+/// \cgalModels{Parameterizer_3}
+///
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`.
+///
+/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`. With
+///         `LSCM_parameterizer_3` this is hierarchical LSCM.<br>
+///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
+///
+/// Copies of a parameterizer share their report.
+///
+/// \sa `CGAL::Surface_mesh_parameterization::ABF_plus_plus_parameterizer_3`
+template <typename TriangleMesh_, typename CoarseParameterizer_ = Default>
+class Hierarchical_parameterizer_3
+{
+public:
+  /// Triangle mesh type
+  typedef TriangleMesh_ Triangle_mesh;
+  typedef TriangleMesh_ TriangleMesh;
+
+#ifndef DOXYGEN_RUNNING
+  typedef typename Default::Get<CoarseParameterizer_,
+                                ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>>::type
+      Coarse_parameterizer;
+#else
+  /// Type of the coarse parameterizer
+  typedef CoarseParameterizer_ Coarse_parameterizer;
+#endif
+
+  /// Solver traits type of the coarse parameterizer
+  typedef typename Coarse_parameterizer::Solver_traits Solver_traits;
+
+  /// Mesh vertex type
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+
+  /// Mesh halfedge type
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+
+  /// Mesh face type
+  typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
+
+  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart.
+  explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options(),
+                                        Coarse_parameterizer coarse_parameterizer = Coarse_parameterizer())
+      : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
+        m_outcome(std::make_shared<Outcome>())
+  {}
+
+  /// flattens the connected component of `bhd`.
+  ///
+  /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
+  /// On any error `uvmap` is left as it was. Time and memory are linear in the size of the surface, but for sorting.
+  ///
+  /// Parameters, requirements and return values are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
+  template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
+                          VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
+  {
+    typedef typename boost::property_traits<VertexUVmap>::value_type Uv_point;
+    typedef typename CGAL::Kernel_traits<Uv_point>::Kernel::FT Uv_FT;
+
+    *m_outcome = Outcome();
+    Hierarchical_report& report = m_outcome->report;
+    internal::Stopwatch stopwatch;
+    internal::Chart_reader<Triangle_mesh> reader(mesh);
+    internal::Chart_defect defect = reader.read(bhd, vimap);
+    if(!defect)
+      defect = internal::diagnose(reader.chart, m_options.allow_holes);
+    report.vertices = reader.chart.number_of_vertices();
+    report.triangles = static_cast<int>(reader.face_descriptors.size());
+    report.borders = static_cast<int>(reader.chart.borders.size());
+    report.seconds.read = stopwatch.lap();
+    if(defect) {
+      internal::fail(report, internal::error_code(defect.diagnosis), defect.diagnosis, defect.message);
+      name_offenders(reader, defect.vertices, defect.triangles);
+      return report.status;
+    }
+
+    Layout uv;
+    std::vector<int> flipped;
+    if(!flatten(reader.chart, uv) || !certify<Uv_FT>(reader.chart, uv, flipped)) {
+      name_offenders(reader, {}, flipped);
+      return report.status;
+    }
+    stopwatch.lap();
+    for(std::size_t v = 0; v < uv.size(); ++v)
+      put(uvmap, reader.vertex_descriptors[v], Uv_point(Uv_FT(uv[v].x()), Uv_FT(uv[v].y())));
+    report.seconds.write = stopwatch.lap();
+    return OK;
+  }
+
+  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
+  const Hierarchical_report& report() const
+  {
+    return m_outcome->report;
+  }
+
+  /// returns the parameterizer of the coarse chart.
+  const Coarse_parameterizer& coarse_parameterizer() const
+  {
+    return m_coarse_parameterizer;
+  }
+
+  /// returns the vertices that the last call's diagnosis is about.
+  const std::vector<vertex_descriptor>& offending_vertices() const
+  {
+    return m_outcome->offending_vertices;
+  }
+
+  /// returns the faces that the last call's diagnosis is about, among them all that would be flipped.
+  const std::vector<face_descriptor>& offending_faces() const
+  {
+    return m_outcome->offending_faces;
+  }
+
+private:
+  typedef std::vector<internal::Chart::Point_2> Layout;
+
+  struct Outcome
+  {
+    Hierarchical_report report;
+    std::vector<vertex_descriptor> offending_vertices;
+    std::vector<face_descriptor> offending_faces;
+  };
+
+  bool flatten(internal::Chart& chart, Layout& uv)
+  {
+    Hierarchical_report& report = m_outcome->report;
+    const internal::Coarse_solver<Coarse_parameterizer> solve(m_coarse_parameterizer);
+    if(!internal::flatten_hierarchically(chart, m_options, solve, uv, report)) {
+      internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
+                     "no valid map was found in double precision");
+      return false;
+    }
+    if(m_options.polish) {
+      internal::Stopwatch stopwatch;
+      internal::polish(chart, m_options, uv, report);
+      report.seconds.polish = stopwatch.lap();
+    }
+    return true;
+  }
+
+  template <typename Uv_FT>
+  bool certify(const internal::Chart& chart, Layout& uv, std::vector<int>& flipped)
+  {
+    Hierarchical_report& report = m_outcome->report;
+    internal::Stopwatch stopwatch;
+    internal::scale_to_surface_area(chart, uv);
+    for(internal::Chart::Point_2& p : uv)
+      p = internal::Chart::Point_2(CGAL::to_double(Uv_FT(p.x())), CGAL::to_double(Uv_FT(p.y())));
+    flipped = internal::flipped_triangles(chart, uv);
+    report.flipped_triangles = static_cast<int>(flipped.size());
+    report.smallest_angle = internal::smallest_angle(chart, uv);
+    report.seconds.certify = stopwatch.lap();
+    if(flipped.empty())
+      return true;
+    internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::FLIPPED_TRIANGLES,
+                   std::to_string(flipped.size()) + " flipped triangle(s), one at the vertex at " +
+                       internal::place(chart, chart.vertex[3 * flipped.front()]));
+    return false;
+  }
+
+  void name_offenders(const internal::Chart_reader<Triangle_mesh>& reader, const std::vector<int>& vertices,
+                      const std::vector<int>& triangles)
+  {
+    for(int v : vertices)
+      m_outcome->offending_vertices.push_back(reader.vertex_descriptors[v]);
+    for(int t : triangles)
+      m_outcome->offending_faces.push_back(reader.face_descriptors[t]);
+  }
+
+  Hierarchical_options m_options;
+  Coarse_parameterizer m_coarse_parameterizer;
+  std::shared_ptr<Outcome> m_outcome;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// Hierarchical ABF++: `Hierarchical_parameterizer_3` with `ABF_plus_plus_parameterizer_3` for the coarse chart.
+template <typename TriangleMesh>
+using Hierarchical_ABF_plus_plus_parameterizer_3 = Hierarchical_parameterizer_3<TriangleMesh, Default>;
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZER_3_H

@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The hierarchical method: every room by itself, and the parameterizer.
+
+#define BOOST_TEST_MODULE hierarchical
+#include <boost/test/unit_test.hpp>
+
+#include "test_charts.h"
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+using namespace test_charts;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+typedef SMP::Hierarchical_report Report;
+typedef SMP::Hierarchical_options Options;
+typedef abf::Planar_point Planar_point;
+
+namespace {
+
+const double extreme_angle = Options().extreme_angle;
+
+std::vector<Chart> charts()
+{
+  return {flat_grid(9, 1), bump(25, 2), bump(12, 3, 20), pyramid(50, 3), pyramid(3, 1), annulus(40)};
+}
+
+Chart cone(int n)
+{
+  return grid(n, n,
+              [](double x, double y) { return 100 * (std::max)(0., 0.5 - std::hypot(x - 0.5, y - 0.5)); });
+}
+
+// A coarse solver that gives up.
+struct No_solver
+{
+  bool operator()(const Chart&, std::vector<Point_2>&) const { return false; }
+};
+
+std::vector<Planar_point> planar_points(const Chart& chart)
+{
+  std::vector<Planar_point> points;
+  for(const Point_3& p : chart.points)
+    points.emplace_back(p.x(), p.y());
+  return points;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(coarsening)
+
+BOOST_AUTO_TEST_CASE(can_be_undone_exactly)
+{
+  for(const Chart& original : charts())
+    for(double angle : {extreme_angle, 0.}) {
+      Chart chart = original;
+      abf::Coarsening coarsening(chart);
+      coarsening.coarsen(3, angle);
+      BOOST_TEST(coarsening.number_of_vertices() < original.number_of_vertices());
+      while(coarsening.number_of_levels() > 0)
+        coarsening.undo_level();
+      BOOST_TEST((chart.vertex == original.vertex));
+      BOOST_TEST((chart.opposite == original.opposite));
+      BOOST_TEST(coarsening.number_of_vertices() == original.number_of_vertices());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(keeps_a_sound_chart_of_the_same_topology)
+{
+  for(const Chart& original : charts())
+    for(int divisor : {2, 10, 1000}) {
+      Chart chart = original;
+      abf::Coarsening coarsening(chart);
+      coarsening.coarsen(original.number_of_vertices() / divisor, 0);
+      const abf::Coarse_chart coarse(coarsening.mesh(), coarsening.alive());
+      BOOST_TEST(abf::diagnose(coarse.chart, true).message == "");
+      BOOST_TEST(coarse.chart.borders.size() == original.borders.size());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(ends_at_one_triangle)
+{
+  for(const Chart& original : charts())
+    if(original.borders.size() == 1) {
+      Chart chart = original;
+      abf::Coarsening coarsening(chart);
+      coarsening.coarsen(3, 0);
+      BOOST_TEST(coarsening.number_of_vertices() == 3);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(makes_no_extreme_angles)
+{
+  Chart chart = bump(30, 5);
+  abf::Coarsening coarsening(chart);
+  coarsening.coarsen(40, extreme_angle);
+  const abf::Coarse_chart coarse(coarsening.mesh(), coarsening.alive());
+  for(int c = 0; c < coarse.chart.number_of_corners(); ++c)
+    BOOST_TEST(abf::surface_angle(coarse.chart, c) > 0.99 * extreme_angle);
+}
+
+BOOST_AUTO_TEST_CASE(removes_independent_vertices_and_border_vertices_along_the_border)
+{
+  Chart chart = bump(20, 6);
+  abf::Coarsening coarsening(chart);
+  coarsening.coarsen(50, extreme_angle);
+  while(coarsening.number_of_levels() > 0) {
+    const auto records = coarsening.undo_level();
+    std::vector<char> inserted(chart.points.size(), false);
+    for(auto record : records)
+      inserted[coarsening.mesh().removed_vertex(record)] = true;
+    for(auto record : records) {
+      const int v = coarsening.mesh().removed_vertex(record), w = coarsening.mesh().kept_vertex(record);
+      BOOST_TEST((chart.interior[v] >= 0 || chart.interior[w] < 0));
+      coarsening.mesh().for_each_corner(v, [&](int c) {
+        BOOST_TEST(!inserted[chart.vertex[abf::next_corner(c)]]);
+        BOOST_TEST(!inserted[chart.vertex[abf::previous_corner(c)]]);
+      });
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(places)
+
+// In a planar chart a vertex belongs where it is: also at the border, which is what Eq. 22 is about.
+BOOST_AUTO_TEST_CASE(reproduce_a_planar_chart)
+{
+  Chart chart = flat_grid(8, 3);
+  const abf::Edge_collapses mesh(chart);
+  const std::vector<Planar_point> uv = planar_points(chart);
+  abf::Planar_star star;
+  for(int v = 0; v < chart.number_of_vertices(); ++v) {
+    star.gather(mesh, uv, v);
+    BOOST_TEST((abf::harmonic_place(star) - uv[v]).norm() < 1e-13);
+    if(chart.interior[v] >= 0)
+      BOOST_TEST((abf::mean_value_place(star) - uv[v]).norm() < 1e-13);
+    BOOST_TEST(star.is_valid(uv[v]));
+    BOOST_TEST(star.is_valid(abf::kernel_centre(star)));
+  }
+}
+
+// A star polygon whose kernel is a small part of it, and one that has none.
+abf::Planar_star star_of(const std::vector<Planar_point>& counterclockwise)
+{
+  abf::Planar_star star;
+  for(std::size_t i = 0; i < counterclockwise.size(); ++i)
+    star.triangles.push_back(
+        {counterclockwise[i], counterclockwise[(i + 1) % counterclockwise.size()], 1, 1, 1, 1});
+  return star;
+}
+
+BOOST_AUTO_TEST_CASE(kernel_is_the_last_resort)
+{
+  const abf::Planar_star narrow = star_of({{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}});
+  Planar_point place;
+  BOOST_TEST(abf::insert_vertex(narrow, place) == abf::INSERTED_IN_KERNEL);
+  BOOST_TEST((place - Planar_point(0.5, 0.5)).norm() < 1e-12);
+
+  const abf::Planar_star none =
+      star_of({{0, 0}, {10, 0}, {10, 10}, {9, 10}, {9, 1}, {1, 1}, {1, 10}, {0, 10}});
+  BOOST_TEST(abf::insert_vertex(none, place) == abf::NOT_INSERTED);
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_of_the_energy_match_finite_differences)
+{
+  Chart chart = bump(6, 7, 1);
+  const abf::Edge_collapses mesh(chart);
+  const std::vector<Planar_point> uv = planar_points(chart);
+  abf::Planar_star star;
+  const double h = 1e-6;
+  for(int v = 0; v < chart.number_of_vertices(); ++v) {
+    star.gather(mesh, uv, v);
+    const abf::Star_energy here(star, uv[v], true);
+    for(int i : {0, 1}) {
+      const abf::Star_energy more(star, uv[v] + h * Planar_point::Unit(i), true);
+      const abf::Star_energy less(star, uv[v] - h * Planar_point::Unit(i), true);
+      const double scale = here.hessian.norm();
+      BOOST_TEST(std::abs((more.value - less.value) / (2 * h) - here.gradient[i]) < 1e-6 * scale);
+      BOOST_TEST(((more.gradient - less.gradient) / (2 * h) - here.hessian.col(i)).norm() < 1e-5 * scale);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(relaxation_keeps_stars_valid_and_lowers_the_energy)
+{
+  Chart chart = bump(10, 8, 2);
+  const abf::Edge_collapses mesh(chart);
+  std::vector<Planar_point> uv = planar_points(chart);
+  abf::Planar_star star;
+  for(int sweep = 0; sweep < 5; ++sweep)
+    for(int v = 0; v < chart.number_of_vertices(); ++v) {
+      star.gather(mesh, uv, v);
+      const double before = abf::Star_energy(star, uv[v], false).value;
+      const Planar_point old = uv[v];
+      if(abf::relax_vertex(star, uv[v]))
+        BOOST_TEST(abf::Star_energy(star, uv[v], false).value < before);
+      else
+        BOOST_TEST((uv[v] == old));
+      BOOST_TEST(star.is_valid(uv[v]));
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(whole)
+
+// Without any solver there is a valid map, however steep the surface.
+BOOST_AUTO_TEST_CASE(always_valid_start)
+{
+  std::vector<Chart> all{flat_grid(20, 1), pyramid(3, 100), pyramid(1000, 100), cone(30)};
+  for(double height : {1., 10., 100.})
+    all.push_back(bump(24, 4, height));
+  for(const Chart& original : all) {
+    Chart chart = original;
+    std::vector<Point_2> uv;
+    Report report;
+    BOOST_TEST(abf::flatten_hierarchically(chart, Options(), No_solver(), uv, report));
+    BOOST_TEST(report.start == Report::WITHOUT_SOLVER);
+    BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
+    BOOST_TEST((chart.vertex == original.vertex));
+  }
+}
+
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+typedef Mesh::Property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2> UV_map;
+
+Mesh bump_mesh(int n)
+{
+  const Chart chart = bump(n, 9, 0.5);
+  Mesh mesh;
+  for(const Point_3& p : chart.points)
+    mesh.add_vertex({p.x(), p.y(), p.z()});
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    mesh.add_face(Mesh::Vertex_index(chart.vertex[3 * t]), Mesh::Vertex_index(chart.vertex[3 * t + 1]),
+                  Mesh::Vertex_index(chart.vertex[3 * t + 2]));
+  return mesh;
+}
+
+template <typename Parameterizer>
+SMP::Flattening_measures flatten(Mesh& mesh, Parameterizer& parameterizer)
+{
+  const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  const UV_map uv =
+      mesh.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2>("v:uv").first;
+  BOOST_TEST(SMP::parameterize(mesh, parameterizer, bhd, uv) == SMP::OK);
+  BOOST_TEST(parameterizer.report().message == "");
+  return SMP::measure_flattening(mesh, bhd, uv);
+}
+
+BOOST_AUTO_TEST_CASE(is_nearly_as_good_as_the_direct_method)
+{
+  Mesh mesh = bump_mesh(60);
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> direct;
+  SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh> hierarchical;
+  const auto best = flatten(mesh, direct), measures = flatten(mesh, hierarchical);
+  BOOST_TEST(measures.flipped_triangles == 0);
+  BOOST_TEST(measures.l2_stretch < best.l2_stretch + 0.025); // the paper's criteria
+  BOOST_TEST(measures.angular_distortion < 2 * best.angular_distortion);
+  const Report& report = hierarchical.report();
+  BOOST_TEST(report.start == Report::COARSE_PARAMETERIZER);
+  BOOST_TEST(report.levels > 5);
+  BOOST_TEST(report.coarse_vertices < 0.06 * report.vertices);
+  BOOST_TEST(report.seconds.total() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(polished_it_is_the_direct_method)
+{
+  Mesh mesh = bump_mesh(30);
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> direct;
+  Options options;
+  options.polish = true;
+  SMP::Hierarchical_parameterizer_3<Mesh> polished(options);
+  const auto a = flatten(mesh, direct), b = flatten(mesh, polished);
+  BOOST_TEST(polished.report().polished);
+  BOOST_TEST(a.angular_distortion == b.angular_distortion, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(a.l2_stretch == b.l2_stretch, boost::test_tools::tolerance(1e-4));
+}
+
+// CGAL's parameterizer has no report of its own, and needs none.
+BOOST_AUTO_TEST_CASE(any_coarse_parameterizer)
+{
+  typedef SMP::LSCM_parameterizer_3<SMP::Hierarchical_coarse_mesh> LSCM;
+  Mesh mesh = bump_mesh(30);
+  SMP::Hierarchical_parameterizer_3<Mesh, LSCM> hierarchical;
+  BOOST_TEST(flatten(mesh, hierarchical).flipped_triangles == 0);
+  BOOST_TEST(hierarchical.report().start == Report::COARSE_PARAMETERIZER);
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_every_time)
+{
+  Mesh mesh = bump_mesh(25);
+  SMP::Hierarchical_parameterizer_3<Mesh> hierarchical;
+  const auto a = flatten(mesh, hierarchical), b = flatten(mesh, hierarchical);
+  BOOST_TEST(a.angular_distortion == b.angular_distortion);
+  BOOST_TEST(a.smallest_angle == b.smallest_angle);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
+{
+  Mesh mesh = bump_mesh(5);
+  SMP::Hierarchical_parameterizer_3<Mesh> hierarchical;
+  std::map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2> uv;
+  std::map<Mesh::Vertex_index, bool> parameterized;
+  const auto run = [&] {
+    return hierarchical.parameterize(mesh, CGAL::Polygon_mesh_processing::longest_border(mesh).first,
+                                     boost::make_assoc_property_map(uv), get(boost::vertex_index, mesh),
+                                     boost::make_assoc_property_map(parameterized));
+  };
+  CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(24)), mesh);
+  BOOST_TEST(run() == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+  BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::SEVERAL_BORDERS);
+  mesh.point(Mesh::Vertex_index(8)) = {0, 0, std::numeric_limits<double>::infinity()};
+  BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
+  BOOST_TEST(hierarchical.offending_vertices().front() == Mesh::Vertex_index(8));
+  BOOST_TEST(uv.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
