@@ -9,6 +9,8 @@
 #define BOOST_TEST_MODULE SuperLU_in_CGAL
 #include <boost/test/unit_test.hpp>
 
+#include "test_meshes.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -34,22 +36,6 @@ typedef Surface_mesh::Vertex_index Vertex_index;
 typedef CGAL::SuperLU_solver_traits<> SuperLU;
 
 namespace {
-
-// A bump over n times n cells.
-Surface_mesh bump(int n)
-{
-  Surface_mesh mesh;
-  std::mt19937 random(n);
-  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
-  CGAL::make_grid(
-      n, n, mesh,
-      [&](std::size_t i, std::size_t j) {
-        const double x = (i + jitter(random)) / n, y = (j + jitter(random)) / n;
-        return Point_3(x, y, std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5))));
-      },
-      true);
-  return mesh;
-}
 
 // A bumpy sphere of 1280 triangles, of radius 1.
 Surface_mesh bumpy_sphere()
@@ -250,8 +236,8 @@ const bool run_heat_method = true;
 BOOST_AUTO_TEST_CASE(heat_method, *boost::unit_test::enable_if<run_heat_method>())
 {
   check_distances<CGAL::Heat_method_3::Direct>(bumpy_sphere());
-  check_distances<CGAL::Heat_method_3::Direct>(bump(16));
-  check_distances<CGAL::Heat_method_3::Intrinsic_Delaunay>(bump(16));
+  check_distances<CGAL::Heat_method_3::Direct>(test_meshes::bump<Surface_mesh>(16));
+  check_distances<CGAL::Heat_method_3::Intrinsic_Delaunay>(test_meshes::bump<Surface_mesh>(16));
 }
 
 BOOST_AUTO_TEST_CASE(fair)

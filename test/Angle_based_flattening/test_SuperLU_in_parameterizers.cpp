@@ -9,6 +9,8 @@
 #define BOOST_TEST_MODULE SuperLU_in_parameterizers
 #include <boost/test/unit_test.hpp>
 
+#include "test_meshes.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
@@ -47,22 +49,6 @@ typedef CGAL::SuperLU_solver_traits<> SuperLU;
 
 namespace {
 
-// A bump over n times n cells.
-Surface_mesh bump(int n)
-{
-  Surface_mesh mesh;
-  std::mt19937 random(n);
-  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
-  CGAL::make_grid(
-      n, n, mesh,
-      [&](std::size_t i, std::size_t j) {
-        const double x = (i + jitter(random)) / n, y = (j + jitter(random)) / n;
-        return Point_3(x, y, std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5))));
-      },
-      true);
-  return mesh;
-}
-
 template <typename Parameterizer>
 std::vector<Point_2> parameterize(Surface_mesh& mesh)
 {
@@ -88,7 +74,7 @@ void check_same_points(const std::vector<Point_2>& points, const std::vector<Poi
 template <template <typename, typename, typename> class Parameterizer>
 void check_parameterizer()
 {
-  Surface_mesh mesh = bump(16);
+  Surface_mesh mesh = test_meshes::bump<Surface_mesh>(16);
   check_same_points(parameterize<Parameterizer<Surface_mesh, CGAL::Default, SuperLU>>(mesh),
                     parameterize<Parameterizer<Surface_mesh, CGAL::Default, CGAL::Default>>(mesh));
 }
@@ -139,7 +125,7 @@ struct Counting_traits : SuperLU
 BOOST_AUTO_TEST_CASE(lscm)
 {
   check_parameterizer<SMP::LSCM_parameterizer_3>();
-  Surface_mesh mesh = bump(4);
+  Surface_mesh mesh = test_meshes::bump<Surface_mesh>(4);
   parameterize<SMP::LSCM_parameterizer_3<Surface_mesh, CGAL::Default, Counting_traits>>(mesh);
   BOOST_TEST(Counting_traits::calls == 1);
 }

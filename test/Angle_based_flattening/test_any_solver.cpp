@@ -9,9 +9,10 @@
 #define BOOST_TEST_MODULE any_solver
 #include <boost/test/unit_test.hpp>
 
+#include "test_meshes.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
@@ -28,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <random>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -44,22 +44,6 @@ typedef SMP::ABF_plus_plus_options Options;
 typedef Eigen::SparseMatrix<double> Columns;
 
 namespace {
-
-// A bump over n times n cells.
-Surface_mesh bump(int n)
-{
-  Surface_mesh mesh;
-  std::mt19937 random(n);
-  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
-  CGAL::make_grid(
-      n, n, mesh,
-      [&](std::size_t i, std::size_t j) {
-        const double x = (i + jitter(random)) / n, y = (j + jitter(random)) / n;
-        return Point_3(x, y, std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5))));
-      },
-      true);
-  return mesh;
-}
 
 double angle(const Vector_2& a, const Vector_2& b)
 {
@@ -112,18 +96,20 @@ void check_same_angles(Surface_mesh mesh, const SolverTraits& traits = SolverTra
 
 BOOST_AUTO_TEST_CASE(simplicial_LDLT)
 {
-  check_same_angles<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Columns>>>(bump(16));
+  check_same_angles<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Columns>>>(
+      test_meshes::bump<Surface_mesh>(16));
 }
 
 BOOST_AUTO_TEST_CASE(sparse_LU)
 {
-  check_same_angles<CGAL::Eigen_solver_traits<Eigen::SparseLU<Columns>>>(bump(16));
+  check_same_angles<CGAL::Eigen_solver_traits<Eigen::SparseLU<Columns>>>(test_meshes::bump<Surface_mesh>(16));
 }
 
 #ifdef ABF_WITH_CHOLMOD
 BOOST_AUTO_TEST_CASE(cholmod)
 {
-  check_same_angles<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Columns>>>(bump(16));
+  check_same_angles<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Columns>>>(
+      test_meshes::bump<Surface_mesh>(16));
 }
 #endif
 
@@ -133,7 +119,7 @@ BOOST_AUTO_TEST_CASE(conjugate_gradient)
   CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<Columns>> traits;
   traits.solver().setTolerance(1e-13);
   traits.solver().setMaxIterations(10000);
-  check_same_angles(bump(16), traits);
+  check_same_angles(test_meshes::bump<Surface_mesh>(16), traits);
 }
 
 // CGAL specializes these traits without `factor()`. They start from a vector of ones.
@@ -143,7 +129,7 @@ BOOST_AUTO_TEST_CASE(bi_cg_stab)
   static_assert(!SMP::internal::Has_factor<decltype(traits)>::value, "solves in one call");
   traits.solver().setTolerance(1e-13);
   traits.solver().setMaxIterations(10000);
-  check_same_angles(bump(16), traits);
+  check_same_angles(test_meshes::bump<Surface_mesh>(16), traits);
 }
 
 namespace {
@@ -334,7 +320,7 @@ template <typename SolverTraits>
 Calls check_archetype(int denominator)
 {
   Calls calls;
-  check_same_angles(bump(6), SolverTraits(denominator, calls));
+  check_same_angles(test_meshes::bump<Surface_mesh>(6), SolverTraits(denominator, calls));
   return calls;
 }
 

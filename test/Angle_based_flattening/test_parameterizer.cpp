@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
+#include "test_meshes.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -25,7 +27,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <random>
 #include <unordered_map>
 #include <vector>
 
@@ -40,23 +41,6 @@ typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_options Options;
 
 namespace {
-
-// A bump over n times n cells.
-template <typename Mesh>
-void make_bump(int n, Mesh& mesh)
-{
-  typedef typename boost::property_traits<
-      typename boost::property_map<Mesh, CGAL::vertex_point_t>::type>::value_type Point;
-  std::mt19937 random(n);
-  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
-  CGAL::make_grid(
-      n, n, mesh,
-      [&](std::size_t i, std::size_t j) {
-        const double x = (i + jitter(random)) / n, y = (j + jitter(random)) / n;
-        return Point(x, y, std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5))));
-      },
-      true);
-}
 
 template <typename Mesh, typename SolverTraits = CGAL::Default>
 struct Flattening
@@ -126,14 +110,14 @@ void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Erro
 BOOST_AUTO_TEST_CASE(surface_mesh)
 {
   Surface_mesh mesh;
-  make_bump(20, mesh);
+  test_meshes::make_bump(20, mesh);
   check_valid(mesh);
 }
 
 BOOST_AUTO_TEST_CASE(polyhedron)
 {
   Polyhedron mesh;
-  make_bump(12, mesh);
+  test_meshes::make_bump(12, mesh);
   check_valid(mesh);
 }
 
@@ -141,8 +125,8 @@ BOOST_AUTO_TEST_CASE(same_result_on_every_mesh_type)
 {
   Surface_mesh mesh;
   Polyhedron polyhedron;
-  make_bump(9, mesh);
-  make_bump(9, polyhedron);
+  test_meshes::make_bump(9, mesh);
+  test_meshes::make_bump(9, polyhedron);
   Flattening<Surface_mesh> a;
   Flattening<Polyhedron> b;
   BOOST_TEST(a.run(mesh) == SMP::OK);
@@ -187,7 +171,7 @@ BOOST_AUTO_TEST_CASE(seam_mesh)
 BOOST_AUTO_TEST_CASE(one_of_several_components)
 {
   Surface_mesh mesh;
-  make_bump(5, mesh);
+  test_meshes::make_bump(5, mesh);
   const auto v = mesh.add_vertex(Point_3(5, 0, 0)), w = mesh.add_vertex(Point_3(6, 0, 0)),
              x = mesh.add_vertex(Point_3(5, 1, 0));
   const auto f = mesh.add_face(v, w, x);
@@ -203,7 +187,7 @@ BOOST_AUTO_TEST_CASE(any_vertex_indices)
 {
   Surface_mesh mesh;
   const Surface_mesh::Vertex_index isolated = mesh.add_vertex(Point_3(0, 0, 0));
-  make_bump(6, mesh);
+  test_meshes::make_bump(6, mesh);
   std::map<Surface_mesh::Vertex_index, int> indices;
   int next = 1000000;
   for(Surface_mesh::Vertex_index v : vertices(mesh))
@@ -228,7 +212,7 @@ BOOST_AUTO_TEST_CASE(float_kernel)
   typedef CGAL::Simple_cartesian<float> Float_kernel;
   typedef CGAL::Surface_mesh<Float_kernel::Point_3> Mesh;
   Mesh mesh;
-  make_bump(10, mesh);
+  test_meshes::make_bump(10, mesh);
   auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Float_kernel::Point_2>("v:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
   const auto bhd = PMP::longest_border(mesh).first;
@@ -240,7 +224,7 @@ BOOST_AUTO_TEST_CASE(float_kernel)
 BOOST_AUTO_TEST_CASE(same_bits_every_time)
 {
   Surface_mesh mesh;
-  make_bump(15, mesh);
+  test_meshes::make_bump(15, mesh);
   Flattening<Surface_mesh> a, b;
   BOOST_TEST(a.run(mesh) == SMP::OK);
   BOOST_TEST(b.run(mesh) == SMP::OK);
@@ -250,7 +234,7 @@ BOOST_AUTO_TEST_CASE(same_bits_every_time)
 BOOST_AUTO_TEST_CASE(independent_of_units)
 {
   Surface_mesh mesh;
-  make_bump(8, mesh);
+  test_meshes::make_bump(8, mesh);
   Flattening<Surface_mesh> reference;
   BOOST_TEST(reference.run(mesh) == SMP::OK);
   for(double scale : {1e-6, 1e6}) {
@@ -271,7 +255,7 @@ BOOST_AUTO_TEST_CASE(any_solver)
   typedef CGAL::Eigen_sparse_matrix<double>::EigenType Matrix;
   typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>> Eigen_traits;
   Surface_mesh mesh;
-  make_bump(12, mesh);
+  test_meshes::make_bump(12, mesh);
   Flattening<Surface_mesh> superlu;
   Flattening<Surface_mesh, Eigen_traits> eigen;
   BOOST_TEST(superlu.run(mesh) == SMP::OK);
@@ -299,7 +283,7 @@ struct Failing_traits : CGAL::SuperLU_solver_traits<>
 BOOST_AUTO_TEST_CASE(a_failing_solver_is_an_error)
 {
   Surface_mesh mesh;
-  make_bump(6, mesh);
+  test_meshes::make_bump(6, mesh);
   bool failed = true;
   for(int n = 1; failed; ++n) {
     Failing_traits::countdown = n;
@@ -314,7 +298,7 @@ BOOST_AUTO_TEST_CASE(a_failing_solver_is_an_error)
 BOOST_AUTO_TEST_CASE(wrong_input)
 {
   Surface_mesh mesh;
-  make_bump(4, mesh);
+  test_meshes::make_bump(4, mesh);
   const auto bhd = PMP::longest_border(mesh).first;
   check_error(mesh, Surface_mesh::null_halfedge(), SMP::ERROR_WRONG_PARAMETER, Report::NOT_ON_BORDER);
   check_error(mesh, opposite(bhd, mesh), SMP::ERROR_WRONG_PARAMETER, Report::NOT_ON_BORDER);
@@ -338,7 +322,7 @@ BOOST_AUTO_TEST_CASE(wrong_input)
 BOOST_AUTO_TEST_CASE(wrong_topology)
 {
   Surface_mesh punctured;
-  make_bump(6, punctured);
+  test_meshes::make_bump(6, punctured);
   const auto bhd = PMP::longest_border(punctured).first;
   const Surface_mesh::Face_index inner(30);
   for(Surface_mesh::Vertex_index v : vertices_around_face(halfedge(inner, punctured), punctured))

@@ -13,12 +13,11 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -119,41 +118,24 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    typedef typename boost::property_traits<VertexUVmap>::value_type Uv_point;
-    typedef typename CGAL::Kernel_traits<Uv_point>::Kernel::FT Uv_FT;
-    typedef internal::Chart::Point_2 Point_2;
-
     *m_outcome = Outcome();
     ABF_plus_plus_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
-
     internal::Chart_reader<Triangle_mesh> reader(mesh);
-    internal::Chart_defect defect = reader.read(bhd, vimap);
-    if(!defect)
-      defect = internal::diagnose(reader.chart, m_options.allow_holes);
-    report.vertices = reader.chart.number_of_vertices();
-    report.triangles = static_cast<int>(reader.face_descriptors.size());
-    report.borders = static_cast<int>(reader.chart.borders.size());
+    const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
     report.seconds.read = stopwatch.lap();
-    if(defect) {
-      internal::fail(report, internal::error_code(defect.diagnosis), defect.diagnosis, defect.message);
-      name_offenders(reader, defect.vertices, defect.triangles);
+    if(!sound)
       return report.status;
-    }
 
-    const auto round = [](const Point_2& p) {
-      return Point_2(CGAL::to_double(Uv_FT(p.x())), CGAL::to_double(Uv_FT(p.y())));
-    };
-    std::vector<Point_2> uv;
+    const internal::Rounding<VertexUVmap> round;
+    std::vector<internal::Chart::Point_2> uv;
     std::vector<int> flipped;
     if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
-      name_offenders(reader, {}, flipped);
+      m_outcome->name_offenders(reader, {}, flipped);
       return report.status;
     }
-
     stopwatch.lap();
-    for(std::size_t v = 0; v < uv.size(); ++v)
-      put(uvmap, reader.vertex_descriptors[v], Uv_point(Uv_FT(uv[v].x()), Uv_FT(uv[v].y())));
+    internal::write(reader, uv, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
   }
@@ -177,21 +159,7 @@ public:
   }
 
 private:
-  struct Outcome
-  {
-    ABF_plus_plus_report report;
-    std::vector<vertex_descriptor> offending_vertices;
-    std::vector<face_descriptor> offending_faces;
-  };
-
-  void name_offenders(const internal::Chart_reader<Triangle_mesh>& reader, const std::vector<int>& vertices,
-                      const std::vector<int>& triangles)
-  {
-    for(int v : vertices)
-      m_outcome->offending_vertices.push_back(reader.vertex_descriptors[v]);
-    for(int t : triangles)
-      m_outcome->offending_faces.push_back(reader.face_descriptors[t]);
-  }
+  typedef internal::Outcome<Triangle_mesh, ABF_plus_plus_report> Outcome;
 
   ABF_plus_plus_options m_options;
   Solver_traits m_linear_algebra;

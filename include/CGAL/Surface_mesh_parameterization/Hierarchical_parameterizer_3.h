@@ -14,18 +14,18 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/polish.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -110,35 +110,24 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    typedef typename boost::property_traits<VertexUVmap>::value_type Uv_point;
-    typedef typename CGAL::Kernel_traits<Uv_point>::Kernel::FT Uv_FT;
-
     *m_outcome = Outcome();
     Hierarchical_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
     internal::Chart_reader<Triangle_mesh> reader(mesh);
-    internal::Chart_defect defect = reader.read(bhd, vimap);
-    if(!defect)
-      defect = internal::diagnose(reader.chart, m_options.allow_holes);
-    report.vertices = reader.chart.number_of_vertices();
-    report.triangles = static_cast<int>(reader.face_descriptors.size());
-    report.borders = static_cast<int>(reader.chart.borders.size());
+    const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
     report.seconds.read = stopwatch.lap();
-    if(defect) {
-      internal::fail(report, internal::error_code(defect.diagnosis), defect.diagnosis, defect.message);
-      name_offenders(reader, defect.vertices, defect.triangles);
+    if(!sound)
       return report.status;
-    }
 
+    const internal::Rounding<VertexUVmap> round;
     Layout uv;
     std::vector<int> flipped;
-    if(!flatten(reader.chart, uv) || !certify<Uv_FT>(reader.chart, uv, flipped)) {
-      name_offenders(reader, {}, flipped);
+    if(!flatten(reader.chart, uv) || !certify(reader.chart, round, uv, flipped)) {
+      m_outcome->name_offenders(reader, {}, flipped);
       return report.status;
     }
     stopwatch.lap();
-    for(std::size_t v = 0; v < uv.size(); ++v)
-      put(uvmap, reader.vertex_descriptors[v], Uv_point(Uv_FT(uv[v].x()), Uv_FT(uv[v].y())));
+    internal::write(reader, uv, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
   }
@@ -170,12 +159,7 @@ public:
 private:
   typedef std::vector<internal::Chart::Point_2> Layout;
 
-  struct Outcome
-  {
-    Hierarchical_report report;
-    std::vector<vertex_descriptor> offending_vertices;
-    std::vector<face_descriptor> offending_faces;
-  };
+  typedef internal::Outcome<Triangle_mesh, Hierarchical_report> Outcome;
 
   bool flatten(internal::Chart& chart, Layout& uv)
   {
@@ -194,14 +178,13 @@ private:
     return true;
   }
 
-  template <typename Uv_FT>
-  bool certify(const internal::Chart& chart, Layout& uv, std::vector<int>& flipped)
+  template <typename Rounding>
+  bool certify(const internal::Chart& chart, const Rounding& round, Layout& uv, std::vector<int>& flipped)
   {
     Hierarchical_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
     internal::scale_to_surface_area(chart, uv);
-    for(internal::Chart::Point_2& p : uv)
-      p = internal::Chart::Point_2(CGAL::to_double(Uv_FT(p.x())), CGAL::to_double(Uv_FT(p.y())));
+    std::transform(uv.begin(), uv.end(), uv.begin(), round);
     flipped = internal::flipped_triangles(chart, uv);
     report.flipped_triangles = static_cast<int>(flipped.size());
     report.smallest_angle = internal::smallest_angle(chart, uv);
@@ -212,15 +195,6 @@ private:
                    std::to_string(flipped.size()) + " flipped triangle(s), one at the vertex at " +
                        internal::place(chart, chart.vertex[3 * flipped.front()]));
     return false;
-  }
-
-  void name_offenders(const internal::Chart_reader<Triangle_mesh>& reader, const std::vector<int>& vertices,
-                      const std::vector<int>& triangles)
-  {
-    for(int v : vertices)
-      m_outcome->offending_vertices.push_back(reader.vertex_descriptors[v]);
-    for(int t : triangles)
-      m_outcome->offending_faces.push_back(reader.face_descriptors[t]);
   }
 
   Hierarchical_options m_options;

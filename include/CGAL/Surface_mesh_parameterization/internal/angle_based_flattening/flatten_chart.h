@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
@@ -48,15 +49,6 @@ public:
 private:
   Real_timer m_timer;
 };
-
-template <typename Report>
-void fail(Report& report, Error_code status, ABF_plus_plus_report::Diagnosis diagnosis,
-          const std::string& message)
-{
-  report.status = status;
-  report.diagnosis = diagnosis;
-  report.message = message;
-}
 
 // Whether the angles fit together so well that the exact layout reproduces them.
 inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& report)
