@@ -145,10 +145,11 @@ private:
     return memory != nullptr;
   }
 
-  // The largest number of columns that SuperLU may treat at once without a size overflowing in it, or 0
+  // The number of columns that SuperLU treats at once, or 0 if sizes overflow in it even with one. Symmetric matrices of
+  // meshes fill in so little that a panel of its default width leaves the cache.
   int panel_size() const
   {
-    int width = superlu::sp_ienv(1);
+    int width = is_symmetric() ? (std::min)(4, superlu::sp_ienv(1)) : superlu::sp_ienv(1);
     while(width > 0 && work_size(width) > (std::numeric_limits<int>::max)())
       width /= 2;
     return width;
