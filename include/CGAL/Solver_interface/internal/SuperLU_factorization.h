@@ -53,7 +53,10 @@ public:
         return NOT_DEFINITE;
       if(is_singular(a))
         return FAILED;
-      return pivots_have_sign(sign) && is_accurate(a) ? FACTORED : NOT_DEFINITE;
+      if(!pivots_have_sign(sign))
+        return NOT_DEFINITE;
+      m_factors.keep_lower_factor_only();
+      return is_accurate(a) ? FACTORED : NOT_DEFINITE;
     }
     SuperLU_matrix scaled = a;
     m_scaling.equilibrate(scaled);

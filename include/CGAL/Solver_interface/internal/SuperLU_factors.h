@@ -9,6 +9,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
+#include <CGAL/Solver_interface/internal/SuperLU_symmetric_solution.h>
 
 #include <Eigen/Core>
 
@@ -57,12 +58,7 @@ public:
   int size() const { return m_analysis->size(); }
 
   // The number of entries of L and U, the unit diagonal of L not counted
-  std::size_t nonzeros() const
-  {
-    const std::size_t lower = static_cast<const superlu::SCformat*>(m_lower.Store)->nnz;
-    const std::size_t upper = static_cast<const superlu::NCformat*>(m_upper.Store)->nnz;
-    return lower + upper - size();
-  }
+  std::size_t nonzeros() const { return m_nonzeros; }
 
   // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
   bool factor(const SuperLU_matrix& a)
@@ -114,24 +110,29 @@ public:
     return info == 0 ? result : 0;
   }
 
+  // Forgets U, once the pivots of a symmetric matrix are known to be on the diagonal: then L is enough to solve.
+  void keep_lower_factor_only()
+  {
+    superlu::Destroy_CompCol_Matrix(&m_upper);
+    m_upper.Store = nullptr;
+  }
+
   // Replaces the columns of `b` by the solutions.
   bool solve(Block b) const
   {
-    const int n = size();
-    if(!can_allocate((b.cols() + 2.) * n * sizeof(double)))
+    if(!can_allocate((b.cols() + 2.) * size() * sizeof(double)))
       return false;
-    superlu::DNformat store = {n, b.data()};
-    superlu::SuperMatrix right_side = {
-        superlu::SLU_DN, superlu::SLU_D, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};
-    superlu::SuperLUStat_t statistics;
-    superlu::StatInit(&statistics);
-    int info = 0;
-    const SuperLU_one_blas_thread one_thread;
-    superlu::dgstrs(superlu::NOTRANS, const_cast<superlu::SuperMatrix*>(&m_lower),
-                    const_cast<superlu::SuperMatrix*>(&m_upper), column_permutation(),
-                    const_cast<int*>(m_row_permutation.data()), &right_side, &statistics, &info);
-    superlu::StatFree(&statistics);
-    return info == 0;
+    if(m_upper.Store != nullptr)
+      return solve_with_both_factors(b);
+    const SuperLU_symmetric_solution solution(m_lower);
+    const auto order = Eigen::Map<const Eigen::VectorXi>(m_analysis->permutation().data(), size());
+    Eigen::VectorXd permuted(size());
+    for(Eigen::Index k = 0; k < b.cols(); ++k) {
+      permuted(order) = b.col(k);
+      solution.solve(permuted);
+      b.col(k) = permuted(order);
+    }
+    return true;
   }
 
 private:
@@ -211,7 +212,11 @@ private:
                     &info);
     if(m_lower.Store == nullptr) // memory was exhausted, and what was there is left to us
       free_growing(growing);
-    return info == 0;
+    if(info != 0)
+      return false;
+    m_nonzeros = static_cast<std::size_t>(static_cast<superlu::SCformat*>(m_lower.Store)->nnz) +
+                 static_cast<superlu::NCformat*>(m_upper.Store)->nnz - n;
+    return true;
   }
 
   static void free_growing(superlu::GlobalLU_t& growing)
@@ -224,12 +229,30 @@ private:
     }
   }
 
+  bool solve_with_both_factors(Block b) const
+  {
+    const int n = size();
+    superlu::DNformat store = {n, b.data()};
+    superlu::SuperMatrix right_side = {
+        superlu::SLU_DN, superlu::SLU_D, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};
+    superlu::SuperLUStat_t statistics;
+    superlu::StatInit(&statistics);
+    int info = 0;
+    const SuperLU_one_blas_thread one_thread;
+    superlu::dgstrs(superlu::NOTRANS, const_cast<superlu::SuperMatrix*>(&m_lower),
+                    const_cast<superlu::SuperMatrix*>(&m_upper), column_permutation(),
+                    const_cast<int*>(m_row_permutation.data()), &right_side, &statistics, &info);
+    superlu::StatFree(&statistics);
+    return info == 0;
+  }
+
   // SuperLU's interface is not const-correct
   int* column_permutation() const { return const_cast<int*>(m_analysis->permutation().data()); }
 
   std::shared_ptr<const SuperLU_analysis> m_analysis;
   std::vector<int> m_row_permutation;
   superlu::SuperMatrix m_lower, m_upper;
+  std::size_t m_nonzeros = 0;
 };
 
 } // namespace internal
