@@ -69,7 +69,8 @@ Report solve(const Chart& chart, const Options& options, std::vector<double>& al
   Report report;
   const std::vector<double> beta = abf::target_angles(chart);
   alpha = abf::starting_angles(beta);
-  BOOST_REQUIRE(abf::solve_angles(chart, beta, options, Solver(), alpha, report));
+  Solver solver;
+  BOOST_REQUIRE(abf::solve_angles(chart, beta, options, solver, alpha, report));
   return report;
 }
 
@@ -291,6 +292,73 @@ BOOST_AUTO_TEST_CASE(give_the_step_of_equation_6)
   for(double barrier : {0., 0.1})
     for(bool curvature : {false, true})
       check_step_against_dense_kkt(chart, barrier, curvature, alpha, multipliers);
+}
+
+BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
+{
+  const Chart chart = bump(12, 7);
+  const std::vector<double> beta = abf::target_angles(chart), alpha = abf::starting_angles(beta);
+  const Vector residual = abf::constraint_residuals(chart, alpha), zero = 0 * residual;
+  const abf::Angle_energy energy{0.1};
+  abf::Newton_system<Solver> direct(chart, beta, energy, true, Solver()),
+      iterative(chart, beta, energy, true, Solver(), true);
+  abf::Newton_step exact, step;
+  BOOST_REQUIRE(direct.compute(alpha, zero, residual, exact));
+  BOOST_TEST(direct.equation().factorizations() == 1);
+  BOOST_TEST(direct.equation().steps() == 0);
+  int last_steps = 0;
+  for(double accuracy : {1e-1, 1e-3, 1e-10}) {
+    BOOST_REQUIRE(iterative.compute(alpha, zero, residual, step, accuracy));
+    const Vector error = step.multipliers - exact.multipliers;
+    const double energy_norm = std::sqrt(error.dot(direct.matrix() * error)),
+                 whole = std::sqrt(exact.multipliers.dot(direct.matrix() * exact.multipliers));
+    BOOST_TEST(energy_norm < 2 * accuracy * whole);
+    BOOST_TEST(iterative.equation().steps() > last_steps);
+    BOOST_TEST(iterative.equation().factorizations() == (last_steps == 0 ? 2 : 0));
+    last_steps = iterative.equation().steps();
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(conjugate_gradients)
+
+// A symmetric matrix of 2x2 blocks with the pattern of a chain
+Eigen::SparseMatrix<double> chain(int n, double diagonal, double coupling)
+{
+  Eigen::SparseMatrix<double> matrix(2 * n, 2 * n);
+  for(int i = 0; i < n; ++i)
+    for(int j = (std::max)(0, i - 1); j <= (std::min)(n - 1, i + 1); ++j)
+      for(int k : {0, 1})
+        for(int l : {0, 1})
+          matrix.insert(2 * i + k, 2 * j + l) = k != l ? coupling : i == j ? diagonal + k : -1;
+  matrix.makeCompressed();
+  return matrix;
+}
+
+BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
+{
+  abf::Block_preconditioner<Solver> preconditioner{Solver()};
+  BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0.3)));
+  const Vector b = random_vector(80, 4);
+  Vector x;
+  BOOST_REQUIRE(preconditioner.apply(b, x));
+  BOOST_TEST((chain(40, 2.5, 0) * x - b).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
+{
+  abf::Block_preconditioner<Solver> preconditioner{Solver()};
+  BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0)));
+  const Vector b = random_vector(80, 4);
+  Vector x;
+  const auto definite = chain(40, 2.5, 0.1), indefinite = chain(40, 2.5, 3);
+  BOOST_TEST(abf::conjugate_gradients(definite, b, preconditioner, 1e-12, 80, x) > 3);
+  BOOST_TEST((definite * x - b).cwiseAbs().maxCoeff() < 1e-10);
+  BOOST_TEST(abf::conjugate_gradients(definite, b, preconditioner, 1e-12, 3, x) == -1);
+  BOOST_TEST(abf::conjugate_gradients(indefinite, b, preconditioner, 1e-12, 1000, x) == -1);
+  BOOST_TEST(abf::conjugate_gradients(definite, Vector(0 * b), preconditioner, 1e-12, 3, x) == 0);
+  BOOST_TEST(x.isZero());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -29,6 +29,15 @@ struct ABF_plus_plus_options
     SEQUENTIAL_LINEARLY_CONSTRAINED ///< Dropped, as in Section 3.1 of \cgalCite{cgal:slmb-abf-05}.
   };
 
+  /// How the linear system of a step (Equation 16 of \cgalCite{cgal:slmb-abf-05}) is solved.
+  enum Linear_solver
+  {
+    ITERATIVE, ///< By conjugate gradients, as exactly as the next step asks for. The factors of two scalar matrices, a
+    ///< quarter of the system each, precondition several steps. Where that is slow the system is factored.
+    ///< Traits without factorization solve each system as a whole.
+    DIRECT ///< As a whole, as in the paper.
+  };
+
   /// How planar coordinates are computed from planar angles.
   enum Layout_type
   {
@@ -51,6 +60,8 @@ struct ABF_plus_plus_options
   int max_iterations = 100;
 
   Step_type step = NEWTON; ///< Treatment of the constraints' second derivatives.
+
+  Linear_solver linear_solver = ITERATIVE; ///< Way to solve the linear system of a step.
 
   Layout_type layout = AUTOMATIC_LAYOUT; ///< Way from angles to coordinates.
 

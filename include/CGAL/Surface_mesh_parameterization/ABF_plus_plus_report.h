@@ -27,6 +27,8 @@ struct ABF_plus_plus_step
   double constraint_residual = 0; ///< Largest violation of a constraint after the step, in radians.
   double predicted_decrease = 0;  ///< Decrease of the energy that the step's quadratic model promised.
   double step_length = 0;         ///< Part of the full step that was taken, in (0, 1].
+  int linear_iterations = 0;      ///< Steps of conjugate gradients.
+  int factorizations = 0; ///< Matrices factored: two by the iterative solver at first, one by the direct one.
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -108,7 +108,7 @@ inline bool certify(const Chart& chart, const std::vector<Chart::Point_2>& uv, A
 // Flattens a chart that `diagnose()` found flawless. `uv` is scaled to the surface's area, and rounded by `round` to
 // what the caller can store before it is certified. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename Rounding>
-bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
+bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, SolverTraits traits,
                    const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
                    ABF_plus_plus_report& report)
 {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,9 @@ inline Eigen::Matrix3d split(const Eigen::Vector3d& energy_curvature, const Eige
   const Eigen::Matrix2d energy_hessian = basis.transpose() * energy_curvature.asDiagonal() * basis;
   const Eigen::Matrix2d hessian = basis.transpose() * curvature.asDiagonal() * basis;
 
+  const Eigen::Matrix2d margin = hessian - least_relative_curvature * energy_hessian;
+  if(margin.trace() > 0 && margin.determinant() > 0)
+    return basis * hessian.inverse() * basis.transpose();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> eigen(hessian, energy_hessian);
   const Eigen::Vector2d lifted = eigen.eigenvalues().cwiseMax(least_relative_curvature);
   const Eigen::Matrix<double, 3, 2> directions = basis * eigen.eigenvectors();

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/matrix_splits.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/newton_equation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
 
 #include <Eigen/Core>
@@ -41,20 +41,20 @@ class Newton_system
 {
 public:
   Newton_system(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy,
-                bool with_constraint_curvature, const SolverTraits& traits)
+                bool with_constraint_curvature, const SolverTraits& traits, bool iteratively = false)
       : m_chart(chart), m_beta(beta), m_energy(energy),
         m_with_constraint_curvature(with_constraint_curvature),
-        m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices), m_system(traits)
+        m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices),
+        m_equation(traits, iteratively)
   {}
 
-  // Computes the step from angles `alpha` and `multipliers`, where the constraints are off by `residual`.
+  // Computes the step, if iteratively then with relative accuracy `accuracy`, from angles `alpha` and `multipliers`, where the constraints are off by `residual`.
   // Returns `false` if the linear solver fails.
   bool compute(const std::vector<double>& alpha, const Constraint_vector& multipliers,
-               const Constraint_vector& residual, Newton_step& step)
+               const Constraint_vector& residual, Newton_step& step, double accuracy = 0)
   {
-    Eigen::VectorXd right_hand_side = assemble(alpha, multipliers, residual);
-    if(residual.size() > 0 &&
-       !(m_system.set_matrix(m_assembly.matrix()) && m_system.solve(right_hand_side, step.multipliers)))
+    const Eigen::VectorXd right_hand_side = assemble(alpha, multipliers, residual);
+    if(!m_equation.solve(m_assembly.matrix(), right_hand_side, accuracy, step.multipliers))
       return false;
     substitute_back(alpha, multipliers, step);
     return true;
@@ -76,6 +76,7 @@ public:
   }
 
   const Eigen::SparseMatrix<double>& matrix() const { return m_assembly.matrix(); }
+  const Newton_equation<SolverTraits>& equation() const { return m_equation; }
 
 private:
   typedef Eigen::Matrix<double, 6, 1> Local_constraints;
@@ -146,7 +147,7 @@ private:
   Angle_energy m_energy;
   bool m_with_constraint_curvature;
   Triangle_assembly<2> m_assembly;
-  Symmetric_system<SolverTraits> m_system;
+  Newton_equation<SolverTraits> m_equation;
 };
 
 } // namespace internal

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -90,6 +91,27 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
   return 0;
 }
 
+// How exactly the step from each iterate is to be solved for. An exact step would leave residuals of about the square of
+// what they are, and none need be less than the tolerance. The solver measures the error of a step as a whole; where a
+// single constraint did not profit, the next steps are more exact.
+class Step_accuracy
+{
+public:
+  explicit Step_accuracy(double tolerance) : m_tolerance(tolerance) {}
+
+  double next(double largest_residual)
+  {
+    if(largest_residual > m_tolerance && largest_residual > 0.5 * m_last_residual)
+      m_caution /= 10;
+    m_last_residual = largest_residual;
+    const double least_useful = 0.1 * m_tolerance / (largest_residual + m_tolerance);
+    return m_caution * (std::min)(1e-2, (std::max)(0.1 * largest_residual, least_useful));
+  }
+
+private:
+  double m_tolerance, m_caution = 1, m_last_residual = (std::numeric_limits<double>::infinity)();
+};
+
 // The stopping rule: all constraints are met, and the last step had little left to gain. Both do not depend on the
 // resolution of the chart.
 inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_plus_step& last,
@@ -102,32 +124,35 @@ inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_p
 
 // Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), starting from and
 // changing `alpha`. The outcome is in `report`: `converged`, `iterations`, `energy`, `constraint_residual`, `steps`.
-// Returns `false` if the linear solver fails.
+// Returns `false` if the linear solver fails. On return `traits` may know the pattern of the layout's system.
 template <typename SolverTraits>
 bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
-                  const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report)
+                  SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report)
 {
   const Angle_energy energy{options.barrier};
   Newton_system<SolverTraits> system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON,
-                                     traits);
+                                     traits, options.linear_solver == ABF_plus_plus_options::ITERATIVE);
   Newton_step step;
   Angle_iterate iterate;
   iterate.alpha.swap(alpha);
   iterate.multipliers = Constraint_vector::Zero(2 * chart.number_of_interior_vertices);
   iterate.evaluate(chart, energy, beta);
 
+  Step_accuracy accuracy(options.tolerance);
   bool solved = true;
   double penalty = 0;
   while(!report.converged && report.iterations < options.max_iterations) {
-    solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step);
+    solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step,
+                            accuracy.next(iterate.largest_residual()));
     if(!solved)
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
     const double length = take_step(chart, energy, beta, step, penalty, iterate);
     if(length == 0)
       break;
-    report.steps.push_back(
-        {++report.iterations, iterate.energy, iterate.largest_residual(), step.predicted_decrease, length});
+    report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
+                            step.predicted_decrease, length, system.equation().steps(),
+                            system.equation().factorizations()});
     if(options.on_step)
       options.on_step(report.steps.back());
     report.converged = has_converged(options, report.steps.back(), beta.size());
@@ -135,6 +160,7 @@ bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF
   report.energy = iterate.energy;
   report.constraint_residual = iterate.largest_residual();
   alpha.swap(iterate.alpha);
+  traits = system.equation().scalar_solver();
   return solved;
 }
 

@@ -73,6 +73,8 @@ public:
     return solution.allFinite();
   }
 
+  const SolverTraits& traits() const { return m_traits; }
+
 private:
   static std::unique_ptr<Matrix> copy(const Eigen::SparseMatrix<double>& matrix)
   {

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_preconditioner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <optional>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Solves Eq. 16 for one Newton step after the other: as a whole, as in the paper, or iteratively, as exactly as asked
+// for. The factors of the preconditioner serve for several steps.
+template <typename SolverTraits>
+class Newton_equation
+{
+  static constexpr int max_steps = 60;      // about as long as it takes to factor the whole matrix
+  static constexpr int steps_too_many = 20; // about as long as it takes to factor the preconditioner
+
+public:
+  // Traits that do not keep a factorization cannot be used to precondition.
+  Newton_equation(const SolverTraits& traits, bool iteratively)
+      : m_traits(traits), m_iteratively(iteratively && Has_factor<SolverTraits>::value)
+  {}
+
+  // `accuracy` is relative to the solution, in the energy norm.
+  bool solve(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
+             double accuracy, Eigen::VectorXd& solution)
+  {
+    m_accuracy = accuracy;
+    m_steps = m_factorizations = 0;
+    if(right_hand_side.size() == 0) {
+      solution = right_hand_side;
+      return true;
+    }
+    if(m_iteratively && solve_iteratively(matrix, right_hand_side, solution))
+      return true;
+    m_iteratively = false;
+    m_preconditioner.reset();
+    ++m_factorizations;
+    Symmetric_system<SolverTraits> system(m_traits);
+    const bool solved = system.set_matrix(matrix) && system.solve(right_hand_side, solution);
+    m_traits = system.traits();
+    return solved;
+  }
+
+  // Of the last solution: steps of conjugate gradients, and matrices that were factored.
+  int steps() const { return m_steps; }
+  int factorizations() const { return m_factorizations; }
+
+  // A solver that may know the pattern of the one-rings of the interior vertices already
+  SolverTraits scalar_solver() const
+  {
+    return m_preconditioner ? m_preconditioner->scalar_solver() : m_traits;
+  }
+
+private:
+  bool solve_iteratively(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
+                         Eigen::VectorXd& solution)
+  {
+    const bool fresh = !m_preconditioner || m_preconditioner_is_stale;
+    if(fresh && !factor_preconditioner(matrix))
+      return false;
+    if(run(matrix, right_hand_side, solution))
+      return true;
+    return !fresh && factor_preconditioner(matrix) && run(matrix, right_hand_side, solution);
+  }
+
+  bool factor_preconditioner(const Eigen::SparseMatrix<double>& matrix)
+  {
+    if(!m_preconditioner)
+      m_preconditioner.emplace(m_traits);
+    m_factorizations += 2;
+    return m_preconditioner->set_matrix(matrix);
+  }
+
+  bool run(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
+           Eigen::VectorXd& solution)
+  {
+    const int steps =
+        conjugate_gradients(matrix, right_hand_side, *m_preconditioner, m_accuracy, max_steps, solution);
+    m_steps += steps < 0 ? max_steps : steps;
+    m_preconditioner_is_stale = steps > steps_too_many;
+    return steps >= 0;
+  }
+
+  SolverTraits m_traits;
+  bool m_iteratively;
+  std::optional<Block_preconditioner<SolverTraits>> m_preconditioner;
+  bool m_preconditioner_is_stale = false;
+  double m_accuracy = 0;
+  int m_steps = 0, m_factorizations = 0;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
