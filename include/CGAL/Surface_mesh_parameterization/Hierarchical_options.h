@@ -32,6 +32,10 @@ struct Hierarchical_options
   /// Sweeps of relaxation on each level.
   int sweeps = 2;
 
+  /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
+  /// with `CGAL::TBB_support`, and none on the result.
+  int threads = 0;
+
   /// How often a coarse chart that cannot be solved is replaced by a finer one, before the refinement starts from one
   /// triangle without any solver.
   int max_retries = 3;

@@ -11,13 +11,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -67,7 +66,8 @@ public:
   std::vector<face_descriptor> face_descriptors;     // of each triangle of the chart
 
 private:
-  // Sets `face_descriptors`, in the order of the mesh, and the chart's corner table up to the vertices.
+  // Sets `face_descriptors` and the chart's corner table up to the vertices. Faces come in the order of a breadth-first
+  // search, whatever that of the mesh is, so that neighbours are near to each other in memory.
   Chart_defect find_faces(halfedge_descriptor bhd)
   {
     if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
@@ -76,26 +76,29 @@ private:
     if(CGAL::is_border(inner, m_mesh))
       return {ABF_plus_plus_report::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
 
-    std::vector<face_descriptor> component;
-    Polygon_mesh_processing::connected_component(face(inner, m_mesh), m_mesh, std::back_inserter(component));
-    if(component.size() > static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 9)
-      return {ABF_plus_plus_report::TOO_LARGE,
-              "the surface has more triangles than 32-bit numbers allow",
-              {},
-              {}};
-
     Face_ranks ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
     for(face_descriptor f : faces(m_mesh))
       put(ranks, f, -1);
-    for(face_descriptor f : component)
-      put(ranks, f, 0);
-    for(face_descriptor f : faces(m_mesh)) {
-      if(get(ranks, f) < 0)
-        continue;
+    const auto find = [&](face_descriptor f) {
+      if(get(ranks, f) >= 0)
+        return;
       put(ranks, f, static_cast<int>(face_descriptors.size()));
       face_descriptors.push_back(f);
-      if(next(next(next(halfedge(f, m_mesh), m_mesh), m_mesh), m_mesh) != halfedge(f, m_mesh))
-        return {ABF_plus_plus_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {0}};
+    };
+    find(face(inner, m_mesh));
+    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
+      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+        if(const halfedge_descriptor across = opposite(h, m_mesh); !CGAL::is_border(across, m_mesh))
+          find(face(across, m_mesh));
+      if(h != halfedge(face_descriptors[t], m_mesh))
+        return {
+            ABF_plus_plus_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {static_cast<int>(t)}};
+      if(face_descriptors.size() > static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 9)
+        return {ABF_plus_plus_report::TOO_LARGE,
+                "the surface has more triangles than 32-bit numbers allow",
+                {},
+                {}};
     }
     link_corners(ranks);
     m_first_border = facing_corner(inner, ranks);
@@ -126,33 +129,55 @@ private:
     }
   }
 
-  // Sets `vertex_descriptors`, in the order of `vimap`, and the vertex of each corner.
+  // Calls `visit` with the halfedge to the vertex of each corner, and the corner.
+  template <typename Visitor>
+  void for_each_corner(const Visitor& visit) const
+  {
+    int c = 0;
+    for(face_descriptor f : face_descriptors) {
+      halfedge_descriptor h = halfedge(f, m_mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+        visit(h, c++);
+    }
+  }
+
+  // Sets `vertex_descriptors`, in the order in which the faces come upon them, and the vertex of each corner.
   template <typename VertexIndexMap>
   void number_vertices(VertexIndexMap vimap)
   {
-    std::vector<vertex_descriptor> of_corner;
-    of_corner.reserve(3 * face_descriptors.size());
-    for(face_descriptor f : face_descriptors) {
-      halfedge_descriptor h = halfedge(f, m_mesh);
-      for(int k = 0; k < 3; ++k, h = next(h, m_mesh)) {
-        of_corner.push_back(target(h, m_mesh));
-        chart.vertex.push_back(static_cast<int>(get(vimap, of_corner.back())));
+    chart.vertex.resize(3 * face_descriptors.size());
+    for_each_corner([&](halfedge_descriptor h, int c) {
+      chart.vertex[c] = static_cast<int>(get(vimap, target(h, m_mesh)));
+    });
+    make_indices_dense();
+    std::vector<int> ranks(*std::max_element(chart.vertex.begin(), chart.vertex.end()) + 1, -1);
+    for_each_corner([&](halfedge_descriptor h, int c) {
+      int& rank = ranks[chart.vertex[c]];
+      if(rank < 0) {
+        rank = static_cast<int>(vertex_descriptors.size());
+        vertex_descriptors.push_back(target(h, m_mesh));
       }
-    }
+      chart.vertex[c] = rank;
+    });
+  }
+
+  // Replaces indices of vertices that are too far apart for an array.
+  void make_indices_dense()
+  {
+    const auto [least, largest] = std::minmax_element(chart.vertex.begin(), chart.vertex.end());
+    if(*least >= 0 && static_cast<std::size_t>(*largest) < 8 * chart.vertex.size())
+      return;
     std::vector<int> indices = chart.vertex;
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    vertex_descriptors.resize(indices.size());
-    for(std::size_t c = 0; c < of_corner.size(); ++c) {
-      const auto rank = std::lower_bound(indices.begin(), indices.end(), chart.vertex[c]) - indices.begin();
-      chart.vertex[c] = static_cast<int>(rank);
-      vertex_descriptors[rank] = of_corner[c];
-    }
+    for(int& v : chart.vertex)
+      v = static_cast<int>(std::lower_bound(indices.begin(), indices.end(), v) - indices.begin());
   }
 
   void read_points()
   {
     const auto points = get(CGAL::vertex_point, m_mesh);
+    chart.points.reserve(vertex_descriptors.size());
     for(vertex_descriptor v : vertex_descriptors) {
       const auto& p = get(points, v);
       chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));

@@ -9,11 +9,14 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/collapse_cost.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/edge_collapses.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -43,57 +46,45 @@ public:
   // `Collapse_cost`.
   void coarsen(int target, double extreme_angle)
   {
-    Collapse_cost cost(m_mesh, extreme_angle);
     while(number_of_vertices() > target) {
       const int before = number_of_vertices();
-      add_level((std::min)(before - target, before / 4 + 1), cost);
+      add_level((std::min)(before - target, before / 4 + 1), extreme_angle);
       if(before - number_of_vertices() < 0.01 * before)
         break;
     }
   }
 
-  // Undoes the coarsest level. Returns the records that were undone, the last one first.
-  std::vector<Edge_collapses::Record> undo_level()
+  // Undoes the coarsest level. Returns the vertices that it had removed.
+  std::vector<int> undo_level()
   {
-    const std::vector<Edge_collapses::Record>& records = m_mesh.records();
     m_level_begin.pop_back();
-    const std::vector<Edge_collapses::Record> undone(records.begin() + m_level_begin.back(), records.end());
-    for(std::size_t i = 0; i < undone.size(); ++i)
-      m_mesh.undo();
-    for(Edge_collapses::Record record : undone)
-      m_alive.push_back(m_mesh.removed_vertex(record));
-    return {undone.rbegin(), undone.rend()};
+    std::vector<int> restored;
+    while(static_cast<int>(m_mesh.records().size()) > m_level_begin.back())
+      restored.push_back(m_mesh.undo());
+    // in order of their numbers neighbours are near to each other in memory
+    std::sort(restored.begin(), restored.end());
+    const auto middle = m_alive.insert(m_alive.end(), restored.begin(), restored.end());
+    std::inplace_merge(m_alive.begin(), middle, m_alive.end());
+    return restored;
   }
 
 private:
-  struct Ranked
+  void add_level(int quota, double extreme_angle)
   {
-    double cost;
-    int vertex;
-    Edge_collapses::Record record;
-  };
-
-  void add_level(int quota, Collapse_cost& cost)
-  {
-    std::vector<Ranked> ranked;
-    for(int v : m_alive)
-      if(const Collapse_candidate candidate = cost.best(v))
-        ranked.push_back({candidate.cost, v, candidate.record});
-    std::sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
-      return a.cost < b.cost || (a.cost == b.cost && a.vertex < b.vertex);
-    });
-
+    const std::vector<Collapse_candidate> candidates = cheapest_collapses(extreme_angle);
+    Collapse_cost cost(m_mesh, extreme_angle);
     const Chart& chart = m_mesh.chart();
     std::vector<char> locked(chart.points.size(), false);
-    for(const Ranked& next : ranked) {
+    for(int i : ranked(candidates)) {
       if(quota == 0)
         break;
-      if(locked[next.vertex] || !cost.is_still_allowed(next.vertex, next.record))
+      const int v = m_alive[i];
+      if(locked[v] || !cost.is_still_allowed(v, candidates[i].record))
         continue;
-      m_mesh.for_each_corner(next.vertex, [&](int c) {
+      m_mesh.for_each_corner(v, [&](int c) {
         locked[chart.vertex[next_corner(c)]] = locked[chart.vertex[previous_corner(c)]] = true;
       });
-      m_mesh.collapse(next.record);
+      m_mesh.collapse(candidates[i].record);
       --quota;
     }
     m_alive.erase(std::remove_if(m_alive.begin(), m_alive.end(), [&](int v) { return !m_mesh.is_alive(v); }),
@@ -101,9 +92,35 @@ private:
     m_level_begin.push_back(static_cast<int>(m_mesh.records().size()));
   }
 
+  // The cheapest collapse of each vertex that is there
+  std::vector<Collapse_candidate> cheapest_collapses(double extreme_angle) const
+  {
+    std::vector<Collapse_candidate> candidates(m_alive.size());
+    parallel_for_blocks(number_of_vertices(), [&](int begin, int end) {
+      Collapse_cost cost(m_mesh, extreme_angle);
+      for(int i = begin; i < end; ++i)
+        candidates[i] = cost.best(m_alive[i]);
+    });
+    return candidates;
+  }
+
+  // The numbers of all collapses that are allowed, cheaper ones first. Those whose costs differ by less than a factor of
+  // two remain in the order of the vertices, as going back and forth in memory takes longer than all else.
+  static std::vector<int> ranked(const std::vector<Collapse_candidate>& candidates)
+  {
+    std::map<int, std::vector<int>> of_exponent;
+    for(std::size_t i = 0; i < candidates.size(); ++i)
+      if(candidates[i])
+        of_exponent[std::ilogb(candidates[i].cost)].push_back(static_cast<int>(i));
+    std::vector<int> result;
+    for(const auto& [exponent, numbers] : of_exponent)
+      result.insert(result.end(), numbers.begin(), numbers.end());
+    return result;
+  }
+
   Edge_collapses m_mesh;
   std::vector<int> m_level_begin; // first record of each level
-  std::vector<int> m_alive;       // the vertices that are there
+  std::vector<int> m_alive;       // the vertices that are there, sorted
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -37,12 +38,14 @@ class Collapse_cost
 {
   typedef Eigen::Vector3d Vector;
 
+  // Of the collapses of a vertex of large degree only the cheapest ones are looked at.
+  static constexpr std::size_t max_candidates = 32;
+
 public:
   // No angle shall be smaller than `extreme_angle` (in radians), or larger than pi less that, unless there is one as
   // bad around the vertex already. If `extreme_angle` is 0, shapes do not matter at all, only the connectivity does.
   Collapse_cost(const Edge_collapses& mesh, double extreme_angle)
-      : m_mesh(mesh), m_any_shape(extreme_angle == 0), m_least_cotangent(1 / std::tan(extreme_angle)),
-        m_mark(mesh.chart().points.size(), -1)
+      : m_mesh(mesh), m_any_shape(extreme_angle == 0), m_least_cotangent(1 / std::tan(extreme_angle))
   {}
 
   // The cheapest collapse of vertex `v` that is allowed.
@@ -61,12 +64,13 @@ public:
       const Vector d = point(m_ring[i]) - m_centre;
       m_candidates.push_back({d.dot(m_quadric * d) + shape * d.squaredNorm(), static_cast<int>(i)});
     }
-    std::sort(m_candidates.begin(), m_candidates.end(), [](const auto& a, const auto& b) {
-      return a.cost < b.cost || (a.cost == b.cost && a.record < b.record);
-    });
-    for(const Collapse_candidate& candidate : m_candidates)
-      if((m_any_shape || keeps_shape(candidate.record)) && fulfils_link_condition(candidate.record))
-        return {candidate.cost, record(candidate.record)};
+    for(std::size_t looked_at = 0; looked_at < max_candidates && !m_candidates.empty(); ++looked_at) {
+      const auto next = std::min_element(m_candidates.begin(), m_candidates.end(), is_cheaper);
+      if((m_any_shape || keeps_shape(next->record)) && fulfils_link_condition(next->record))
+        return {next->cost, record(next->record)};
+      *next = m_candidates.back();
+      m_candidates.pop_back();
+    }
     return {};
   }
 
@@ -81,6 +85,11 @@ public:
   }
 
 private:
+  static bool is_cheaper(const Collapse_candidate& a, const Collapse_candidate& b)
+  {
+    return a.cost < b.cost || (a.cost == b.cost && a.record < b.record);
+  }
+
   Vector point(int v) const
   {
     const Chart::Point_3& p = m_mesh.chart().points[v];
@@ -93,6 +102,7 @@ private:
     const Chart& chart = m_mesh.chart();
     m_corners.clear();
     m_ring.clear();
+    m_sorted_ring.clear();
     m_mesh.for_each_corner(v, [&](int c) {
       m_corners.push_back(c);
       m_ring.push_back(chart.vertex[previous_corner(c)]);
@@ -108,13 +118,15 @@ private:
     m_centre = point(v);
     m_quadric.setZero();
     m_normals.clear();
+    m_areas.clear();
     m_worst_cotangent = m_least_cotangent;
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
       const Vector a = point(after(i)) - m_centre, b = point(m_ring[i]) - m_centre;
       const Vector normal = a.cross(b);
       m_normals.push_back(normal);
+      m_areas.push_back(normal.norm());
       m_quadric += normal * normal.transpose();
-      m_worst_cotangent = (std::max)(m_worst_cotangent, largest_cotangent(a, b, normal.norm()));
+      m_worst_cotangent = (std::max)(m_worst_cotangent, largest_dot_product(a, b) / m_areas.back());
     }
     if(m_on_border)
       for(int w : {m_ring.front(), m_ring.back()}) {
@@ -126,11 +138,11 @@ private:
   // The ring vertex before ring vertex i in counterclockwise order, that is the next one clockwise.
   int after(std::size_t i) const { return m_ring[i + 1 < m_ring.size() ? i + 1 : 0]; }
 
-  // The largest absolute cotangent of the three angles of a triangle with edges `a` and `b` from a vertex.
-  static double largest_cotangent(const Vector& a, const Vector& b, double twice_area)
+  // For the triangle with edges `a` and `b` from a vertex: this divided by twice its area is its largest absolute cotangent.
+  static double largest_dot_product(const Vector& a, const Vector& b)
   {
     const double ab = a.dot(b), aa = a.squaredNorm(), bb = b.squaredNorm();
-    return (std::max)({std::abs(ab), std::abs(aa - ab), std::abs(bb - ab)}) / twice_area;
+    return (std::max)({std::abs(ab), std::abs(aa - ab), std::abs(bb - ab)});
   }
 
   // Border vertices go along the border only, and not if the triangle that vanishes is all that holds its other two
@@ -158,8 +170,8 @@ private:
       const Vector a = point(p) - target, b = point(q) - target;
       const Vector normal = a.cross(b);
       const double twice_area = normal.norm();
-      if(!(normal.dot(m_normals[t]) > 0.2 * twice_area * m_normals[t].norm()) ||
-         largest_cotangent(a, b, twice_area) > m_worst_cotangent)
+      if(!(normal.dot(m_normals[t]) > 0.2 * twice_area * m_areas[t]) ||
+         largest_dot_product(a, b) > m_worst_cotangent * twice_area)
         return false;
     }
     return true;
@@ -168,18 +180,20 @@ private:
   // The neighbours that the two vertices of the edge have in common are those in the triangles at the edge.
   bool fulfils_link_condition(int i)
   {
+    if(m_sorted_ring.empty()) {
+      m_sorted_ring = m_ring;
+      std::sort(m_sorted_ring.begin(), m_sorted_ring.end());
+    }
     const Chart& chart = m_mesh.chart();
-    const int w = m_ring[i];
-    for(int u : m_ring)
-      m_mark[u] = w;
     int common = 0;
-    m_mesh.for_each_corner(w, [&](int c) {
-      common += m_mark[chart.vertex[previous_corner(c)]] == w;
+    const auto count = [&](int u) {
+      common += std::binary_search(m_sorted_ring.begin(), m_sorted_ring.end(), u);
+    };
+    m_mesh.for_each_corner(m_ring[i], [&](int c) {
+      count(chart.vertex[previous_corner(c)]);
       if(chart.rotate(c) < 0)
-        common += m_mark[chart.vertex[next_corner(c)]] == w;
+        count(chart.vertex[next_corner(c)]);
     });
-    for(int u : m_ring)
-      m_mark[u] = -1;
     return common == (m_on_border ? 1 : 2);
   }
 
@@ -194,10 +208,10 @@ private:
   const Edge_collapses& m_mesh;
   bool m_any_shape;
   double m_least_cotangent;
-  std::vector<int> m_mark; // of each vertex
 
-  std::vector<int> m_corners, m_ring;
-  std::vector<Vector> m_normals;
+  std::vector<int> m_corners, m_ring, m_sorted_ring;
+  std::vector<Vector> m_normals; // of the triangles, as long as
+  std::vector<double> m_areas;   // twice their areas
   std::vector<Collapse_candidate> m_candidates;
   Eigen::Matrix3d m_quadric;
   Vector m_centre;

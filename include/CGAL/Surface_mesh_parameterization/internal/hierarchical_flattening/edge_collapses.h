@@ -89,8 +89,8 @@ public:
     m_records.push_back(record);
   }
 
-  // Undoes the last collapse that has not been undone.
-  void undo()
+  // Undoes the last collapse that has not been undone. Returns the vertex that it had removed.
+  int undo()
   {
     const Record record = m_records.back();
     m_records.pop_back();
@@ -104,6 +104,7 @@ public:
     relabel(record, v);
     m_corner_at[v] = corner(record);
     m_corner_at[w] = record < 0 ? previous_corner(~record) : next_corner(record);
+    return v;
   }
 
 private:

@@ -44,7 +44,8 @@ struct Planar_star
 
   std::vector<Triangle> triangles; // clockwise
   bool on_border = false;
-  double least_area = 0; // twice the area that a triangle must have in the plane
+  double least_area = 0;                       // twice the area that a triangle must have in the plane
+  int first_neighbour = 0, last_neighbour = 0; // the smallest and largest number of a vertex around
 
   void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
   {
@@ -52,8 +53,11 @@ struct Planar_star
     triangles.clear();
     on_border = chart.interior[v] < 0;
     double longest = 0;
+    first_neighbour = last_neighbour = v;
     mesh.for_each_corner(v, [&](int c) {
       const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
+      first_neighbour = (std::min)({first_neighbour, p, q});
+      last_neighbour = (std::max)({last_neighbour, p, q});
       triangles.push_back(make(chart, v, p, q));
       triangles.back().p = uv[p];
       triangles.back().q = uv[q];

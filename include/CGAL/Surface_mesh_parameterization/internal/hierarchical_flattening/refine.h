@@ -10,11 +10,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/relax_vertex.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -34,45 +36,99 @@ public:
   // Undoes all levels, with `sweeps` of relaxation on each. Returns `false` if a vertex has no place in its star.
   bool run(int sweeps)
   {
-    relax(sweeps);
+    sweep(sweeps);
     while(m_coarsening.number_of_levels() > 0) {
       if(!insert(m_coarsening.undo_level()))
         return false;
-      relax(sweeps);
+      sweep(sweeps);
     }
     return true;
   }
 
 private:
-  bool insert(const std::vector<Edge_collapses::Record>& records)
+  void sweep(int times)
   {
-    for(Edge_collapses::Record record : records) {
-      const int v = m_coarsening.mesh().removed_vertex(record);
-      m_star.gather(m_coarsening.mesh(), m_uv, v);
-      const Insertion insertion = insert_vertex(m_star, m_uv[v]);
-      if(insertion == NOT_INSERTED)
-        return false;
-      m_report.kernel_insertions += insertion == INSERTED_IN_KERNEL;
-    }
-    return true;
+    for(int i = 0; i < times; ++i)
+      relax_all();
   }
 
-  void relax(int sweeps)
+  // What happened to the vertices of a block
+  struct Tally
   {
-    for(int i = 0; i < sweeps; ++i)
-      for(int v : m_coarsening.alive()) {
-        m_star.gather(m_coarsening.mesh(), m_uv, v);
-        if(relax_vertex(m_star, m_uv[v]))
-          ++m_report.moves;
-        else
-          ++m_report.rejected_moves;
+    int moves = 0, rejected_moves = 0, kernel_insertions = 0;
+    bool complete = true;
+    std::vector<int> put_off;
+  };
+
+  // Vertices of a level are not neighbours, so that all can be inserted at once.
+  bool insert(const std::vector<int>& vertices)
+  {
+    std::vector<Tally> tallies(number_of_blocks);
+    const int n = static_cast<int>(vertices.size());
+    parallel_for(number_of_blocks, [&](int b) {
+      Planar_star star;
+      for(int i = begin_of_block(b, n); i < begin_of_block(b + 1, n); ++i) {
+        star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
+        const Insertion insertion = insert_vertex(star, m_uv[vertices[i]]);
+        tallies[b].kernel_insertions += insertion == INSERTED_IN_KERNEL;
+        if(insertion == NOT_INSERTED) {
+          tallies[b].complete = false;
+          return;
+        }
       }
+    });
+    bool complete = true;
+    for(const Tally& tally : tallies) {
+      m_report.kernel_insertions += tally.kernel_insertions;
+      complete = complete && tally.complete;
+    }
+    return complete;
   }
+
+  // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices with neighbours in another block are
+  // put off until all blocks are done, so that the result does not depend on the number of threads.
+  void relax_all()
+  {
+    const std::vector<int>& vertices = m_coarsening.alive();
+    std::vector<Tally> tallies(number_of_blocks);
+    const int n = static_cast<int>(vertices.size());
+    parallel_for(number_of_blocks, [&](int b) {
+      const int begin = begin_of_block(b, n), end = begin_of_block(b + 1, n);
+      Planar_star star;
+      for(int i = begin; i < end; ++i) {
+        star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
+        if(star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
+          tallies[b].put_off.push_back(vertices[i]);
+        else
+          relax(star, vertices[i], tallies[b]);
+      }
+    });
+    Planar_star star;
+    for(Tally& tally : tallies) {
+      for(int v : tally.put_off) {
+        star.gather(m_coarsening.mesh(), m_uv, v);
+        relax(star, v, tally);
+      }
+      m_report.moves += tally.moves;
+      m_report.rejected_moves += tally.rejected_moves;
+    }
+  }
+
+  void relax(const Planar_star& star, int v, Tally& tally)
+  {
+    if(relax_vertex(star, m_uv[v]))
+      ++tally.moves;
+    else
+      ++tally.rejected_moves;
+  }
+
+  static constexpr int number_of_blocks = 16;
+
+  static int begin_of_block(int b, int n) { return static_cast<int>(std::int64_t(n) * b / number_of_blocks); }
 
   Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
   Hierarchical_report& m_report;
-  Planar_star m_star;
 };
 
 } // namespace internal
