@@ -7,7 +7,7 @@
 #define ANGLE_BASED_FLATTENING_TEST_CHARTS_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 
 #include <array>

@@ -326,14 +326,33 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
   flatten(shell());
   check_success();
   for(const char* word :
-      {"vertices", "triangles", "borders", "iterations", "angular distortion", "L2 stretch", "L2 shear",
-       "flipped triangles", "smallest angle", "seconds", "layout"}) {
+      {"vertices", "triangles", "borders", "iterations", "angular distortion", "L2 stretch",
+       "L-infinity stretch", "L2 shear", "L2 principal shear", "equal-stretch error", "quasi-conformal ratio",
+       "area distortion", "symmetric Dirichlet", "flipped triangles", "smallest angle", "seconds",
+       "layout"}) {
     BOOST_TEST((standard_output.find(word) != std::string::npos), standard_output << " lacks " << word);
   }
   const auto tree = json();
-  for(const char* key : {"angular_distortion", "l2_stretch", "l2_shear", "smallest_angle", "iterations",
-                         "peak_memory_mb", "seconds.read", "seconds.write", "seconds.parameterize",
-                         "seconds.targets", "seconds.angles", "seconds.layout", "seconds.certify"}) {
+  for(const char* key : {"angular_distortion",
+                         "l2_stretch",
+                         "linf_stretch",
+                         "l2_shear",
+                         "l2_principal_shear",
+                         "l2_equal_stretch_error",
+                         "mean_quasi_conformal_ratio",
+                         "max_quasi_conformal_ratio",
+                         "l2_area_distortion",
+                         "symmetric_dirichlet_energy",
+                         "smallest_angle",
+                         "iterations",
+                         "peak_memory_mb",
+                         "seconds.read",
+                         "seconds.write",
+                         "seconds.parameterize",
+                         "seconds.targets",
+                         "seconds.angles",
+                         "seconds.layout",
+                         "seconds.certify"}) {
     BOOST_TEST_CONTEXT(key)
     {
       BOOST_TEST(std::isfinite(tree.get<double>(key)));

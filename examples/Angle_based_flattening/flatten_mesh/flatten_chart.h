@@ -168,7 +168,10 @@ inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_li
   if(flattening.succeeded()) {
     CGAL::Real_timer timer;
     timer.start();
-    flattening.measures = SMP::measure_flattening(mesh, chart.border, flattening.uv, flattening.distortion);
+    flattening.measures = SMP::measure_flattening(
+        mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
+          flattening.distortion[f] = measures.angular_distortion;
+        });
     flattening.measure_seconds = timer.time();
   }
   return flattening;

@@ -18,19 +18,28 @@ namespace internal {
 
 inline void add_measures(Json_object& json, const Flattening& flattening)
 {
-  if(flattening.succeeded()) {
-    json.add("angular_distortion", flattening.measures.angular_distortion);
-    json.add("l2_stretch", flattening.measures.l2_stretch);
-    json.add("l2_shear", flattening.measures.l2_shear);
-    json.add("flipped_triangles", static_cast<std::size_t>(flattening.measures.flipped_triangles));
-    json.add("smallest_angle", flattening.measures.smallest_angle);
-  } else {
-    for(const char* key : {"angular_distortion", "l2_stretch", "l2_shear"}) {
+  using Measures = SMP::Flattening_measures;
+  const bool known = flattening.succeeded();
+  const auto add = [&](const char* key, double Measures::*measure) {
+    if(known) {
+      json.add(key, flattening.measures.*measure);
+    } else {
       json.add_null(key);
     }
-    json.add("flipped_triangles", static_cast<std::size_t>(flattening.report.flipped_triangles));
-    json.add_null("smallest_angle");
-  }
+  };
+  add("angular_distortion", &Measures::angular_distortion);
+  add("l2_stretch", &Measures::l2_stretch);
+  add("linf_stretch", &Measures::linf_stretch);
+  add("l2_shear", &Measures::l2_shear);
+  add("l2_principal_shear", &Measures::l2_principal_shear);
+  add("l2_equal_stretch_error", &Measures::l2_equal_stretch_error);
+  add("mean_quasi_conformal_ratio", &Measures::mean_quasi_conformal_ratio);
+  add("max_quasi_conformal_ratio", &Measures::max_quasi_conformal_ratio);
+  add("l2_area_distortion", &Measures::l2_area_distortion);
+  add("symmetric_dirichlet_energy", &Measures::symmetric_dirichlet_energy);
+  json.add("flipped_triangles", static_cast<std::size_t>(known ? flattening.measures.flipped_triangles
+                                                               : flattening.report.flipped_triangles));
+  add("smallest_angle", &Measures::smallest_angle);
 }
 
 } // namespace internal

@@ -10,11 +10,12 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measures.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measure_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <CGAL/number_utils.h>
 
 #include <stdexcept>
 #include <vector>
@@ -25,75 +26,50 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// Measures of the distortion of a flattening. All of them are invariant under similarities of the plane, but
-/// for the shear, which depends on the direction of the axes.
-struct Flattening_measures
-{
-  /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles
-  /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$.
-  double angular_distortion = 0;
-
-  /// \f$L_2\f$ stretch \cgalCite{cgal:ssgh-tmpm-01}, for equal areas; 1 at best, infinite if a triangle
-  /// has no area in the plane.
-  double l2_stretch = 0;
-
-  /// \f$L_2\f$ shear, Equation 24 of \cgalCite{cgal:slmb-abf-05}; 0 at best.
-  double l2_shear = 0;
-
-  /// Number of triangles that are not positively oriented in the plane (exact).
-  int flipped_triangles = 0;
-
-  /// Smallest angle of a planar triangle, in radians.
-  double smallest_angle = 0;
-};
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
 /// measures the distortion of the map from the connected component of `bhd` to the plane, whichever
-/// parameterizer computed it. In linear time, but for a sort of the vertices.
+/// parameterizer computed it, and of each of its triangles. In linear time, but for a sort of the vertices.
+///
+/// None of these measures is that of `compute_L2_stretch()` in `measure_distortion.h` of the package
+/// \ref PkgSurfaceMeshParameterization. In spite of its name, that function looks at areas only: it returns the root of
+/// a sum, over interior vertices, of squared relative changes of the area of the triangles around the vertex, each
+/// as a part of the total area; 0 at best, and growing with the number of vertices. `Flattening_measures::l2_stretch`
+/// is the \f$L_2\f$ stretch of \cgalCite{cgal:ssgh-tmpm-01}, and `Flattening_measures::l2_area_distortion` a mean of the
+/// change of areas.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 /// \tparam VertexUVMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
 ///         value type.
-/// \tparam FaceDistortionMap a model of `WritablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type.
+/// \tparam FaceVisitor a function object that can be called with a
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor` and a `const Flattening_face_measures&`.
 ///
 /// \param mesh a triangulated surface.
 /// \param bhd a halfedge on the border of `mesh`.
 /// \param uvmap the map to be measured.
-/// \param face_distortion_map receives the angular distortion of each face, whose mean is that of the map.
+/// \param visitor is called once for each face of the component, with its measures.
 ///
-/// \exception std::invalid_argument if `bhd` is not a border halfedge of a triangulated component.
-template <typename TriangleMesh, typename VertexUVMap, typename FaceDistortionMap>
+/// \exception std::invalid_argument if `bhd` is not a border halfedge of a triangulated component, or a point of
+///            the component has a coordinate that is not finite.
+template <typename TriangleMesh, typename VertexUVMap, typename FaceVisitor>
 Flattening_measures measure_flattening(const TriangleMesh& mesh,
                                        typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                                       VertexUVMap uvmap, FaceDistortionMap face_distortion_map)
+                                       VertexUVMap uvmap, FaceVisitor visitor)
 {
   internal::Chart_reader<TriangleMesh> reader(mesh);
   if(const internal::Chart_defect defect = reader.read(bhd))
     throw std::invalid_argument(defect.message);
-  const internal::Chart& chart = reader.chart;
+  if(const internal::Chart_defect defect = internal::find_non_finite_point(reader.chart))
+    throw std::invalid_argument(defect.message);
 
   std::vector<internal::Chart::Point_2> uv;
+  uv.reserve(reader.vertex_descriptors.size());
   for(auto v : reader.vertex_descriptors) {
     const auto& p = get(uvmap, v);
     uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
   }
-
-  Flattening_measures measures;
-  const std::vector<double> beta = internal::target_angles(chart);
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    const double distortion = internal::angular_distortion(chart, beta, uv, t);
-    put(face_distortion_map, reader.face_descriptors[t], distortion);
-    measures.angular_distortion += distortion / chart.number_of_triangles();
-  }
-  const internal::Stretch_and_shear both = internal::stretch_and_shear(chart, uv);
-  measures.l2_stretch = both.l2_stretch;
-  measures.l2_shear = both.l2_shear;
-  measures.flipped_triangles = static_cast<int>(internal::flipped_triangles(chart, uv).size());
-  measures.smallest_angle = internal::smallest_angle(chart, uv);
-  return measures;
+  return internal::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
+    visitor(reader.face_descriptors[t], face);
+  });
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -104,7 +80,8 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
                                        typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                                        VertexUVMap uvmap)
 {
-  return measure_flattening(mesh, bhd, uvmap, boost::dummy_property_map());
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  return measure_flattening(mesh, bhd, uvmap, [](face_descriptor, const Flattening_face_measures&) {});
 }
 
 } // namespace Surface_mesh_parameterization

@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>

@@ -34,15 +34,28 @@ inline double planar_area(const Chart& chart, const std::vector<Chart::Point_2>&
   return CGAL::area(uv[chart.vertex[3 * t]], uv[chart.vertex[3 * t + 1]], uv[chart.vertex[3 * t + 2]]);
 }
 
+struct Total_areas
+{
+  double surface = 0, plane = 0;
+};
+
+// Areas of flipped triangles count positively, those that are not finite not at all.
+inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  Total_areas total;
+  for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    const double plane = std::abs(planar_area(chart, uv, t));
+    total.surface += surface_area(chart, t);
+    total.plane += std::isfinite(plane) ? plane : 0;
+  }
+  return total;
+}
+
 // Scales the planar chart to the area of the surface, and moves its lower left corner to the origin.
 inline void scale_to_surface_area(const Chart& chart, std::vector<Chart::Point_2>& uv)
 {
-  double surface = 0, plane = 0;
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    surface += surface_area(chart, t);
-    plane += std::abs(planar_area(chart, uv, t));
-  }
-  const double factor = std::sqrt(surface / plane);
+  const Total_areas total = total_areas(chart, uv);
+  const double factor = std::sqrt(total.surface / total.plane);
   const auto corner = (CGAL::bounding_box(uv.begin(), uv.end()).min)();
   for(Chart::Point_2& p : uv)
     p = CGAL::ORIGIN + (p - corner) * factor;

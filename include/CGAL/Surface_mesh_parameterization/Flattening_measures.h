@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTENING_MEASURES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTENING_MEASURES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// Measures of the distortion of one triangle, as `measure_flattening()` gives them to a visitor.
+///
+/// On a triangle, the map \f$S\f$ from the plane to the surface is linear. Below, \f$S_u\f$ and \f$S_v\f$ are its
+/// derivatives along the axes of the plane, \f$\Gamma \geq \gamma\f$ are its singular values, the largest and the
+/// smallest factor by which it stretches lengths, and \f$a = \sqrt{\gamma\Gamma}\f$ is that of areas' square roots;
+/// the plane is scaled such that the whole layout has the area of the surface, areas of flipped triangles counted
+/// positively.
+///
+/// A triangle that is flipped has infinite stretches and an infinite symmetric Dirichlet energy; its other measures
+/// are those of its mirror image. A triangle without area, in space or in the plane, has the worst value of every
+/// measure that is made from derivatives: 1 of shear, principal shear and equal-stretch error, else infinity. One whose
+/// area in the plane is not a finite number counts as collapsed to a point: its angles are 0.
+struct Flattening_face_measures
+{
+  /// Area on the surface: the weight of the triangle in all means but that of the angular distortion.
+  double area = 0;
+
+  /// Mean over the corners of \f$(\alpha/\beta - 1)^2\f$; see `Flattening_measures::angular_distortion`.
+  double angular_distortion = 0;
+
+  /// \f$L_2\f$ stretch \f$\sqrt{(\Gamma^2 + \gamma^2)/2}\f$ \cgalCite{cgal:ssgh-tmpm-01}.
+  double l2_stretch = 0;
+
+  /// \f$L_\infty\f$ stretch \f$\Gamma\f$ \cgalCite{cgal:ssgh-tmpm-01}.
+  double linf_stretch = 0;
+
+  /// Cosine \f$|S_u \cdot S_v| / (|S_u| |S_v|)\f$ between the images of the axes, in [0, 1].
+  double shear = 0;
+
+  /// Shear of those axes whose shear is largest, \f$(\Gamma^2 - \gamma^2)/(\Gamma^2 + \gamma^2)\f$, in [0, 1].
+  double principal_shear = 0;
+
+  /// \f$||S_u|^2 - |S_v|^2| / (|S_u|^2 + |S_v|^2)\f$, in [0, 1].
+  double equal_stretch_error = 0;
+
+  /// \f$\Gamma/\gamma\f$, at least 1.
+  double quasi_conformal_ratio = 0;
+
+  /// \f$|\ln(\gamma\Gamma)|\f$: 0 for a triangle that keeps its area, the same for one that is enlarged as for one
+  /// that is shrunk by the same factor.
+  double area_distortion = 0;
+
+  /// \f$\Gamma^2 + \gamma^2 + \Gamma^{-2} + \gamma^{-2}\f$ \cgalCite{cgal:ss-bpfb-15}, at least 4.
+  double symmetric_dirichlet_energy = 0;
+
+  /// Smallest planar angle, in radians.
+  double smallest_angle = 0;
+
+  /// Whether the triangle is not positively oriented in the plane (exact).
+  bool flipped = false;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// Measures of the distortion of a flattening: means over its triangles, weighted by their areas \f$A_t\f$ on the
+/// surface, and extremes. The measures of a triangle are explained with `Flattening_face_measures`. Triangles
+/// without area on the surface count for the angles and the flips only, unless there are no others.
+///
+/// All of them are invariant under scaling, translation, and rotation of the plane, but for `l2_shear` and
+/// `l2_equal_stretch_error`, which depend on the direction of the axes.
+struct Flattening_measures
+{
+  /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles
+  /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$. The target
+  /// angles are those of the surface, scaled to sum to \f$2\pi\f$ at interior vertices, and at least 0.001 away from
+  /// 0 and \f$\pi\f$.
+  double angular_distortion = 0;
+
+  /// \f$L_2\f$ stretch \f$\sqrt{\sum A_t (\Gamma_t^2 + \gamma_t^2)/2 / \sum A_t}\f$
+  /// \cgalCite{cgal:ssgh-tmpm-01}; 1 at best, infinite if a triangle is flipped or has no area in the plane.
+  double l2_stretch = 0;
+
+  /// \f$L_\infty\f$ stretch \f$\max \Gamma_t\f$ \cgalCite{cgal:ssgh-tmpm-01}; 1 at best, infinite if a triangle is
+  /// flipped or has no area in the plane.
+  double linf_stretch = 0;
+
+  /// \f$L_2\f$ shear, the root of the mean square of the shear, Equation 24 of \cgalCite{cgal:slmb-abf-05};
+  /// 0 at best, 1 at worst.
+  double l2_shear = 0;
+
+  /// The root of the mean square of the principal shear: as `l2_shear`, but each triangle with the axes that
+  /// are worst for it, so that the direction of the layout does not matter. 0 at best, 1 at worst.
+  double l2_principal_shear = 0;
+
+  /// The root of the mean square of the equal-stretch error: the second component of conformality in Section 6 of
+  /// \cgalCite{cgal:slmb-abf-05}, which leaves its formula to a thesis; this is one with the form and the range of
+  /// the shear. 0 at best, 1 at worst.
+  double l2_equal_stretch_error = 0;
+
+  /// Mean of \f$\Gamma_t/\gamma_t\f$; 1 at best.
+  double mean_quasi_conformal_ratio = 0;
+
+  /// Largest \f$\Gamma_t/\gamma_t\f$; 1 at best.
+  double max_quasi_conformal_ratio = 0;
+
+  /// The root of the mean square of \f$\ln(\gamma_t\Gamma_t)\f$; 0 at best.
+  double l2_area_distortion = 0;
+
+  /// Mean of the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}: the energy of a layout as large as the surface,
+  /// per area. 4 at best, infinite if a triangle is flipped or has no area in the plane.
+  double symmetric_dirichlet_energy = 0;
+
+  /// Number of triangles that are not positively oriented in the plane (exact, for the coordinates as doubles).
+  int flipped_triangles = 0;
+
+  /// Smallest angle of a planar triangle, in radians.
+  double smallest_angle = 0;
+};
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTENING_MEASURES_H
