@@ -7,6 +7,7 @@
 #define ABF_BENCHMARK_MATRIX_SPLIT_H
 
 #include "Lagrangian.h"
+#include "finish.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 

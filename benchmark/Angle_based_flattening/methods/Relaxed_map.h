@@ -7,6 +7,7 @@
 #define ABF_BENCHMARK_RELAXED_MAP_H
 
 #include "Map_energy.h"
+#include "finish.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>

@@ -6,13 +6,10 @@
 #ifndef ABF_BENCHMARK_RUN_REPORT_H
 #define ABF_BENCHMARK_RUN_REPORT_H
 
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
 
 #include <string>
 #include <utility>
-#include <vector>
 
 // The methods that ABF++ is compared with. Every one is a class with a function
 //   bool flatten(const Chart& chart, std::vector<Point_2>& uv, Run_report& report) const
@@ -25,7 +22,6 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace abf = CGAL::Surface_mesh_parameterization::internal;
 typedef abf::Chart Chart;
 typedef Chart::Point_2 Point_2;
-typedef CGAL::SuperLU_solver_traits<double> Solver;
 
 struct Run_report
 {
@@ -40,16 +36,6 @@ inline bool fail(Run_report& report, std::string sentence)
 {
   report.failure = std::move(sentence);
   return false;
-}
-
-// What every method does last.
-inline bool finish(const Chart& chart, std::vector<Point_2>& uv, Run_report& report)
-{
-  for(const Point_2& p : uv)
-    if(!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()))
-      return fail(report, "a coordinate is not finite");
-  abf::scale_to_surface_area(chart, uv);
-  return true;
 }
 
 } // namespace ABF_benchmark

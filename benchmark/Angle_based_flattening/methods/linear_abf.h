@@ -7,8 +7,7 @@
 #define ABF_BENCHMARK_LINEAR_ABF_H
 
 #include "Matrix_split.h"
-
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
+#include "finish.h"
 
 #include <vector>
 
@@ -35,11 +34,8 @@ struct Linear_ABF
   bool flatten(const Chart& chart, std::vector<Point_2>& uv, Run_report& report) const
   {
     std::vector<double> alpha;
-    if(!solve_angles(chart, alpha, report))
-      return false;
-    if(!abf::Least_squares_layout(chart, alpha).solve(Solver(), uv))
-      return fail(report, "the linear system of the layout was not solved");
-    return finish(chart, uv, report);
+    return solve_angles(chart, alpha, report) &&
+           lay_out_by_least_squares(chart, alpha, abf::far_apart_border_vertices(chart), uv, report);
   }
 };
 

@@ -6,9 +6,8 @@
 #ifndef ABF_BENCHMARK_LOGARITHMIC_ABF_H
 #define ABF_BENCHMARK_LOGARITHMIC_ABF_H
 
+#include "finish.h"
 #include "newton_loop.h"
-
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
 
 #include <unsupported/Eigen/IterativeSolvers>
 
@@ -40,11 +39,8 @@ struct Logarithmic_ABF
   bool flatten(const Chart& chart, std::vector<Point_2>& uv, Run_report& report) const
   {
     std::vector<double> alpha;
-    if(!solve_angles(chart, alpha, report))
-      return false;
-    if(!abf::Least_squares_layout(chart, alpha).solve(Solver(), uv))
-      return fail(report, "the linear system of the layout was not solved");
-    return finish(chart, uv, report);
+    return solve_angles(chart, alpha, report) &&
+           lay_out_by_least_squares(chart, alpha, abf::far_apart_border_vertices(chart), uv, report);
   }
 
 private:

@@ -6,6 +6,7 @@
 #ifndef ABF_BENCHMARK_ORIGINAL_ABF_H
 #define ABF_BENCHMARK_ORIGINAL_ABF_H
 
+#include "finish.h"
 #include "greedy_unfolding.h"
 #include "newton_loop.h"
 

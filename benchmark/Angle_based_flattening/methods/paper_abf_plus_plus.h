@@ -7,9 +7,8 @@
 #define ABF_BENCHMARK_PAPER_ABF_PLUS_PLUS_H
 
 #include "Matrix_split.h"
+#include "finish.h"
 #include "newton_loop.h"
-
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
 
 #include <vector>
 
@@ -36,13 +35,10 @@ struct Paper_ABF_plus_plus
   bool flatten(const Chart& chart, std::vector<Point_2>& uv, Run_report& report) const
   {
     std::vector<double> alpha;
-    if(!solve_angles(chart, alpha, report))
-      return false;
-    const int pinned = chart.borders.front().front();
-    abf::Least_squares_layout layout(chart, alpha, {chart.edge_source(pinned), chart.edge_target(pinned)});
-    if(!layout.solve(Solver(), uv))
-      return fail(report, "the linear system of the layout was not solved");
-    return finish(chart, uv, report);
+    const int edge = chart.borders.front().front();
+    return solve_angles(chart, alpha, report) &&
+           lay_out_by_least_squares(chart, alpha, {chart.edge_source(edge), chart.edge_target(edge)}, uv,
+                                    report);
   }
 };
 
