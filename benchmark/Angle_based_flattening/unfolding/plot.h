@@ -33,8 +33,8 @@ inline std::string plot_script(const std::vector<Closing_errors>& results,
              << kind + 1 << " pointtype " << block / layout_titles.size() + 4 << " title '"
              << layout_titles[kind] << ", |grad F| <= " << tolerance << "'";
     }
-  return data.str() + "set terminal svg size 800,500 font 'sans,12' background 'white'\nset output '" + file +
-         "'\nset logscale xy\nset format '10^{%T}'\nset grid\nset key outside right\n"
+  return data.str() + "set terminal svg size 800,600 font 'sans,12' background 'white'\nset output '" + file +
+         "'\nset logscale xy\nset format '10^{%T}'\nset grid\nset key below maxcols 3\n"
          "set xlabel 'triangles'\nset ylabel 'largest closing error, relative to the triangle'\n" +
          curves.str() + "\n";
 }
