@@ -11,10 +11,28 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
 
 #include <exception>
+#include <iostream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
 namespace ABF_benchmark {
+
+// Keeps what some parameterizers print out of our tables.
+class Silence
+{
+public:
+  Silence() : m_buffer(std::cout.rdbuf(nullptr)) {}
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence()
+  {
+    std::cout.rdbuf(m_buffer); // clears the error state, too
+  }
+
+private:
+  std::streambuf* m_buffer;
+};
 
 // Any parameterizer on `Surface_mesh`, as it is by default.
 template <typename Parameterizer>
@@ -25,6 +43,7 @@ struct Parameterizer_method
     Parameterizer parameterizer;
     uv.clear();
     try {
+      const Silence silence;
       if(!abf::Coarse_solver<Parameterizer>(parameterizer)(chart, uv))
         return fail(report, "the parameterizer returned an error");
     } catch(const std::exception& error) {
