@@ -53,9 +53,15 @@ class Least_squares_layout
 
 public:
   Least_squares_layout(const Chart& chart, const std::vector<double>& alpha)
+      : Least_squares_layout(chart, alpha, far_apart_border_vertices(chart))
+  {}
+
+  // Fixes the two vertices `pinned` at 0 and 1. (The paper takes the ends of an edge: then scale and conditioning
+  // depend on that edge.)
+  Least_squares_layout(const Chart& chart, const std::vector<double>& alpha, std::pair<int, int> pinned)
       : m_chart(chart), m_coefficients(alpha.size()), m_unknown(chart.points.size()), m_z(chart.points.size())
   {
-    const auto [origin, unit] = far_apart_border_vertices(chart);
+    const auto [origin, unit] = pinned;
     m_z[unit] = 1;
     int n = 0;
     for(int v = 0; v < chart.number_of_vertices(); ++v)

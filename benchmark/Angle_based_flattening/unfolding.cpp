@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Shows how the error of the greedy unfolding accumulates (Section 4 of the paper), and that of our layouts does not: the
+// largest closing error against the number of triangles, for the same angles. Prints a Markdown table.
+// `unfolding --sizes 1000,10000 --svg unfolding.svg`; see `--help`.
+
+#include "solvers/newton_systems.h"
+
+#include "solvers/format.h"
+#include "unfolding/Closing_errors.h"
+#include "unfolding/plot.h"
+
+#include <boost/program_options.hpp>
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace unfolding {
+
+using solvers::format_number;
+
+struct Command_line
+{
+  std::string mesh = ABF_EXAMPLES_DIR "/shell.off";
+  std::string sizes = "1000,3000,10000,30000,100000,300000";
+  std::string tolerances = "1,1e-3,1e-6";
+  std::string svg;
+  bool help = false;
+};
+
+boost::program_options::options_description options(Command_line& command)
+{
+  namespace po = boost::program_options;
+  po::options_description all("Options", 100, 60);
+  const auto text = [](std::string& value, const char* name) {
+    return po::value(&value)->value_name(name)->default_value(value);
+  };
+  all.add_options()("mesh", text(command.mesh, "FILE"), "a disk, which is simplified or subdivided")(
+      "sizes", text(command.sizes, "N,N,..."),
+      "numbers of triangles")("tolerances", text(command.tolerances, "X,X,..."),
+                              "where the solver of the angles stops: at that norm of grad F")(
+      "svg", po::value(&command.svg)->value_name("FILE"), "draw the errors into that file, with gnuplot")(
+      "help,h", po::bool_switch(&command.help), "print this text");
+  return all;
+}
+
+std::vector<double> numbers(const std::string& list)
+{
+  std::vector<double> result;
+  std::istringstream words(list);
+  for(std::string word; std::getline(words, word, ',');) {
+    result.push_back(std::stod(word));
+    if(!(result.back() > 0))
+      throw std::runtime_error("--sizes and --tolerances take numbers above 0");
+  }
+  return result;
+}
+
+Chart chart_of_size(const solvers::Mesh& base, double triangles)
+{
+  const solvers::Mesh mesh = solvers::resize_mesh(base, static_cast<std::size_t>(triangles));
+  abf::Chart_reader<solvers::Mesh> reader(mesh);
+  if(const auto defect = reader.read(CGAL::Polygon_mesh_processing::longest_border(mesh).first))
+    throw std::runtime_error("the mesh cannot be flattened: " + defect.message);
+  return reader.chart;
+}
+
+std::string row(const Closing_errors& errors)
+{
+  std::vector<std::string> cells = {std::to_string(errors.triangles), format_number("%g", errors.tolerance),
+                                    format_number("%.1e", errors.residual)};
+  for(const Layout_errors& layout : errors.layouts) {
+    cells.push_back(format_number("%.1e", layout.closing_error));
+    cells.push_back(std::to_string(layout.flips));
+  }
+  return solvers::markdown_row(cells);
+}
+
+void run(const Command_line& command)
+{
+  const solvers::Mesh base = solvers::read_mesh(command.mesh);
+  const std::vector<double> tolerances = numbers(command.tolerances);
+  std::vector<Closing_errors> results;
+  std::vector<std::string> titles = {"triangles", "norm of grad F", "largest residual"};
+  for(const char* title : layout_titles) {
+    titles.push_back(title);
+    titles.push_back("flips");
+  }
+  std::cout << solvers::markdown_head(titles, 0) << std::flush;
+  for(const double size : numbers(command.sizes)) {
+    const Chart chart = chart_of_size(base, size);
+    for(const double tolerance : tolerances) {
+      results.push_back(measure(chart, tolerance));
+      std::cout << row(results.back()) << std::flush;
+    }
+  }
+  if(!command.svg.empty())
+    plot(results, tolerances, command.svg);
+}
+
+} // namespace unfolding
+
+int main(int argc, char* argv[])
+{
+  namespace po = boost::program_options;
+  try {
+    unfolding::Command_line command;
+    const po::options_description options = unfolding::options(command);
+    po::variables_map values;
+    po::store(po::parse_command_line(argc, argv, options), values);
+    po::notify(values);
+    if(command.help)
+      std::cout << "unfolding: closing errors of layouts of the same angles.\n\n" << options;
+    else
+      unfolding::run(command);
+    return EXIT_SUCCESS;
+  } catch(const std::exception& error) {
+    std::cerr << "unfolding: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

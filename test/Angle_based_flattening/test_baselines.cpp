@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The methods of angles that ABF++ is compared with find the same minimum.
+
+#define BOOST_TEST_MODULE baselines
+#include <boost/test/unit_test.hpp>
+
+#include "test_charts.h"
+
+#include "../../benchmark/Angle_based_flattening/methods/linear_abf.h"
+#include "../../benchmark/Angle_based_flattening/methods/logarithmic_abf.h"
+#include "../../benchmark/Angle_based_flattening/methods/original_abf.h"
+#include "../../benchmark/Angle_based_flattening/methods/paper_abf_plus_plus.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace ABF_benchmark;
+
+namespace {
+
+std::vector<Chart> charts()
+{
+  return {test_charts::pyramid(5, 1), test_charts::pyramid(9, 0.3), test_charts::bump(6, 1),
+          test_charts::bump(14, 2, 0.4)};
+}
+
+// ABF++ with the paper's energy, as exactly as doubles allow.
+std::vector<double> our_angles(const Chart& chart)
+{
+  SMP::ABF_plus_plus_options options;
+  options.barrier = 0;
+  options.tolerance = 1e-12;
+  options.energy_tolerance = 1e-18;
+  SMP::ABF_plus_plus_report report;
+  const std::vector<double> beta = abf::target_angles(chart);
+  std::vector<double> alpha = abf::starting_angles(beta);
+  BOOST_TEST_REQUIRE(abf::solve_angles(chart, beta, options, Solver(), alpha, report));
+  BOOST_TEST_REQUIRE(report.converged);
+  return alpha;
+}
+
+template <typename Method>
+std::vector<double> angles_of(const Method& method, const Chart& chart)
+{
+  std::vector<double> alpha;
+  Run_report report;
+  BOOST_TEST_REQUIRE(method.solve_angles(chart, alpha, report), report.failure);
+  return alpha;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  BOOST_TEST_REQUIRE(a.size() == b.size());
+  double largest = 0;
+  for(std::size_t c = 0; c < a.size(); ++c)
+    largest = (std::max)(largest, std::abs(a[c] - b[c]));
+  return largest;
+}
+
+double angular_distortion(const Chart& chart, const std::vector<Point_2>& uv)
+{
+  return abf::Angle_energy{0}.value(test_charts::planar_angles(chart, uv), abf::target_angles(chart)) /
+         chart.number_of_corners();
+}
+
+double least_distortion(const Chart& chart)
+{
+  return abf::Angle_energy{0}.value(our_angles(chart), abf::target_angles(chart)) / chart.number_of_corners();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(second_derivatives_of_the_lagrangian_are_those_of_its_gradient)
+{
+  const Chart chart = test_charts::bump(3, 3);
+  for(const Reconstruction_form form : {PRODUCTS, LOGARITHMS}) {
+    const Lagrangian lagrangian(chart, form);
+    Vector x = lagrangian.start();
+    for(Eigen::Index i = lagrangian.number_of_angles(); i < x.size(); ++i)
+      x[i] = std::sin(i);
+    const Eigen::MatrixXd hessian = lagrangian.hessian(x);
+    const double h = 1e-5;
+    for(Eigen::Index i = 0; i < x.size(); ++i) {
+      const Vector step = h * Vector::Unit(x.size(), i);
+      const Vector difference = (lagrangian.gradient(x + step) - lagrangian.gradient(x - step)) / (2 * h);
+      BOOST_TEST((difference - hessian.col(i)).norm() <= 1e-6 * (1 + hessian.col(i).norm()));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_methods_of_angles_find_the_same_minimum)
+{
+  for(const Chart& chart : charts()) {
+    const std::vector<double> ours = our_angles(chart);
+    BOOST_TEST(largest_difference(ours, angles_of(Original_ABF{1e-10}, chart)) <= 1e-8);
+    BOOST_TEST(largest_difference(ours, angles_of(Paper_ABF_plus_plus{1e-10, 1000}, chart)) <= 1e-8);
+    BOOST_TEST(largest_difference(ours, angles_of(Logarithmic_ABF{1e-9, 50, 1e-10}, chart)) <= 1e-8);
+  }
+}
+
+// The paper stops at ||grad F|| <= 1. Once a step was taken, that costs next to nothing.
+BOOST_AUTO_TEST_CASE(paper_s_stopping_rule_costs_little_distortion)
+{
+  for(const double height : {1., 1.5, 2.}) {
+    const Chart chart = test_charts::bump(10, 10, height);
+    std::vector<Point_2> uv;
+    Run_report report;
+    BOOST_TEST_REQUIRE(Paper_ABF_plus_plus().flatten(chart, uv, report), report.failure);
+    BOOST_TEST(report.iterations > 0);
+    BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
+    BOOST_TEST(angular_distortion(chart, uv) >= least_distortion(chart) * (1 - 1e-9));
+    BOOST_TEST(angular_distortion(chart, uv) <= least_distortion(chart) * 1.001);
+  }
+}
+
+// But the rule depends on the number of triangles, and a gentle chart meets it before the first step: what comes out
+// then is the linear conformal map, as the paper says.
+BOOST_AUTO_TEST_CASE(paper_s_stopping_rule_may_hold_at_the_start)
+{
+  const Chart chart = test_charts::bump(10, 10, 0.6);
+  std::vector<Point_2> uv;
+  Run_report report;
+  BOOST_TEST_REQUIRE(Paper_ABF_plus_plus().flatten(chart, uv, report), report.failure);
+  BOOST_TEST(report.iterations == 0);
+  BOOST_TEST(angular_distortion(chart, uv) > 1.1 * least_distortion(chart));
+}
+
+// What linear ABF neglects is of second order in the curvature, and so of fourth order in the height.
+BOOST_AUTO_TEST_CASE(linear_abf_is_close_where_the_surface_is_nearly_flat)
+{
+  const auto difference = [](double height) {
+    const Chart chart = test_charts::bump(12, 6, height);
+    return largest_difference(our_angles(chart), angles_of(Linear_ABF(), chart));
+  };
+  const double high = difference(0.1), low = difference(0.05);
+  BOOST_TEST(high <= 1e-4);
+  BOOST_TEST(low <= high / 12);
+  BOOST_TEST(low > 0);
+}
+
+BOOST_AUTO_TEST_CASE(greedy_unfolding_reproduces_planar_angles)
+{
+  const Chart chart = test_charts::flat_grid(10, 7);
+  std::vector<double> alpha = test_charts::planar_angles(chart, test_charts::projected(chart));
+  const std::vector<Point_2> uv = unfold_greedily(chart, alpha);
+  BOOST_TEST(largest_closing_error(chart, alpha, uv) <= 1e-10);
+  BOOST_TEST(largest_difference(alpha, test_charts::planar_angles(chart, uv)) <= 1e-10);
+  const std::size_t inside = alpha.size() / 2 + 15; // far from the border
+  alpha[inside] += 0.01;
+  alpha[inside + 1] -= 0.01;
+  BOOST_TEST(largest_closing_error(chart, alpha, unfold_greedily(chart, alpha)) >= 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_converge_is_a_failure)
+{
+  const Chart chart = test_charts::bump(8, 23);
+  std::vector<double> alpha;
+  Run_report report;
+  BOOST_TEST(!(Original_ABF{1e-10, 1}).solve_angles(chart, alpha, report));
+  BOOST_TEST(!report.failure.empty());
+}
