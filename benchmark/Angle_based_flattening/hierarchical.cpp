@@ -16,7 +16,7 @@
 #include "hierarchical/rates.h"
 #include "hierarchical/speed.h"
 
-#include "common/print_report.h"
+#include "common/Report.h"
 
 #include <cstdlib>
 #include <exception>
@@ -70,9 +70,8 @@ std::string command_text(const Command_line& command)
 std::string caption(const Command_line& command)
 {
   return "Medians of " + std::to_string(command.repeat) +
-         " runs, each in a process of its own that has as many cores as threads, the BLAS on one thread. One "
-         "thread "
-         "where nothing else is said. A process was stopped after " +
+         " runs, each in a process of its own that has as many cores as threads, the BLAS on one thread. "
+         "One thread where nothing else is said. A process was stopped after " +
          std::to_string(command.limits.seconds) + " s, and had " +
          format_number("%g GB of memory.\n", command.limits.gigabytes);
 }
@@ -83,12 +82,12 @@ void run(const Command_line& command)
   for(const std::string& name : words_of_list(command.parts)) {
     parts.push_back(part(name));
   }
-  std::string text = "# Hierarchical parameterization\n\n" + command_text(command) + describe_machine() +
-                     "\n\n" + caption(command);
+  Report report(command.output);
+  report.add("# Hierarchical parameterization\n\n" + command_text(command) + describe_machine() + "\n\n" +
+             caption(command));
   for(const Part& part : parts) {
-    text += std::string("\n## ") + part.title + "\n\n" + part.measure(command);
+    report.add(std::string("\n## ") + part.title + "\n\n" + part.measure(command));
   }
-  print_report(text, command.output);
 }
 
 } // namespace hierarchical

@@ -13,8 +13,8 @@
 #include "solvers/newton_systems.h"
 #include "solvers/report.h"
 
+#include "common/Report.h"
 #include "common/Temporary_folder.h"
-#include "common/print_report.h"
 #include "common/run_child.h"
 
 #include <cstddef>
@@ -97,7 +97,7 @@ void run(const Command_line& command)
   for(const std::size_t triangles : command.triangles()) {
     results.push_back(measure_mesh(command, base, triangles));
   }
-  print_report(report(results, command), command.output);
+  Report(command.output).add(report(results, command));
 }
 
 } // namespace solvers

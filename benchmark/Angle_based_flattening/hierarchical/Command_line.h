@@ -78,8 +78,7 @@ inline po::options_description visible_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("mesh", po::value(&command.mesh)->value_name("FILE"),
       "a disk, which is simplified or subdivided; the word '--mesh' may be left out. By default the sea "
-      "shell "
-      "of the examples");
+      "shell of the examples");
   add("data", po::value(&command.data)->value_name("FOLDER"),
       "disks for quality, sequential, sweeps and polish; by default only the one mesh");
   add("parts", option(command.parts, "PART,PART,..."), "what to measure");

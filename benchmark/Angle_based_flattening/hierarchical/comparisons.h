@@ -39,12 +39,10 @@ inline std::string sequential_part(const Command_line& command)
                  cell("%.4f", m["stretch"]), count_cell(m["flips"])});
     }
   }
-  return "By levels is the library, on one thread. Sequential is the paper's Section 5: one vertex at a time "
-         "from "
-         "a priority queue, and back in reverse order, with harmonic weights and one harmonic smoothing of "
-         "the vertex "
-         "and its neighbours. Both use the same cost, vetoes, coarse solver and number of coarse "
-         "vertices.\n\n" +
+  return "By levels is the library, on one thread. Sequential is the paper's Section 5: one vertex at a "
+         "time from a priority queue, and back in reverse order, with harmonic weights and one harmonic "
+         "smoothing of the vertex and its neighbours. Both use the same cost, vetoes, coarse solver and "
+         "number of coarse vertices.\n\n" +
          table.text();
 }
 
@@ -103,8 +101,7 @@ inline std::string polish_part(const Command_line& command)
   }
   return "Direct ABF++, the hierarchical one, and the latter as the start of the direct solver "
          "(`Hierarchical_options::polish`). Replaced: whether the direct solver's result was valid, and so "
-         "was "
-         "returned.\n\n" +
+         "was returned.\n\n" +
          table.text();
 }
 

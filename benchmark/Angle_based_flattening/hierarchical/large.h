@@ -135,12 +135,10 @@ inline std::string large_part(const Command_line& command)
 {
   const std::vector<internal::Large_run> runs = internal::measure_large(command);
   return "The counterpart of the paper's Table III: " + name_of_file(command.mesh) +
-         ", simplified and subdivided to the sizes there, each vertex then moved by a tenth of its shortest "
-         "edge, "
-         "at the default rate. The paper's surfaces are others of the same sizes (605,846 triangles: "
-         "hierarchical "
-         "ABF++ 107 s, hierarchical LSCM 305 s; 698,572: 50 s, 351 s; 4,241,328, at 98 %: 819 s, failed), on "
-         "machines of 2004.\n\n" +
+         ", simplified and subdivided to the sizes there, each vertex then moved by a tenth of its "
+         "shortest edge, at the default rate. The paper's surfaces are others of the same sizes (605,846 "
+         "triangles: hierarchical ABF++ 107 s, hierarchical LSCM 305 s; 698,572: 50 s, 351 s; 4,241,328, "
+         "at 98 %: 819 s, failed), on machines of 2004.\n\n" +
          internal::large_table(runs) + internal::large_targets(runs);
 }
 

@@ -112,10 +112,8 @@ inline std::string quality_part(const Command_line& command)
 {
   const std::vector<internal::Quality> meshes = internal::measure_quality(command);
   return "Direct ABF++ and the hierarchical one at the default rate. The shear of Eq. 24 depends on the "
-         "direction of "
-         "the axes; the rise is that of its root mean square over all directions, and the shear as returned "
-         "is "
-         "the one along the axes of the coordinates.\n\n" +
+         "direction of the axes; the rise is that of its root mean square over all directions, and the "
+         "shear as returned is the one along the axes of the coordinates.\n\n" +
          internal::quality_table(meshes) + internal::quality_targets(meshes);
 }
 

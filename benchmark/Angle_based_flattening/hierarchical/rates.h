@@ -13,7 +13,7 @@
 #include "plot.h"
 #include "tables.h"
 
-#include "../common/print_report.h"
+#include "../common/Report.h"
 
 #include <cstddef>
 #include <string>

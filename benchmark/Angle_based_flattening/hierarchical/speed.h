@@ -132,9 +132,8 @@ inline std::string speed_part(const Command_line& command)
 {
   const std::vector<internal::Speed> sizes = internal::measure_speed(command);
   return "The whole call of `parameterize()` on a mesh that is in memory, at the default rate, in seconds, "
-         "with "
-         "its stages. Memory: peak resident size during the call beyond that before it. Ratios are to the "
-         "hierarchical method on one thread.\n\n" +
+         "with its stages. Memory: peak resident size during the call beyond that before it. Ratios are to "
+         "the hierarchical method on one thread.\n\n" +
          internal::speed_table(sizes, command.threads) + internal::speed_ratios(sizes, command.threads) +
          internal::speed_targets(sizes, command.threads);
 }
