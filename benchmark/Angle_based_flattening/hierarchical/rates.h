@@ -15,8 +15,10 @@
 
 #include "../common/Report.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hierarchical {
@@ -72,12 +74,19 @@ inline std::string rates_csv(const std::vector<Task>& tasks, const std::vector<M
 }
 
 // Two diagrams beside each other, like the paper's Fig. 7: shear and stretch against the rate
-inline std::string rates_plot(const std::string& csv, const Measurement& direct)
+inline std::string rates_plot(const std::string& csv, const std::vector<Task>& tasks,
+                              const Measurement& direct)
 {
+  double low = 100, high = 0;
+  for(std::size_t i = 1; i < tasks.size(); ++i) {
+    low = (std::min)(low, 100 * tasks[i].rate);
+    high = (std::max)(high, 100 * tasks[i].rate);
+  }
   const std::string data = "'" + csv + "' using 1:(column(1) > 0 ? ";
   std::string script =
       "set datafile separator ','\nset multiplot layout 1,2\nset xlabel 'simplification rate, %'\n"
-      "set grid\nset offsets graph 0.02, graph 0.02, graph 0.1, graph 0.1\n";
+      "set grid\nset key below\nset offsets 0, 0, graph 0.1, graph 0.1\n" +
+      format_number("set xrange [%g:", low - 1) + format_number("%g]\n", high + 1);
   for(const auto& [name, column] : {std::make_pair("shear", "3"), std::make_pair("stretch", "4")}) {
     script += std::string("set ylabel 'L2 ") + name + "'\nplot " + data + "column(" + column +
               ") : 1/0) with linespoints pointtype 7 title 'hierarchical ABF++'";
@@ -95,7 +104,7 @@ inline std::string write_figure(const std::string& name, const std::vector<Task>
 {
   write_file(name + ".csv", rates_csv(tasks, results));
   const std::string stem = name_of_file(name + ".csv");
-  const std::string failure = plot(rates_plot(name + ".csv", results.front()), name + ".svg");
+  const std::string failure = plot(rates_plot(name + ".csv", tasks, results.front()), name + ".svg");
   return "\nThe same is in `" + stem + ".csv`, " +
          (failure.empty() ? "drawn in `" + stem + ".svg`.\n" : "but there is no figure: " + failure + ".\n");
 }
