@@ -10,17 +10,17 @@
 
 #include "solvers/Command_line.h"
 #include "solvers/Results.h"
-#include "solvers/Temporary_folder.h"
 #include "solvers/newton_systems.h"
 #include "solvers/report.h"
-#include "solvers/run_child.h"
+
+#include "common/Report.h"
+#include "common/Temporary_folder.h"
+#include "common/run_child.h"
 
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -54,10 +54,8 @@ Mesh_results write_matrices(const Mesh& base, const std::size_t triangles, const
 Measurement measure_in_child(const Solver& solver, const std::string& file, const Child_limits& limits)
 {
   const Child_result child = run_child({"--measure", solver.name, "--matrix", file}, limits);
-  if(child.timed_out()) {
-    return failed_measurement("took longer than " + std::to_string(limits.seconds) + " s");
-  }
-  return child.failure().empty() ? measurement_from_text(child.output) : failed_measurement(child.failure());
+  const std::string failure = child.failure(limits);
+  return failure.empty() ? measurement_from_text(child.output) : failed_measurement(failure);
 }
 
 void tell(const Mesh_results& mesh, const Matrix_kind kind, const Solver& solver, const Measurement& m)
@@ -99,14 +97,7 @@ void run(const Command_line& command)
   for(const std::size_t triangles : command.triangles()) {
     results.push_back(measure_mesh(command, base, triangles));
   }
-  const std::string text = report(results, command);
-  std::cout << text << std::flush;
-  if(!command.output.empty()) {
-    std::ofstream file(command.output);
-    if(!(file << text << std::flush)) {
-      throw std::runtime_error("cannot write '" + command.output + "'");
-    }
-  }
+  Report(command.output).add(report(results, command));
 }
 
 } // namespace solvers

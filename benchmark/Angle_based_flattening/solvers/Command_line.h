@@ -6,7 +6,8 @@
 #ifndef SOLVERS_COMMAND_LINE_H
 #define SOLVERS_COMMAND_LINE_H
 
-#include "run_child.h"
+#include "../common/number_list.h"
+#include "../common/run_child.h"
 
 #include <boost/program_options.hpp>
 
@@ -17,6 +18,8 @@
 #include <vector>
 
 namespace solvers {
+
+using namespace benchmarks;
 
 struct Command_line
 {
@@ -32,17 +35,8 @@ struct Command_line
   // The numbers in `sizes`
   std::vector<std::size_t> triangles() const
   {
-    std::vector<std::size_t> numbers;
-    std::istringstream words(sizes);
-    for(std::string word; std::getline(words, word, ',');) {
-      std::istringstream digits(word);
-      long number = 0;
-      if(!(digits >> number) || !digits.eof() || number < 100) {
-        throw std::runtime_error("--sizes takes numbers from 100 on, with commas between them");
-      }
-      numbers.push_back(static_cast<std::size_t>(number));
-    }
-    return numbers;
+    const std::vector<long> numbers = numbers_of_list<long>(sizes, "--sizes", 100, 1000000000);
+    return {numbers.begin(), numbers.end()};
   }
 };
 

@@ -10,8 +10,9 @@
 
 #include "Linear_system.h"
 #include "Measurement.h"
-#include "Peak_memory.h"
-#include "format.h"
+
+#include "../common/Peak_memory.h"
+#include "../common/format.h"
 
 #include <algorithm>
 #include <new>
@@ -20,6 +21,8 @@
 #include <vector>
 
 namespace solvers {
+
+using namespace benchmarks;
 
 namespace internal {
 

@@ -8,62 +8,22 @@
 
 #include "Linear_system.h"
 
+#include "../common/resize_mesh.h"
+
 #include <CGAL/Eigen_solver_traits.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/newton_step.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/subdivision_method_3.h>
 
-#include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace solvers {
 
-typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
-
-inline Mesh read_mesh(const std::string& file)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh)) {
-    throw std::runtime_error("cannot read a triangle mesh from '" + file + "'");
-  }
-  return mesh;
-}
-
-// Stops a simplification at a number of faces.
-struct Face_count
-{
-  std::size_t faces;
-
-  template <class Cost, class Profile>
-  bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const
-  {
-    return profile.surface_mesh().number_of_faces() <= faces;
-  }
-};
-
-// Makes a mesh of about that many triangles: simplifies it until some number of subdivisions brings it there.
-inline Mesh resize_mesh(Mesh mesh, const std::size_t triangles)
-{
-  int subdivisions = 0;
-  std::size_t coarse = triangles;
-  for(; coarse > 1.05 * static_cast<double>(mesh.number_of_faces()); coarse /= 4) {
-    ++subdivisions;
-  }
-  CGAL::Surface_mesh_simplification::edge_collapse(mesh, Face_count{coarse});
-  mesh.collect_garbage();
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(subdivisions));
-  return mesh;
-}
+using namespace benchmarks;
 
 // The matrix of the planarity multipliers alone, which are those of even numbers
 inline Linear_system planarity_block(const Linear_system& full)

@@ -9,14 +9,17 @@
 #include "Command_line.h"
 #include "Measurement.h"
 #include "Results.h"
-#include "describe_machine.h"
-#include "format.h"
 #include "measure.h"
+
+#include "../common/describe_machine.h"
+#include "../common/format.h"
 
 #include <string>
 #include <vector>
 
 namespace solvers {
+
+using namespace benchmarks;
 
 namespace internal {
 

@@ -3,14 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SOLVERS_PEAK_MEMORY_H
-#define SOLVERS_PEAK_MEMORY_H
+#ifndef BENCHMARKS_COMMON_PEAK_MEMORY_H
+#define BENCHMARKS_COMMON_PEAK_MEMORY_H
 
 #include <algorithm>
 #include <fstream>
 #include <string>
 
-namespace solvers {
+namespace benchmarks {
 
 // The largest memory that this process used since the object was made, beyond what it used then. Linux only.
 class Peak_memory
@@ -40,6 +40,6 @@ private:
   double m_before;
 };
 
-} // namespace solvers
+} // namespace benchmarks
 
-#endif // SOLVERS_PEAK_MEMORY_H
+#endif // BENCHMARKS_COMMON_PEAK_MEMORY_H

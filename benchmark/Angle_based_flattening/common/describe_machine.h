@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SOLVERS_DESCRIBE_MACHINE_H
-#define SOLVERS_DESCRIBE_MACHINE_H
+#ifndef BENCHMARKS_COMMON_DESCRIBE_MACHINE_H
+#define BENCHMARKS_COMMON_DESCRIBE_MACHINE_H
 
 #include <Eigen/SuperLUSupport> // must come before CGAL's traits
 #include <slu_util.h>
@@ -27,7 +27,7 @@
 #include <string>
 #include <thread>
 
-namespace solvers {
+namespace benchmarks {
 
 namespace internal {
 
@@ -90,6 +90,6 @@ inline std::string describe_machine()
   return text + ", " + internal::blas() + ".";
 }
 
-} // namespace solvers
+} // namespace benchmarks
 
-#endif // SOLVERS_DESCRIBE_MACHINE_H
+#endif // BENCHMARKS_COMMON_DESCRIBE_MACHINE_H

@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SOLVERS_FORMAT_H
-#define SOLVERS_FORMAT_H
+#ifndef BENCHMARKS_COMMON_FORMAT_H
+#define BENCHMARKS_COMMON_FORMAT_H
 
 #include <cstddef>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-namespace solvers {
+namespace benchmarks {
 
 // A number as `printf` formats it.
 inline std::string format_number(const char* format, const double number)
@@ -46,6 +46,6 @@ inline std::string markdown_head(const std::vector<std::string>& titles, const s
   return markdown_row(titles) + markdown_row(rule);
 }
 
-} // namespace solvers
+} // namespace benchmarks
 
-#endif // SOLVERS_FORMAT_H
+#endif // BENCHMARKS_COMMON_FORMAT_H

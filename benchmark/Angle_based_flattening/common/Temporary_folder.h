@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SOLVERS_TEMPORARY_FOLDER_H
-#define SOLVERS_TEMPORARY_FOLDER_H
+#ifndef BENCHMARKS_COMMON_TEMPORARY_FOLDER_H
+#define BENCHMARKS_COMMON_TEMPORARY_FOLDER_H
 
 #include <stdlib.h> // mkdtemp() is not in the namespace std
 
@@ -13,13 +13,13 @@
 #include <string>
 #include <system_error>
 
-namespace solvers {
+namespace benchmarks {
 
 // A folder that vanishes with the object.
 class Temporary_folder
 {
 public:
-  Temporary_folder() : m_path((std::filesystem::temp_directory_path() / "abf_solvers_XXXXXX").string())
+  Temporary_folder() : m_path((std::filesystem::temp_directory_path() / "abf_benchmark_XXXXXX").string())
   {
     if(mkdtemp(&m_path[0]) == nullptr) {
       throw std::runtime_error("cannot make a temporary folder");
@@ -41,6 +41,6 @@ private:
   std::string m_path;
 };
 
-} // namespace solvers
+} // namespace benchmarks
 
-#endif // SOLVERS_TEMPORARY_FOLDER_H
+#endif // BENCHMARKS_COMMON_TEMPORARY_FOLDER_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SOLVERS_RUN_CHILD_H
-#define SOLVERS_RUN_CHILD_H
+#ifndef BENCHMARKS_COMMON_RUN_CHILD_H
+#define BENCHMARKS_COMMON_RUN_CHILD_H
 
 #include <sys/resource.h>
 #include <sys/types.h>
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace solvers {
+namespace benchmarks {
 
 struct Child_limits
 {
@@ -31,11 +31,12 @@ struct Child_result
   std::string output;
   int status; // as of waitpid()
 
-  bool timed_out() const { return WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM; }
-
   // Why there may be no result, or nothing if the child ended well
-  std::string failure() const
+  std::string failure(const Child_limits& limits) const
   {
+    if(WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) {
+      return "took longer than " + std::to_string(limits.seconds) + " s";
+    }
     if(WIFSIGNALED(status)) {
       return "killed by signal " + std::to_string(WTERMSIG(status));
     }
@@ -108,6 +109,6 @@ inline Child_result run_child(const std::vector<std::string>& arguments, const C
   return result;
 }
 
-} // namespace solvers
+} // namespace benchmarks
 
-#endif // SOLVERS_RUN_CHILD_H
+#endif // BENCHMARKS_COMMON_RUN_CHILD_H

@@ -1,0 +1,287 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef HIERARCHICAL_SEQUENTIAL_H
+#define HIERARCHICAL_SEQUENTIAL_H
+
+// The hierarchical method as Section 5 of the paper describes it, as a baseline: vertices are removed one at a time
+// from a priority queue, and put back one at a time in reverse order. Taken from the library: the chart and its
+// collapses (`Edge_collapses`), the cost and the vetoes of a collapse (`Collapse_cost`: volume-based error with a
+// term for the shape, the limit of 2.5 degrees, border vertices along the border only), the star of a vertex with
+// its flip check (`Planar_star`), and the places that harmonic weights or Eq. 22 and the kernel give to a vertex.
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/collapse_cost.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/insert_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
+
+#include <boost/heap/d_ary_heap.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace hierarchical {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace rooms = CGAL::Surface_mesh_parameterization::internal;
+
+inline void neighbours(const rooms::Edge_collapses& mesh, const int v, std::vector<int>& ring)
+{
+  const rooms::Chart& chart = mesh.chart();
+  ring.clear();
+  mesh.for_each_corner(v, [&](const int c) {
+    ring.push_back(chart.vertex[rooms::previous_corner(c)]);
+    if(chart.rotate(c) < 0) {
+      ring.push_back(chart.vertex[rooms::next_corner(c)]);
+    }
+  });
+}
+
+// Removes the vertex whose collapse is the cheapest of all, again and again.
+class Sequential_coarsening
+{
+public:
+  Sequential_coarsening(rooms::Edge_collapses& mesh, const double extreme_angle)
+      : m_mesh(mesh), m_cost(mesh, extreme_angle), m_handles(mesh.chart().points.size())
+  {
+    for(int v = 0; v < m_mesh.chart().number_of_vertices(); ++v) {
+      m_handles[v] = m_queue.push({m_cost.best(v), v});
+    }
+  }
+
+  // Goes on until `target` vertices are left, or no collapse is allowed any more.
+  void coarsen(const int target)
+  {
+    int vertices = m_mesh.chart().number_of_vertices();
+    while(vertices > target && m_queue.top().candidate) {
+      const Entry next = m_queue.top();
+      // What is farther than its star can forbid a collapse, too.
+      if(m_cost.is_still_allowed(next.vertex, next.candidate.record)) {
+        collapse(next);
+        --vertices;
+      } else {
+        rank(next.vertex);
+      }
+    }
+  }
+
+private:
+  struct Entry
+  {
+    rooms::Collapse_candidate candidate;
+    int vertex;
+
+    // The top of the queue is the largest entry.
+    bool operator<(const Entry& other) const
+    {
+      return candidate.cost > other.candidate.cost ||
+             (candidate.cost == other.candidate.cost && vertex > other.vertex);
+    }
+  };
+
+  typedef boost::heap::d_ary_heap<Entry, boost::heap::arity<4>, boost::heap::mutable_<true>> Queue;
+
+  void rank(const int v) { m_queue.update(m_handles[v], {m_cost.best(v), v}); }
+
+  void collapse(const Entry& entry)
+  {
+    neighbours(m_mesh, entry.vertex, m_ring);
+    m_queue.erase(m_handles[entry.vertex]);
+    m_mesh.collapse(entry.candidate.record);
+    for(const int v : m_ring) {
+      rank(v);
+    }
+  }
+
+  rooms::Edge_collapses& m_mesh;
+  rooms::Collapse_cost m_cost;
+  Queue m_queue;
+  std::vector<Queue::handle_type> m_handles; // of each vertex
+  std::vector<int> m_ring;
+};
+
+// Puts the vertices back one by one (Section 5.2).
+class Sequential_refinement
+{
+public:
+  Sequential_refinement(rooms::Edge_collapses& mesh, std::vector<rooms::Planar_point>& uv,
+                        SMP::Hierarchical_report& report)
+      : m_mesh(mesh), m_uv(uv), m_report(report)
+  {}
+
+  // Returns `false` if a vertex has no place in its star.
+  bool run()
+  {
+    while(!m_mesh.records().empty()) {
+      const int v = m_mesh.removed_vertex(m_mesh.records().back());
+      m_mesh.undo();
+      if(!insert(v)) {
+        return false;
+      }
+      smooth_around(v);
+    }
+    return true;
+  }
+
+private:
+  // Steps 1 and 2
+  bool insert(const int v)
+  {
+    m_star.gather(m_mesh, m_uv, v);
+    m_uv[v] = rooms::harmonic_place(m_star);
+    if(m_star.is_valid(m_uv[v])) {
+      return true;
+    }
+    ++m_report.kernel_insertions;
+    m_uv[v] = rooms::kernel_centre(m_star);
+    return m_star.is_valid(m_uv[v]);
+  }
+
+  // Step 3: the neighbours, and then the vertex itself
+  void smooth_around(const int v)
+  {
+    neighbours(m_mesh, v, m_ring);
+    for(const int neighbour : m_ring) {
+      smooth(neighbour);
+    }
+    smooth(v);
+  }
+
+  void smooth(const int v)
+  {
+    m_star.gather(m_mesh, m_uv, v);
+    const rooms::Planar_point place = rooms::harmonic_place(m_star);
+    const bool valid = m_star.is_valid(place);
+    if(valid) {
+      m_uv[v] = place;
+    }
+    ++(valid ? m_report.moves : m_report.rejected_moves);
+  }
+
+  rooms::Edge_collapses& m_mesh;
+  std::vector<rooms::Planar_point>& m_uv;
+  SMP::Hierarchical_report& m_report;
+  rooms::Planar_star m_star;
+  std::vector<int> m_ring;
+};
+
+// The whole method, with the interface of a parameterizer. A coarse chart that cannot be solved is an error.
+template <class Mesh>
+class Sequential_parameterizer
+{
+public:
+  typedef Mesh Triangle_mesh;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+
+  explicit Sequential_parameterizer(const SMP::Hierarchical_options& options) : m_options(options) {}
+
+  const SMP::Hierarchical_report& report() const { return m_outcome.report; }
+
+  template <class UV_map, class Index_map, class Parameterized_map>
+  SMP::Error_code parameterize(Mesh& mesh, const halfedge_descriptor border, UV_map uvmap, Index_map vimap,
+                               Parameterized_map)
+  {
+    m_outcome = {};
+    rooms::Stopwatch stopwatch;
+    rooms::Chart_reader<Mesh> reader(mesh);
+    const bool sound = m_outcome.read(reader, border, vimap, m_options.allow_holes);
+    m_outcome.report.seconds.read = stopwatch.lap();
+    if(!sound || !flatten(reader.chart)) {
+      return m_outcome.report.status;
+    }
+    stopwatch.lap();
+    rooms::write(reader, certified(reader.chart), uvmap);
+    m_outcome.report.seconds.certify = stopwatch.lap();
+    return m_outcome.report.status;
+  }
+
+private:
+  typedef std::vector<rooms::Chart::Point_2> Layout;
+
+  bool flatten(rooms::Chart& chart)
+  {
+    SMP::Hierarchical_report& report = m_outcome.report;
+    m_uv.assign(chart.points.size(), rooms::Planar_point(0, 0));
+    rooms::Stopwatch stopwatch;
+    rooms::Edge_collapses collapses(chart);
+    coarsen(collapses);
+    report.seconds.coarsen = stopwatch.lap();
+    const bool solved = solve_coarse(collapses);
+    report.seconds.solve = stopwatch.lap();
+    const bool refined = solved && Sequential_refinement(collapses, m_uv, report).run();
+    report.seconds.refine = stopwatch.lap();
+    if(!refined) {
+      rooms::fail(report, SMP::ERROR_NO_1_TO_1_MAPPING, SMP::ABF_plus_plus_report::NO_CONVERGENCE,
+                  solved ? "a vertex has no place in its star" : "the coarse chart cannot be solved");
+    }
+    return refined;
+  }
+
+  void coarsen(rooms::Edge_collapses& collapses) const
+  {
+    const double target = (1 - m_options.simplification_rate) * collapses.chart().number_of_vertices();
+    Sequential_coarsening(collapses, m_options.extreme_angle)
+        .coarsen((std::max)(static_cast<int>(target), 100));
+  }
+
+  bool solve_coarse(const rooms::Edge_collapses& collapses)
+  {
+    std::vector<int> alive;
+    for(int v = 0; v < collapses.chart().number_of_vertices(); ++v) {
+      if(collapses.is_alive(v)) {
+        alive.push_back(v);
+      }
+    }
+    const rooms::Coarse_chart coarse(collapses, alive);
+    m_outcome.report.coarse_vertices = coarse.chart.number_of_vertices();
+    m_outcome.report.coarse_triangles = coarse.chart.number_of_triangles();
+    SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh> parameterizer;
+    Layout uv;
+    if(!rooms::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart, uv)) {
+      return false;
+    }
+    for(std::size_t v = 0; v < uv.size(); ++v) {
+      m_uv[alive[v]] = rooms::Planar_point(uv[v].x(), uv[v].y());
+    }
+    return true;
+  }
+
+  // The map, scaled like that of the library. Flipped triangles are counted and an error.
+  Layout certified(const rooms::Chart& chart)
+  {
+    Layout uv;
+    for(const rooms::Planar_point& p : m_uv) {
+      uv.emplace_back(p.x(), p.y());
+    }
+    rooms::scale_to_surface_area(chart, uv);
+    SMP::Hierarchical_report& report = m_outcome.report;
+    report.flipped_triangles = static_cast<int>(rooms::flipped_triangles(chart, uv).size());
+    if(report.flipped_triangles > 0) {
+      rooms::fail(report, SMP::ERROR_NO_1_TO_1_MAPPING, SMP::ABF_plus_plus_report::FLIPPED_TRIANGLES,
+                  std::to_string(report.flipped_triangles) + " flipped triangle(s)");
+    }
+    return uv;
+  }
+
+  SMP::Hierarchical_options m_options;
+  rooms::Outcome<Mesh, SMP::Hierarchical_report> m_outcome;
+  std::vector<rooms::Planar_point> m_uv; // of each vertex that is there
+};
+
+} // namespace hierarchical
+
+#endif // HIERARCHICAL_SEQUENTIAL_H
