@@ -45,7 +45,7 @@ namespace {
 // Without this, feasible charts that get an error are only told as messages.
 const bool every_feasible_chart_is_flattened = true;
 
-const int seeds = EVERY_CHART_IS_SANITIZED ? 3 : 60; // of each generator
+const int seeds = EVERY_CHART_IS_SANITIZED ? 3 : 75; // of each generator
 
 struct Run
 {
