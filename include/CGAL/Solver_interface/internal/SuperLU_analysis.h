@@ -59,6 +59,9 @@ public:
   // The number of entries in the supernodes of L (which include the blocks of U on the diagonal)
   std::size_t factor_size() const { return m_factor_size; }
 
+  // The row subscripts that SuperLU keeps: of each dense block those of its first column, and a copy of them
+  std::size_t subscripts() const { return m_subscripts; }
+
   bool has_pattern_of(const SuperLU_matrix& a) const
   {
     return a.cols() == m_n && static_cast<std::size_t>(a.nonZeros()) == m_inner.size() &&
@@ -245,6 +248,7 @@ private:
   void estimate_factor_size(int relax, int max_supernode)
   {
     m_factor_size = 0;
+    m_subscripts = 0;
     std::size_t width = 0, height = 0;
     for(int j = 0; j < m_n; ++j) {
       if(m_size_of_subtree[j] == 1) {
@@ -254,13 +258,16 @@ private:
         width = last - j + 1;
         height = width + m_count[last] - 1;
         m_factor_size += width * height;
+        m_subscripts += 2 * height;
         j = last;
       } else {
         const bool extends = m_parent[j - 1] == j && m_count[j] == m_count[j - 1] - 1 &&
                              width < static_cast<std::size_t>(max_supernode);
         width = extends ? width + 1 : 1;
-        if(!extends)
+        if(!extends) {
           height = m_count[j];
+          m_subscripts += 2 * height;
+        }
         m_factor_size += height;
       }
     }
@@ -271,7 +278,7 @@ private:
   std::vector<int> m_outer, m_inner; // the pattern
   std::vector<int> m_permutation, m_parent;
   std::vector<int> m_size_of_subtree, m_count; // while it is computed
-  std::size_t m_factor_size;
+  std::size_t m_factor_size, m_subscripts;
 };
 
 } // namespace internal

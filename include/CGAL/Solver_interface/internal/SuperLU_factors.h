@@ -170,7 +170,11 @@ private:
   // is known; growing costs copies. Beyond its default, bounds tend to be pessimistic.
   double initial_size(const SuperLU_matrix& a) const
   {
-    const double needed = 1.01 * static_cast<double>(m_analysis->factor_size()) + 1000;
+    // It makes room for a quarter as many subscripts. They must not fill that exactly: SuperLU 5.3 then writes the next
+    // one beyond the end.
+    const double needed = 1.01 * (std::max)(static_cast<double>(m_analysis->factor_size()),
+                                            4. * static_cast<double>(m_analysis->subscripts())) +
+                          1000;
     if(is_symmetric())
       return needed;
     return (std::min)(needed,

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_CERTIFY_FLATTENING_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_CERTIFY_FLATTENING_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_map.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <iterator>
+#include <utility>
+#include <vector>
+
+/// \file certify_flattening.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+#ifndef DOXYGEN_RUNNING
+namespace internal {
+
+template <typename TriangleMesh, typename VertexUVMap>
+Planar_map<TriangleMesh, VertexUVMap> planar_map(const TriangleMesh& mesh, VertexUVMap uvmap)
+{
+  return Planar_map<TriangleMesh, VertexUVMap>(mesh, faces(mesh), uvmap);
+}
+
+template <typename TriangleMesh, typename VertexUVMap>
+Planar_map<TriangleMesh, VertexUVMap>
+planar_map(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+           VertexUVMap uvmap)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> component;
+  const auto inner = CGAL::is_border(h, mesh) ? opposite(h, mesh) : h;
+  if(!CGAL::is_border(inner, mesh))
+    Polygon_mesh_processing::connected_component(face(inner, mesh), mesh, std::back_inserter(component));
+  return Planar_map<TriangleMesh, VertexUVMap>(mesh, component, uvmap);
+}
+
+template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
+FaceOutputIterator flipped_faces(const Planar_map<TriangleMesh, VertexUVMap>& map, FaceOutputIterator out)
+{
+  for(int t : flipped_triangles(map.vertex, map.points))
+    *out++ = map.face_descriptors[t];
+  return out;
+}
+
+template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutputIterator>
+HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, VertexUVMap>& map,
+                                                 HalfedgePairOutputIterator out)
+{
+  for(const auto& [i, j] : touching_edges(map.border, map.points))
+    *out++ = std::make_pair(map.border_halfedges[i], map.border_halfedges[j]);
+  return out;
+}
+
+} // namespace internal
+#endif
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// writes the faces of `mesh` that are not positively oriented in the plane to `out`: those that are flipped, those
+/// whose vertices are collinear, and those with a coordinate that is infinite or not a number.
+///
+/// Nothing is rounded: as in all functions of this header, the coordinates are taken as they are stored, and
+/// predicates are exact. In linear time.
+///
+/// \tparam TriangleMesh a model of `FaceGraph`.
+/// \tparam VertexUVMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
+///         value type: of any kernel whose number type is exact, or has no number that `double` has not.
+/// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
+///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
+///
+/// \param mesh a triangulated surface.
+/// \param uvmap the coordinates of all vertices of faces. It does not matter which parameterizer computed them.
+/// \param out where faces are written, in the order of the mesh.
+///
+/// \return `out`, behind what was written.
+///
+/// \exception std::invalid_argument if a face is not a triangle.
+template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
+FaceOutputIterator flipped_faces(const TriangleMesh& mesh, VertexUVMap uvmap, FaceOutputIterator out)
+{
+  return internal::flipped_faces(internal::planar_map(mesh, uvmap), out);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// writes the faces that are not positively oriented, as above, but looks at the connected component of `h` only:
+/// for maps of one of several components.
+template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
+FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
+                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                                 VertexUVMap uvmap, FaceOutputIterator out)
+{
+  return internal::flipped_faces(internal::planar_map(mesh, h, uvmap), out);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns whether every point of the surface has a neighbourhood that is mapped injectively, without a change of
+/// orientation. This holds exactly if
+/// - no face is in `flipped_faces()`,
+/// - the faces around each interior vertex go around it once (positively oriented faces may do so more often),
+/// - the faces around each border vertex take less than a full turn, and are a single fan.
+///
+/// In linear time; parameters, requirements and exceptions are those of `flipped_faces()`.
+template <typename TriangleMesh, typename VertexUVMap>
+bool is_locally_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
+{
+  return internal::planar_map(mesh, uvmap).is_locally_injective();
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns whether the map is locally injective on the connected component of `h`, as above.
+template <typename TriangleMesh, typename VertexUVMap>
+bool is_locally_injective(const TriangleMesh& mesh,
+                          typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                          VertexUVMap uvmap)
+{
+  return internal::planar_map(mesh, h, uvmap).is_locally_injective();
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns whether the map is injective and keeps the orientation: no two faces overlap anywhere.
+///
+/// No pairs of faces are looked at. For a disk it is enough that every face is positively oriented and the border is
+/// a simple polygon \cgalCite{cgal:l-bmtmb-14}: around each point, the border winds as often as there are faces over the
+/// point. In general, a map is injective exactly if
+/// - it is locally injective,
+/// - the borders are simple polygons that do not touch one another, and
+/// - no connected component lies within another.
+///
+/// Then on each connected component the borders turn by \f$2 \pi \chi\f$ in all, with the Euler characteristic
+/// \f$\chi\f$, and as each of them turns once, to the left or to the right, just one turns left: the component has no
+/// handles, this border surrounds all others, and every point is covered at most once.
+///
+/// Holes of a component may contain other components. The time is `O(n + b log b)` for `n` faces and `b` border edges,
+/// and, if there are several components, for each of them the number of edges that a ray from it meets.
+/// Parameters, requirements and exceptions are those of `flipped_faces()`.
+template <typename TriangleMesh, typename VertexUVMap>
+bool is_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
+{
+  return internal::planar_map(mesh, uvmap).is_injective();
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns whether the map is injective on the connected component of `h`, as above.
+template <typename TriangleMesh, typename VertexUVMap>
+bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                  VertexUVMap uvmap)
+{
+  return internal::planar_map(mesh, h, uvmap).is_injective();
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// writes all pairs of border edges that have a point in common in the plane, other than a vertex that both have, to
+/// `out`. There is none exactly if the borders are simple polygons that do not touch one another. Edges with a
+/// coordinate that is infinite or not a number are left out; their faces are in `flipped_faces()`.
+///
+/// If there is no such pair, the time is `O(n + b log b)` for `n` faces and `b` border edges. Otherwise it depends on the
+/// number of pairs of edges whose bounding boxes intersect.
+///
+/// \tparam HalfedgePairOutputIterator a model of `OutputIterator` that accepts pairs (`std::pair`) of
+///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`.
+///
+/// \param mesh, uvmap as for `flipped_faces()`.
+/// \param out where pairs of border halfedges are written, each pair once.
+///
+/// \return `out`, behind what was written.
+///
+/// \exception std::invalid_argument if a face is not a triangle.
+template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutputIterator>
+HalfedgePairOutputIterator crossing_border_edges(const TriangleMesh& mesh, VertexUVMap uvmap,
+                                                 HalfedgePairOutputIterator out)
+{
+  return internal::crossing_border_edges(internal::planar_map(mesh, uvmap), out);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// writes the pairs of border edges of the connected component of `h` that have a point in common, as above.
+template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutputIterator>
+HalfedgePairOutputIterator
+crossing_border_edges(const TriangleMesh& mesh,
+                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, VertexUVMap uvmap,
+                      HalfedgePairOutputIterator out)
+{
+  return internal::crossing_border_edges(internal::planar_map(mesh, h, uvmap), out);
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_CERTIFY_FLATTENING_H
