@@ -13,7 +13,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
