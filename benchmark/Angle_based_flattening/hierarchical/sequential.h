@@ -143,12 +143,12 @@ private:
   {
     m_star.gather(m_mesh, m_uv, v);
     m_uv[v] = rooms::harmonic_place(m_star);
-    if(m_star.is_valid(m_uv[v])) {
+    if(rooms::is_valid(m_star, m_uv[v])) {
       return true;
     }
     ++m_report.kernel_insertions;
     m_uv[v] = rooms::kernel_centre(m_star);
-    return m_star.is_valid(m_uv[v]);
+    return rooms::is_valid(m_star, m_uv[v]);
   }
 
   // Step 3: the neighbours, and then the vertex itself
@@ -165,7 +165,7 @@ private:
   {
     m_star.gather(m_mesh, m_uv, v);
     const rooms::Planar_point place = rooms::harmonic_place(m_star);
-    const bool valid = m_star.is_valid(place);
+    const bool valid = rooms::is_valid(m_star, place);
     if(valid) {
       m_uv[v] = place;
     }

@@ -34,10 +34,11 @@ struct Command_line
   int component = 0;
   int border = 0;
   std::string holes = "close";
-  std::string method = "direct";
+  std::string method = "auto";
   std::string solver = "superlu";
   std::string layout = "auto";
   std::string step = "newton";
+  std::string linear_solver = "iterative";
   SMP::ABF_plus_plus_options options;
   SMP::Hierarchical_options hierarchical;
   bool verbose = false;
@@ -72,6 +73,11 @@ inline po::typed_value<double>* number_option(double& number, const std::string&
   return po::value(&number)->value_name(unit)->default_value(number, format_number("%g", number));
 }
 
+inline po::typed_value<int>* count_option(int& number)
+{
+  return po::value(&number)->value_name("N")->default_value(number);
+}
+
 inline po::typed_value<std::string>* name_option(std::string& name)
 {
   return po::value(&name)->value_name("NAME")->default_value(name);
@@ -99,9 +105,13 @@ inline po::options_description method_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("method", name_option(command.method),
       "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
-      "large surfaces");
+      "large surfaces. auto: hierarchical for more than 200,000 triangles");
   add("rate", number_option(command.hierarchical.simplification_rate, "PART"),
       "part of the vertices that the hierarchical method removes");
+  add("sweeps", count_option(command.hierarchical.sweeps),
+      "sweeps of relaxation on each level of the hierarchical method");
+  add("angle-sweeps", count_option(command.hierarchical.angle_sweeps),
+      "sweeps of the hierarchical method that lower the energy of the direct one in the end");
   add("polish", po::bool_switch(&command.hierarchical.polish),
       "bring the result of the hierarchical method down to the distortion of the direct one");
   add("barrier", number_option(abf.barrier, "KAPPA"),
@@ -110,10 +120,12 @@ inline po::options_description method_options(Command_line& command)
       "the way from angles to coordinates. exact: along the border, then one Laplace equation; for charts "
       "with one border. least-squares: the way of the paper. auto: exact where it applies");
   add("tolerance", number_option(abf.tolerance, "RADIANS"), "largest violation of a constraint at a vertex");
-  add("max-iterations", po::value(&abf.max_iterations)->value_name("N")->default_value(abf.max_iterations),
-      "largest number of Newton steps");
+  add("max-iterations", count_option(abf.max_iterations), "largest number of Newton steps");
   add("step", name_option(command.step),
       "newton: full Newton steps. sqp: without the constraints' second derivatives, as in the paper");
+  add("linear-solver", name_option(command.linear_solver),
+      "of a Newton step. iterative: preconditioned by small factors. direct: as a whole, as in the paper");
+  add("threads", count_option(abf.threads), "at once; 0: one on each processor");
   add("solver", name_option(command.solver),
       "of the linear systems: superlu, eigen, or cholmod where built with it");
   return options;
@@ -183,6 +195,9 @@ inline void check_numbers(const Command_line& command)
   if(!(rate > 0 && rate < 1)) {
     throw Input_error("--rate takes a number between 0 and 1; see --help");
   }
+  if(command.hierarchical.sweeps < 0 || command.hierarchical.angle_sweeps < 0 || abf.threads < 0) {
+    throw Input_error("--sweeps, --angle-sweeps and --threads take a number of at least 0; see --help");
+  }
   if(abf.max_iterations < 1) {
     throw Input_error("--max-iterations takes a number of at least 1; see --help");
   }
@@ -195,8 +210,8 @@ inline void understand_names(Command_line& command)
   const auto refuse = [](const std::string& option, const std::string& value, const std::string& known) {
     throw Input_error("unknown --" + option + " '" + value + "': it is " + known);
   };
-  if(command.method != "direct" && command.method != "hierarchical") {
-    refuse("method", command.method, "direct or hierarchical");
+  if(command.method != "direct" && command.method != "hierarchical" && command.method != "auto") {
+    refuse("method", command.method, "direct, hierarchical or auto");
   }
   if(command.holes != "close" && command.holes != "open") {
     refuse("holes", command.holes, "close or open");
@@ -218,6 +233,10 @@ inline void understand_names(Command_line& command)
   command.options.layout = command.layout == "exact"           ? Options::EXACT_LAYOUT
                            : command.layout == "least-squares" ? Options::LEAST_SQUARES_LAYOUT
                                                                : Options::AUTOMATIC_LAYOUT;
+  if(command.linear_solver != "iterative" && command.linear_solver != "direct") {
+    refuse("linear-solver", command.linear_solver, "iterative or direct");
+  }
+  command.options.linear_solver = command.linear_solver == "direct" ? Options::DIRECT : Options::ITERATIVE;
   command.options.step = command.step == "sqp" ? Options::SEQUENTIAL_LINEARLY_CONSTRAINED : Options::NEWTON;
   command.options.allow_holes = true;
 }

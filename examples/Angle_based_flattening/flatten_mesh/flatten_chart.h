@@ -104,7 +104,11 @@ template <class Solver_traits>
 void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
                    const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
 {
-  flattening.method = command.method;
+  const std::size_t direct_is_slow =
+      200000; // triangles: a matter of seconds, from where on the other one takes a third
+  flattening.method = command.method != "auto"              ? command.method
+                      : chart.faces.size() > direct_is_slow ? "hierarchical"
+                                                            : "direct";
   if(flattening.method == "direct") {
     using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits>;
     run_parameterizer(mesh, chart, Direct(options), uv, flattening);
@@ -113,6 +117,8 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
     SMP::Hierarchical_options hierarchical = command.hierarchical;
     hierarchical.allow_holes = options.allow_holes;
     hierarchical.polish_options = options;
+    hierarchical.barrier = options.barrier;
+    hierarchical.threads = options.threads;
     using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh, Coarse>;
     run_parameterizer(mesh, chart, Hierarchical(hierarchical, Coarse(options)), uv, flattening);
   }

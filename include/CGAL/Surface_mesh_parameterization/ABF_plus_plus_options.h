@@ -65,6 +65,10 @@ struct ABF_plus_plus_options
 
   Layout_type layout = AUTOMATIC_LAYOUT; ///< Way from angles to coordinates.
 
+  /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
+  /// with `CGAL::TBB_support`, and none on the result.
+  int threads = 0;
+
   /// Whether charts with more than one border are flattened. The angles leave the closing of a hole open, and
   /// the least squares layout spreads what is missing; the result is checked as always. Without this, such a
   /// chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`.

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 
 #include <CGAL/Default.h>
@@ -118,26 +119,9 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    *m_outcome = Outcome();
-    ABF_plus_plus_report& report = m_outcome->report;
-    internal::Stopwatch stopwatch;
-    internal::Chart_reader<Triangle_mesh> reader(mesh);
-    const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
-    report.seconds.read = stopwatch.lap();
-    if(!sound)
-      return report.status;
-
-    const internal::Rounding<VertexUVmap> round;
-    std::vector<internal::Chart::Point_2> uv;
-    std::vector<int> flipped;
-    if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
-      m_outcome->name_offenders(reader, {}, flipped);
-      return report.status;
-    }
-    stopwatch.lap();
-    internal::write(reader, uv, uvmap);
-    report.seconds.write = stopwatch.lap();
-    return OK;
+    Error_code result = OK;
+    internal::with_threads(m_options.threads, [&]() { result = run(mesh, bhd, uvmap, vimap); });
+    return result;
   }
 
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
@@ -160,6 +144,31 @@ public:
 
 private:
   typedef internal::Outcome<Triangle_mesh, ABF_plus_plus_report> Outcome;
+
+  template <typename VertexUVmap, typename VertexIndexMap>
+  Error_code run(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap)
+  {
+    *m_outcome = Outcome();
+    ABF_plus_plus_report& report = m_outcome->report;
+    internal::Stopwatch stopwatch;
+    internal::Chart_reader<Triangle_mesh> reader(mesh);
+    const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
+    report.seconds.read = stopwatch.lap();
+    if(!sound)
+      return report.status;
+
+    const internal::Rounding<VertexUVmap> round;
+    std::vector<internal::Chart::Point_2> uv;
+    std::vector<int> flipped;
+    if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
+      m_outcome->name_offenders(reader, {}, flipped);
+      return report.status;
+    }
+    stopwatch.lap();
+    internal::write(reader, uv, uvmap);
+    report.seconds.write = stopwatch.lap();
+    return OK;
+  }
 
   ABF_plus_plus_options m_options;
   Solver_traits m_linear_algebra;

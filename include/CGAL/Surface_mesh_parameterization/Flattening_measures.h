@@ -22,8 +22,8 @@ namespace Surface_mesh_parameterization {
 /// the plane is scaled such that the whole layout has the area of the surface, areas of flipped triangles counted
 /// positively.
 ///
-/// A triangle that is flipped has infinite stretches and an infinite symmetric Dirichlet energy; its other measures
-/// are those of its mirror image. A triangle without area, in space or in the plane, has the worst value of every
+/// The measures of a flipped triangle are those of its mirror image: flips are counted apart, and do not hide how good
+/// a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) A triangle without area, in space or in the plane, has the worst value of every
 /// measure that is made from derivatives: 1 of shear, principal shear and equal-stretch error, else infinity. One whose
 /// area in the plane is not a finite number counts as collapsed to a point: its angles are 0.
 struct Flattening_face_measures
@@ -83,11 +83,11 @@ struct Flattening_measures
   double angular_distortion = 0;
 
   /// \f$L_2\f$ stretch \f$\sqrt{\sum A_t (\Gamma_t^2 + \gamma_t^2)/2 / \sum A_t}\f$
-  /// \cgalCite{cgal:ssgh-tmpm-01}; 1 at best, infinite if a triangle is flipped or has no area in the plane.
+  /// \cgalCite{cgal:ssgh-tmpm-01}; 1 at best, infinite if a triangle has no area in the plane.
   double l2_stretch = 0;
 
-  /// \f$L_\infty\f$ stretch \f$\max \Gamma_t\f$ \cgalCite{cgal:ssgh-tmpm-01}; 1 at best, infinite if a triangle is
-  /// flipped or has no area in the plane.
+  /// \f$L_\infty\f$ stretch \f$\max \Gamma_t\f$ \cgalCite{cgal:ssgh-tmpm-01}; 1 at best, infinite if a triangle
+  /// has no area in the plane.
   double linf_stretch = 0;
 
   /// \f$L_2\f$ shear, the root of the mean square of the shear, Equation 24 of \cgalCite{cgal:slmb-abf-05};
@@ -113,7 +113,7 @@ struct Flattening_measures
   double l2_area_distortion = 0;
 
   /// Mean of the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}: the energy of a layout as large as the surface,
-  /// per area. 4 at best, infinite if a triangle is flipped or has no area in the plane.
+  /// per area. 4 at best, infinite if a triangle has no area in the plane.
   double symmetric_dirichlet_energy = 0;
 
   /// Number of triangles that are not positively oriented in the plane (exact, for the coordinates as doubles).

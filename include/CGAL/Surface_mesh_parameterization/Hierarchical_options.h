@@ -29,8 +29,15 @@ struct Hierarchical_options
   /// Coarsening makes no angles smaller than this or larger than \f$\pi\f$ less this, in radians; 2.5 degrees.
   double extreme_angle = 0.0436;
 
-  /// Sweeps of relaxation on each level.
-  int sweeps = 2;
+  /// Sweeps of relaxation on each level but the three largest ones, which have at most one.
+  int sweeps = 3;
+
+  /// Sweeps over the finest level, in the end, that lower the energy of the direct method vertex by vertex. They help
+  /// where there are slivers.
+  int angle_sweeps = 0;
+
+  /// Weight of the barrier in that energy; see `ABF_plus_plus_options::barrier`.
+  double barrier = 0.1;
 
   /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
   /// with `CGAL::TBB_support`, and none on the result.

@@ -11,10 +11,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
+#include <CGAL/SuperLU_solver_traits.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 
@@ -22,22 +27,38 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
+// Whether copies of solver traits hold factorizations of their own. Those of `Eigen_solver_traits` share one solver.
+template <typename SolverTraits>
+struct Has_independent_copies : std::false_type
+{};
+
+template <typename T>
+struct Has_independent_copies<SuperLU_solver_traits<T>> : std::true_type
+{};
+
 // The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones. Of the matrix
 // of Eq. 16 these are the multipliers of planarity and those of reconstruction: two weakly coupled Laplacians. Each of
-// the two has a quarter of the entries of the whole, and can be factored while the other one is.
+// the two has a quarter of the entries of the whole, and can be factored while the other one is, if there can be two
+// solvers; else one solver gets both as one matrix.
 template <typename SolverTraits>
 class Block_preconditioner
 {
+  static constexpr int number_of_systems = Has_independent_copies<SolverTraits>::value ? 2 : 1;
+
 public:
   typedef Eigen::SparseMatrix<double> Matrix;
 
   explicit Block_preconditioner(const SolverTraits& traits)
-      : m_systems{Symmetric_system<SolverTraits>(traits), Symmetric_system<SolverTraits>(traits)}
-  {}
+  {
+    for(int k = 0; k < number_of_systems; ++k)
+      m_systems.emplace_back(traits);
+  }
 
   // Factors both diagonal blocks. Returns `false` if that fails.
   bool set_matrix(const Matrix& matrix)
   {
+    if(number_of_systems == 1)
+      return m_systems.front().set_matrix(side_by_side(diagonal_block(matrix, 0), diagonal_block(matrix, 1)));
     std::array<bool, 2> done;
     parallel_for(2, [&](int k) { done[k] = m_systems[k].set_matrix(diagonal_block(matrix, k)); });
     return done[0] && done[1];
@@ -45,26 +66,47 @@ public:
 
   bool apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
   {
-    correction.resize(residual.size());
-    std::array<bool, 2> done;
-    parallel_for(2, [&](int k) {
-      const Eigen::VectorXd part = every_other(residual, k);
+    const Eigen::Index n = residual.size() / number_of_systems;
+    Eigen::VectorXd sorted(residual.size());
+    sorted << every_other(residual, 0), every_other(residual, 1);
+    std::array<bool, number_of_systems> done;
+    parallel_for(number_of_systems, [&](int k) {
       Eigen::VectorXd solution;
-      done[k] = m_systems[k].solve(part, solution);
+      done[k] = m_systems[k].solve(sorted.segment(k * n, n), solution);
       if(done[k])
-        every_other(correction, k) = solution;
+        sorted.segment(k * n, n) = solution;
     });
-    return done[0] && done[1];
+    correction.resize(residual.size());
+    every_other(correction, 0) = sorted.head(residual.size() / 2);
+    every_other(correction, 1) = sorted.tail(residual.size() / 2);
+    return done.front() && done.back();
   }
 
   // The solver of one of the blocks, whose pattern is that of the one-rings of the interior vertices
-  const SolverTraits& scalar_solver() const { return m_systems[0].traits(); }
+  const SolverTraits& scalar_solver() const { return m_systems.front().traits(); }
 
 private:
   template <typename Vector>
   static auto every_other(Vector& vector, int first)
   {
     return vector(Eigen::seqN(first, vector.size() / 2, 2));
+  }
+
+  static Matrix side_by_side(const Matrix& a, const Matrix& b)
+  {
+    const int n = static_cast<int>(a.cols()), entries = static_cast<int>(a.nonZeros());
+    Matrix both(2 * n, 2 * n);
+    both.resizeNonZeros(2 * entries);
+    for(int j = 0; j <= n; ++j) {
+      both.outerIndexPtr()[j] = a.outerIndexPtr()[j];
+      both.outerIndexPtr()[n + j] = entries + b.outerIndexPtr()[j];
+    }
+    std::copy_n(a.innerIndexPtr(), entries, both.innerIndexPtr());
+    std::transform(b.innerIndexPtr(), b.innerIndexPtr() + entries, both.innerIndexPtr() + entries,
+                   [n](int row) { return n + row; });
+    std::copy_n(a.valuePtr(), entries, both.valuePtr());
+    std::copy_n(b.valuePtr(), entries, both.valuePtr() + entries);
+    return both;
   }
 
   // The rows and columns 2i + k of the matrix
@@ -88,7 +130,7 @@ private:
     return block;
   }
 
-  std::array<Symmetric_system<SolverTraits>, 2> m_systems;
+  std::vector<Symmetric_system<SolverTraits>> m_systems;
 };
 
 } // namespace internal

@@ -30,25 +30,37 @@ inline void multiply(const Eigen::SparseMatrix<double>& symmetric, const Eigen::
   });
 }
 
+struct Iterative_solution
+{
+  enum Status
+  {
+    SOLVED,
+    NOT_SOLVED, // steps were too few, or the matrix or its preconditioner is not definite
+    FAILED      // the preconditioner gave up
+  };
+  Status status;
+  int steps;
+};
+
 // Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, starting at zero, until the
 // preconditioned norm of the residual, sqrt(r' M r), is `tolerance` times that at the start. (Eigen's own looks at the
-// plain norm, in which large multipliers at slivers hide all others.) Returns the number of steps, or -1 if they were not
-// enough, or the matrix or the preconditioner M is not definite.
+// plain norm, in which large multipliers at slivers hide all others.)
 template <typename Preconditioner>
-int conjugate_gradients(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b,
-                        Preconditioner& preconditioner, double tolerance, int max_steps, Eigen::VectorXd& x)
+Iterative_solution conjugate_gradients(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b,
+                                       Preconditioner& preconditioner, double tolerance, int max_steps,
+                                       Eigen::VectorXd& x)
 {
   x = Eigen::VectorXd::Zero(b.size());
   Eigen::VectorXd residual = b, correction, direction, product;
   double previous = 0, goal = 0;
   for(int step = 0; step <= max_steps; ++step) {
     if(!preconditioner.apply(residual, correction))
-      return -1;
+      return {Iterative_solution::FAILED, step};
     const double norm = residual.dot(correction);
     if(step == 0)
       goal = tolerance * tolerance * norm;
     if(norm <= goal)
-      return norm >= 0 ? step : -1;
+      return {norm >= 0 ? Iterative_solution::SOLVED : Iterative_solution::NOT_SOLVED, step};
     if(step == 0)
       direction = correction;
     else
@@ -58,11 +70,11 @@ int conjugate_gradients(const Eigen::SparseMatrix<double>& a, const Eigen::Vecto
     multiply(a, direction, product);
     const double curvature = direction.dot(product);
     if(!(curvature > 0))
-      return -1;
+      break;
     x += norm / curvature * direction;
     residual -= norm / curvature * product;
   }
-  return -1;
+  return {Iterative_solution::NOT_SOLVED, max_steps};
 }
 
 } // namespace internal

@@ -24,6 +24,7 @@
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -108,7 +109,7 @@ inline bool certify(const Chart& chart, const std::vector<Chart::Point_2>& uv, A
 // Flattens a chart that `diagnose()` found flawless. `uv` is scaled to the surface's area, and rounded by `round` to
 // what the caller can store before it is certified. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename Rounding>
-bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, SolverTraits traits,
+bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
                    const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
                    ABF_plus_plus_report& report)
 {
@@ -117,7 +118,8 @@ bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, Sol
   std::vector<double> alpha = starting_angles(beta);
   report.seconds.targets = stopwatch.lap();
 
-  const bool solved = solve_angles(chart, beta, options, traits, alpha, report);
+  std::optional<SolverTraits> scalar_solver;
+  const bool solved = solve_angles(chart, beta, options, traits, alpha, report, &scalar_solver);
   report.seconds.angles = stopwatch.lap();
   if(!solved) {
     fail(report, ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, ABF_plus_plus_report::LINEAR_SYSTEM_FAILED,
@@ -126,7 +128,7 @@ bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, Sol
     return false;
   }
 
-  if(!lay_out(chart, alpha, options, traits, uv, report))
+  if(!lay_out(chart, alpha, options, *scalar_solver, uv, report))
     return false;
   scale_to_surface_area(chart, uv);
   std::transform(uv.begin(), uv.end(), uv.begin(), round);

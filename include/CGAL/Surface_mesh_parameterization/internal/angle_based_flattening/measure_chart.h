@@ -47,10 +47,9 @@ inline void measure_differential(const Triangle_differential& map, double scale,
   face.equal_stretch_error = map.equal_stretch_error();
   face.quasi_conformal_ratio = largest / smallest;
   face.area_distortion = std::abs(std::log(map.area_stretch() / (scale * scale)));
-  face.l2_stretch = face.flipped ? infinity : std::sqrt(squares / 2);
-  face.linf_stretch = face.flipped ? infinity : largest;
-  face.symmetric_dirichlet_energy =
-      face.flipped ? infinity : squares + 1 / (largest * largest) + 1 / (smallest * smallest);
+  face.l2_stretch = std::sqrt(squares / 2);
+  face.linf_stretch = largest;
+  face.symmetric_dirichlet_energy = squares + 1 / (largest * largest) + 1 / (smallest * smallest);
 }
 
 // Everything about one triangle that is made from angles.

@@ -47,15 +47,17 @@ public:
       solution = right_hand_side;
       return true;
     }
-    if(m_iteratively && solve_iteratively(matrix, right_hand_side, solution))
-      return true;
+    if(m_iteratively) {
+      const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
+      if(status != Iterative_solution::NOT_SOLVED)
+        return status == Iterative_solution::SOLVED;
+    }
     m_iteratively = false;
     m_preconditioner.reset();
     ++m_factorizations;
-    Symmetric_system<SolverTraits> system(m_traits);
-    const bool solved = system.set_matrix(matrix) && system.solve(right_hand_side, solution);
-    m_traits = system.traits();
-    return solved;
+    if(!m_whole_system)
+      m_whole_system.emplace(m_traits);
+    return m_whole_system->set_matrix(matrix) && m_whole_system->solve(right_hand_side, solution);
   }
 
   // Of the last solution: steps of conjugate gradients, and matrices that were factored.
@@ -63,21 +65,29 @@ public:
   int factorizations() const { return m_factorizations; }
 
   // A solver that may know the pattern of the one-rings of the interior vertices already
-  SolverTraits scalar_solver() const
+  const SolverTraits& scalar_solver() const
   {
     return m_preconditioner ? m_preconditioner->scalar_solver() : m_traits;
   }
 
 private:
-  bool solve_iteratively(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
-                         Eigen::VectorXd& solution)
+  Iterative_solution::Status solve_iteratively(const Eigen::SparseMatrix<double>& matrix,
+                                               const Eigen::VectorXd& right_hand_side,
+                                               Eigen::VectorXd& solution)
   {
-    const bool fresh = !m_preconditioner || m_preconditioner_is_stale;
+    bool fresh = !m_preconditioner || m_preconditioner_is_stale;
     if(fresh && !factor_preconditioner(matrix))
-      return false;
-    if(run(matrix, right_hand_side, solution))
-      return true;
-    return !fresh && factor_preconditioner(matrix) && run(matrix, right_hand_side, solution);
+      return Iterative_solution::FAILED;
+    for(;; fresh = true) {
+      const Iterative_solution result =
+          conjugate_gradients(matrix, right_hand_side, *m_preconditioner, m_accuracy, max_steps, solution);
+      m_steps += result.steps;
+      m_preconditioner_is_stale = result.steps > steps_too_many;
+      if(result.status != Iterative_solution::NOT_SOLVED || fresh)
+        return result.status;
+      if(!factor_preconditioner(matrix))
+        return Iterative_solution::FAILED;
+    }
   }
 
   bool factor_preconditioner(const Eigen::SparseMatrix<double>& matrix)
@@ -88,20 +98,11 @@ private:
     return m_preconditioner->set_matrix(matrix);
   }
 
-  bool run(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
-           Eigen::VectorXd& solution)
-  {
-    const int steps =
-        conjugate_gradients(matrix, right_hand_side, *m_preconditioner, m_accuracy, max_steps, solution);
-    m_steps += steps < 0 ? max_steps : steps;
-    m_preconditioner_is_stale = steps > steps_too_many;
-    return steps >= 0;
-  }
-
-  SolverTraits m_traits;
+  const SolverTraits m_traits;
   bool m_iteratively;
   std::optional<Block_preconditioner<SolverTraits>> m_preconditioner;
   bool m_preconditioner_is_stale = false;
+  std::optional<Symmetric_system<SolverTraits>> m_whole_system;
   double m_accuracy = 0;
   int m_steps = 0, m_factorizations = 0;
 };

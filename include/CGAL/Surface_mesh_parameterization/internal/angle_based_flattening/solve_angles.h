@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -124,10 +125,12 @@ inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_p
 
 // Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), starting from and
 // changing `alpha`. The outcome is in `report`: `converged`, `iterations`, `energy`, `constraint_residual`, `steps`.
-// Returns `false` if the linear solver fails. On return `traits` may know the pattern of the layout's system.
+// Returns `false` if the linear solver fails. If
+// `scalar_solver` is not null it becomes a copy of the traits that may know the pattern of the layout's system.
 template <typename SolverTraits>
 bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
-                  SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report)
+                  const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report,
+                  std::optional<SolverTraits>* scalar_solver = nullptr)
 {
   const Angle_energy energy{options.barrier};
   Newton_system<SolverTraits> system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON,
@@ -160,7 +163,8 @@ bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF
   report.energy = iterate.energy;
   report.constraint_residual = iterate.largest_residual();
   alpha.swap(iterate.alpha);
-  traits = system.equation().scalar_solver();
+  if(scalar_solver != nullptr)
+    scalar_solver->emplace(system.equation().scalar_solver());
   return solved;
 }
 

@@ -66,7 +66,14 @@ private:
     return (std::max)(static_cast<int>(size), 100);
   }
 
-  bool refine() { return Refinement(m_coarsening, m_uv, m_report).run(m_options.sweeps); }
+  bool refine()
+  {
+    Refinement refinement(m_coarsening, m_uv, m_report);
+    if(!refinement.run(m_options.sweeps))
+      return false;
+    refinement.lower_angle_energy(m_options.angle_sweeps, m_options.barrier);
+    return true;
+  }
 
   // Solves the coarse chart, or finer ones where that fails.
   bool solve_coarse()

@@ -103,13 +103,13 @@ enum Insertion
 inline Insertion insert_vertex(const Planar_star& star, Planar_point& place)
 {
   place = harmonic_place(star);
-  if(star.is_valid(place))
+  if(is_valid(star, place))
     return INSERTED;
   place = mean_value_place(star);
-  if(star.is_valid(place))
+  if(is_valid(star, place))
     return INSERTED;
   place = kernel_centre(star);
-  return star.is_valid(place) ? INSERTED_IN_KERNEL : NOT_INSERTED;
+  return is_valid(star, place) ? INSERTED_IN_KERNEL : NOT_INSERTED;
 }
 
 } // namespace internal

@@ -31,8 +31,45 @@ inline double cross(const Planar_point& a, const Planar_point& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
+// What every star of a vertex tells of its ring.
+struct Planar_star_base
+{
+  bool on_border = false;
+  double least_area = 0;                       // twice the area that a triangle must have in the plane
+  int first_neighbour = 0, last_neighbour = 0; // the smallest and largest number of a vertex around
+
+  // Calls `visit` with the corner at `v` of each triangle, clockwise, and its two other vertices.
+  template <typename Visitor>
+  void gather_ring(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v,
+                   const Visitor& visit)
+  {
+    const Chart& chart = mesh.chart();
+    on_border = chart.interior[v] < 0;
+    first_neighbour = last_neighbour = v;
+    double longest = 0;
+    mesh.for_each_corner(v, [&](int c) {
+      const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
+      first_neighbour = (std::min)({first_neighbour, p, q});
+      last_neighbour = (std::max)({last_neighbour, p, q});
+      longest = (std::max)(longest, (uv[p] - uv[q]).squaredNorm());
+      visit(c, p, q);
+    });
+    least_area = 1e-12 * longest; // far above the rounding errors of areas
+  }
+};
+
+// Whether all triangles of a star are positively oriented, by more than rounding errors, with its vertex at `x`.
+template <typename Star>
+bool is_valid(const Star& star, const Planar_point& x)
+{
+  for(const auto& t : star.triangles)
+    if(!(cross(t.p - x, t.q - x) > star.least_area))
+      return false;
+  return true;
+}
+
 // The triangles around one vertex, in space and in the plane: all that its place in the plane depends on.
-struct Planar_star
+struct Planar_star : Planar_star_base
 {
   // A triangle (v, p, q), counterclockwise.
   struct Triangle
@@ -42,36 +79,18 @@ struct Planar_star
     double area;                // on the surface
   };
 
+  struct Energy;
+
   std::vector<Triangle> triangles; // clockwise
-  bool on_border = false;
-  double least_area = 0;                       // twice the area that a triangle must have in the plane
-  int first_neighbour = 0, last_neighbour = 0; // the smallest and largest number of a vertex around
 
   void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
   {
-    const Chart& chart = mesh.chart();
     triangles.clear();
-    on_border = chart.interior[v] < 0;
-    double longest = 0;
-    first_neighbour = last_neighbour = v;
-    mesh.for_each_corner(v, [&](int c) {
-      const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
-      first_neighbour = (std::min)({first_neighbour, p, q});
-      last_neighbour = (std::max)({last_neighbour, p, q});
-      triangles.push_back(make(chart, v, p, q));
+    gather_ring(mesh, uv, v, [&](int, int p, int q) {
+      triangles.push_back(make(mesh.chart(), v, p, q));
       triangles.back().p = uv[p];
       triangles.back().q = uv[q];
-      longest = (std::max)(longest, (uv[p] - uv[q]).squaredNorm());
     });
-    least_area = 1e-12 * longest; // far above the rounding errors of areas
-  }
-
-  bool is_valid(const Planar_point& x) const
-  {
-    for(const Triangle& t : triangles)
-      if(!(cross(t.p - x, t.q - x) > least_area))
-        return false;
-    return true;
   }
 
 private:

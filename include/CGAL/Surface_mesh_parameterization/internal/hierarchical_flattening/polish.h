@@ -36,7 +36,7 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, std:
     alpha[c] = planar_angle(chart, uv, c);
   alpha = starting_angles(alpha);
 
-  SuperLU_solver_traits<> traits;
+  const SuperLU_solver_traits<> traits;
   ABF_plus_plus_report direct;
   std::vector<Chart::Point_2> polished;
   if(solve_angles(chart, beta, options.polish_options, traits, alpha, direct) && direct.converged &&

@@ -11,11 +11,14 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/angle_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/relax_vertex.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,23 +36,34 @@ public:
       : m_coarsening(coarsening), m_uv(uv), m_report(report)
   {}
 
-  // Undoes all levels, with `sweeps` of relaxation on each. Returns `false` if a vertex has no place in its star.
+  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no place in its star.
   bool run(int sweeps)
   {
     sweep(sweeps);
     while(m_coarsening.number_of_levels() > 0) {
       if(!insert(m_coarsening.undo_level()))
         return false;
-      sweep(sweeps);
+      // Errors with long waves are smoothed where vertices are few, and on the largest levels it costs most.
+      const int large_levels = 3;
+      sweep(m_coarsening.number_of_levels() < large_levels ? (std::min)(sweeps, 1) : sweeps);
     }
     return true;
+  }
+
+  // Sweeps over the finest level that lower the energy of the direct method.
+  void lower_angle_energy(int sweeps, double barrier)
+  {
+    const std::vector<double> beta =
+        sweeps > 0 ? target_angles(m_coarsening.mesh().chart()) : std::vector<double>();
+    for(int i = 0; i < sweeps; ++i)
+      relax_all(Angle_star(beta, Angle_energy{barrier}));
   }
 
 private:
   void sweep(int times)
   {
     for(int i = 0; i < times; ++i)
-      relax_all();
+      relax_all(Planar_star());
   }
 
   // What happened to the vertices of a block
@@ -87,14 +101,15 @@ private:
 
   // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices with neighbours in another block are
   // put off until all blocks are done, so that the result does not depend on the number of threads.
-  void relax_all()
+  template <typename Star>
+  void relax_all(const Star& empty)
   {
     const std::vector<int>& vertices = m_coarsening.alive();
     std::vector<Tally> tallies(number_of_blocks);
     const int n = static_cast<int>(vertices.size());
     parallel_for(number_of_blocks, [&](int b) {
       const int begin = begin_of_block(b, n), end = begin_of_block(b + 1, n);
-      Planar_star star;
+      Star star = empty;
       for(int i = begin; i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
         if(star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
@@ -103,7 +118,7 @@ private:
           relax(star, vertices[i], tallies[b]);
       }
     });
-    Planar_star star;
+    Star star = empty;
     for(Tally& tally : tallies) {
       for(int v : tally.put_off) {
         star.gather(m_coarsening.mesh(), m_uv, v);
@@ -114,7 +129,8 @@ private:
     }
   }
 
-  void relax(const Planar_star& star, int v, Tally& tally)
+  template <typename Star>
+  void relax(const Star& star, int v, Tally& tally)
   {
     if(relax_vertex(star, m_uv[v]))
       ++tally.moves;

@@ -25,15 +25,15 @@ namespace internal {
 // The energy of a star as a function of the place of its vertex, with derivatives: of each triangle the area on the
 // surface times the ratio of its Dirichlet energy to its area in the plane. The ratio is one for similar triangles,
 // and grows without bound as a triangle collapses.
-struct Star_energy
+struct Planar_star::Energy
 {
   double value = 0;
   Planar_point gradient = Planar_point::Zero();
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
 
-  Star_energy(const Planar_star& star, const Planar_point& x, bool with_derivatives)
+  Energy(const Planar_star& star, const Planar_point& x, bool with_derivatives)
   {
-    for(const Planar_star::Triangle& t : star.triangles) {
+    for(const Triangle& t : star.triangles) {
       const Planar_point xp = x - t.p, xq = x - t.q, pq = t.q - t.p;
       const double area = cross(-xp, -xq) / 2;
       const double dirichlet =
@@ -55,11 +55,13 @@ struct Star_energy
 
 // Moves a vertex by one step of Newton's method towards the least energy of its star. Returns `false` if it stays
 // where it is.
-inline bool relax_vertex(const Planar_star& star, Planar_point& place)
+template <typename Star>
+bool relax_vertex(const Star& star, Planar_point& place)
 {
-  if(!star.is_valid(place))
+  typedef typename Star::Energy Energy;
+  if(!is_valid(star, place))
     return false;
-  const Star_energy here(star, place, true);
+  const Energy here(star, place, true);
   const double determinant = here.hessian.determinant();
   Planar_point step;
   if(determinant > 0 && here.hessian.trace() > 0)
@@ -68,7 +70,7 @@ inline bool relax_vertex(const Planar_star& star, Planar_point& place)
     step = -here.gradient / (here.hessian.cwiseAbs().sum() + (std::numeric_limits<double>::min)());
   for(int halvings = 0; halvings < 5; ++halvings, step /= 2) {
     const Planar_point next = place + step;
-    if(star.is_valid(next) && Star_energy(star, next, false).value < here.value) {
+    if(is_valid(star, next) && Energy(star, next, false).value < here.value) {
       place = next;
       return true;
     }
