@@ -109,7 +109,7 @@ Exit_status tell_failure(const Command_line& command, const Flattening& flatteni
 
 Exit_status run(const Command_line& command)
 {
-  const Progress progress(command.verbose);
+  Progress progress(command.verbose);
   for(const std::string& name : {command.output, command.svg, command.json}) {
     Output_file::check(name);
   }

@@ -463,12 +463,16 @@ BOOST_AUTO_TEST_CASE(stays_inside_the_open_interval)
 
 BOOST_AUTO_TEST_CASE(steps_are_reported)
 {
+  struct Counter : SMP::Flattening_visitor
+  {
+    int calls = 0;
+    bool step(const SMP::ABF_plus_plus_step& step) override { return step.iteration == ++calls; }
+  } counter;
   Options options;
-  int calls = 0;
-  options.on_step = [&](const SMP::ABF_plus_plus_step& step) { BOOST_TEST(step.iteration == ++calls); };
+  options.visitor = &counter;
   std::vector<double> alpha;
-  BOOST_TEST(solve(bump(6, 1), options, alpha).iterations == calls);
-  BOOST_TEST(calls > 1);
+  BOOST_TEST(solve(bump(6, 1), options, alpha).iterations == counter.calls);
+  BOOST_TEST(counter.calls > 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -17,6 +17,7 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 
 #include <limits>
 #include <random>
@@ -269,13 +270,69 @@ BOOST_AUTO_TEST_CASE(index_map_that_throws)
   }
 }
 
-// An exception from the callback ends the run.
-BOOST_AUTO_TEST_CASE(callback_that_throws)
+namespace {
+
+// Ends the run at its n-th call, by an exception or by saying no.
+struct Stopping_visitor : SMP::Flattening_visitor
 {
-  Run run;
-  Options options;
-  options.on_step = [](const SMP::ABF_plus_plus_step&) { throw std::runtime_error("step"); };
-  SMP::ABF_plus_plus_parameterizer_3<Surface_mesh> parameterizer(options);
-  BOOST_CHECK_THROW(run.parameterize(parameterizer), std::runtime_error);
-  BOOST_TEST(run.is_untouched());
+  int countdown;
+  bool throws;
+
+  Stopping_visitor(int calls, bool by_exception) : countdown(calls), throws(by_exception) {}
+
+  bool start(Stage) override { return go_on(); }
+  bool step(const SMP::ABF_plus_plus_step&) override { return go_on(); }
+  bool level(int, int) override { return go_on(); }
+
+  bool go_on()
+  {
+    if(--countdown != 0)
+      return true;
+    if(throws)
+      throw std::runtime_error("visitor");
+    return false;
+  }
+};
+
+template <typename Parameterizer, typename Visited_options>
+void check_stopping_visitor(int least_calls)
+{
+  for(bool throws : {true, false}) {
+    int calls = 1;
+    for(;; ++calls) {
+      Run run;
+      Stopping_visitor visitor(calls, throws);
+      Visited_options options;
+      options.visitor = &visitor;
+      Parameterizer parameterizer(options);
+      try {
+        const SMP::Error_code code = run.parameterize(parameterizer);
+        if(visitor.countdown > 0) {
+          BOOST_TEST(code == SMP::OK);
+          break;
+        }
+        BOOST_TEST(!throws);
+        BOOST_TEST(code == SMP::ERROR_NO_1_TO_1_MAPPING);
+        BOOST_TEST(parameterizer.report().diagnosis == SMP::ABF_plus_plus_report::CANCELLED);
+      } catch(const std::runtime_error&) {
+        BOOST_TEST(throws);
+      }
+      BOOST_TEST(run.is_untouched());
+    }
+    BOOST_TEST(calls > least_calls);
+  }
+}
+
+} // namespace
+
+// Six stages, and at least two steps
+BOOST_AUTO_TEST_CASE(visitor_that_stops_the_direct_method)
+{
+  check_stopping_visitor<SMP::ABF_plus_plus_parameterizer_3<Surface_mesh>, Options>(8);
+}
+
+BOOST_AUTO_TEST_CASE(visitor_that_stops_the_hierarchical_method)
+{
+  check_stopping_visitor<SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Surface_mesh>,
+                         SMP::Hierarchical_options>(6);
 }

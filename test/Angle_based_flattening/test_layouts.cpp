@@ -13,7 +13,7 @@
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measure_chart.h>
 
 #include <complex>

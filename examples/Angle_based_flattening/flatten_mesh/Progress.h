@@ -8,7 +8,7 @@
 
 #include "number_text.h"
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 
 #include <iostream>
 #include <string>
@@ -18,7 +18,7 @@ namespace flatten_mesh {
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
 // What `--verbose` tells on standard error: a line for every stage and for every Newton step.
-class Progress
+class Progress : public SMP::Flattening_visitor
 {
 public:
   explicit Progress(const bool is_on) : m_is_on(is_on) {}
@@ -33,7 +33,7 @@ public:
     }
   }
 
-  void step(const SMP::ABF_plus_plus_step& step) const
+  bool step(const SMP::ABF_plus_plus_step& step) override
   {
     if(m_is_on) {
       std::cerr << "step " << step.iteration << ": energy " << format_number("%.9g", step.energy)
@@ -41,6 +41,7 @@ public:
                 << ", step length " << format_number("%.3g", step.step_length) << ", promised decrease "
                 << format_number("%.2e", step.predicted_decrease) << std::endl;
     }
+    return true;
   }
 
 private:

@@ -66,8 +66,27 @@ inline std::string status_name(const SMP::ABF_plus_plus_report& report)
     return "WRONG_LAYOUT";
   case Report::FLIPPED_TRIANGLES:
     return "FLIPPED_TRIANGLES";
+  case Report::PRECISION_EXCEEDED:
+    return "PRECISION_EXCEEDED";
+  case Report::CANCELLED:
+    return "CANCELLED";
   }
   return "FAILED";
+}
+
+inline std::string rung_name(const SMP::ABF_plus_plus_report::Rung rung)
+{
+  using Report = SMP::ABF_plus_plus_report;
+  switch(rung) {
+  case Report::FROM_TARGET_ANGLES:
+    return "from target angles";
+  case Report::RAISED_BARRIER:
+    return "raised barrier";
+  case Report::FROM_VALID_MAP:
+    return "from a valid map";
+  default:
+    return "valid map";
+  }
 }
 
 inline std::string layout_name(const SMP::ABF_plus_plus_report& report)
@@ -88,6 +107,7 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
   case Report::NO_CONVERGENCE:
   case Report::WRONG_LAYOUT:
   case Report::FLIPPED_TRIANGLES:
+  case Report::PRECISION_EXCEEDED:
     return true;
   default:
     return false;

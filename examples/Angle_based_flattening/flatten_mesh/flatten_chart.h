@@ -79,6 +79,8 @@ inline void take_report(const SMP::Hierarchical_report& report, Flattening& flat
   flattening.report.constraint_residual = report.constraint_residual;
   flattening.report.flipped_triangles = report.flipped_triangles;
   flattening.report.smallest_angle = report.smallest_angle;
+  flattening.report.border_is_simple = report.border_is_simple;
+  flattening.report.scale_range = report.scale_range;
   flattening.levels = report.levels;
   flattening.coarse_triangles = report.coarse_triangles;
   flattening.stages = {{"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.solve},
@@ -157,15 +159,13 @@ inline void flatten_without_holes(const Mesh& mesh, const Chart& chart, const Co
 } // namespace internal
 
 inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command,
-                                const Progress& progress)
+                                Progress& progress)
 {
   Flattening flattening;
   flattening.uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
   flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
   SMP::ABF_plus_plus_options options = command.options;
-  if(progress.is_on()) {
-    options.on_step = [&progress](const SMP::ABF_plus_plus_step& step) { progress.step(step); };
-  }
+  options.visitor = &progress;
   if(command.holes == "close" && chart.borders.size() > 1) {
     internal::flatten_without_holes(mesh, chart, command, options, flattening);
   } else {

@@ -61,6 +61,9 @@ inline std::string report_json(const Run_record& record)
   json.add("constraint_residual", report.constraint_residual);
   json.add("energy", report.energy);
   json.add("layout", layout_name(report));
+  json.add("rung", rung_name(report.rung));
+  json.add("border", std::string(report.border_is_simple ? "simple" : "crosses itself"));
+  json.add("scale_range", report.scale_range);
   internal::add_measures(json, record.flattening);
   Json_object seconds;
   for(const auto& stage : seconds_of_stages(record)) {

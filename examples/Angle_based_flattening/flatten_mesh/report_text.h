@@ -44,6 +44,11 @@ inline std::string method_text(const Flattening& flattening)
                         count_text(flattening.levels, "level") + ", " +
                             count_text(flattening.coarse_triangles, "triangle") + " in the coarsest");
   }
+  if(!report.failed_rungs.empty()) {
+    const SMP::ABF_plus_plus_report::Failed_rung& before = report.failed_rungs.back();
+    text +=
+        report_line("rung", rung_name(report.rung), rung_name(before.rung) + " failed: " + before.message);
+  }
   if(report.iterations > 0) {
     text += report_line("iterations", std::to_string(report.iterations),
                         "Newton steps; constraints hold within " +
@@ -52,6 +57,8 @@ inline std::string method_text(const Flattening& flattening)
   if(flattening.method == "direct") {
     text += report_line("layout", layout_name(report));
   }
+  text += report_line("border", report.border_is_simple ? "simple" : "crosses itself",
+                      report.border_is_simple ? "the map is injective" : "parts of the layout overlap");
   return text;
 }
 

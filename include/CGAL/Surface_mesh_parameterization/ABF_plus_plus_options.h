@@ -8,9 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
-
-#include <functional>
+#include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 
 namespace CGAL {
 
@@ -74,8 +72,12 @@ struct ABF_plus_plus_options
   /// chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`.
   bool allow_holes = false;
 
-  /// Called after every Newton step, if set.
-  std::function<void(const ABF_plus_plus_step&)> on_step;
+  /// Whether other ways are tried where Newton's method from the target angles gives no valid map; which of them did is
+  /// in the report, `ABF_plus_plus_report::rung`. Otherwise that is an error.
+  bool ladder = true;
+
+  /// Is told of the progress and may stop the computation, if not null.
+  Flattening_visitor* visitor = nullptr;
 };
 
 } // namespace Surface_mesh_parameterization

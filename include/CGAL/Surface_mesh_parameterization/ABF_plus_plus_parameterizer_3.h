@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
@@ -120,7 +120,9 @@ public:
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
     Error_code result = OK;
-    internal::with_threads(m_options.threads, [&]() { result = run(mesh, bhd, uvmap, vimap); });
+    internal::with_threads(m_options.threads, [&]() {
+      result = m_outcome->unless_cancelled([&]() { return run(mesh, bhd, uvmap, vimap); });
+    });
     return result;
   }
 
@@ -151,6 +153,7 @@ private:
     *m_outcome = Outcome();
     ABF_plus_plus_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
+    internal::visit_stage(m_options.visitor, Flattening_visitor::READ);
     internal::Chart_reader<Triangle_mesh> reader(mesh);
     const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
     report.seconds.read = stopwatch.lap();
@@ -165,6 +168,7 @@ private:
       return report.status;
     }
     stopwatch.lap();
+    internal::visit_stage(m_options.visitor, Flattening_visitor::WRITE);
     internal::write(reader, uv, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;

@@ -50,9 +50,29 @@ struct ABF_plus_plus_report
     HANDLES,          ///< The chart has handles: no cutting along the border makes it a disk.
     PARALLEL_EDGES,   ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
     LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
-    NO_CONVERGENCE,   ///< The constraints could not be met, and the resulting layout has flipped triangles.
-    WRONG_LAYOUT,     ///< The exact layout was asked for and does not apply.
-    FLIPPED_TRIANGLES ///< The layout has flipped triangles although the angles are right.
+    NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
+    WRONG_LAYOUT,      ///< The exact layout was asked for and does not apply.
+    FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are right.
+    PRECISION_EXCEEDED, ///< There is a valid map, but the coordinates' number type does not hold the one found.
+    CANCELLED           ///< A visitor stopped the computation.
+  };
+
+  /// The ways to a valid map, in the order in which they are tried.
+  enum Rung
+  {
+    FROM_TARGET_ANGLES, ///< Newton's method from the target angles.
+    RAISED_BARRIER, ///< The same with a higher barrier, and from there with the one asked for, if that is possible.
+    FROM_VALID_MAP, ///< Newton's method from the angles of a valid map, which fulfil all constraints.
+    VALID_MAP       ///< That valid map itself: it is as good as local descent on the energy made it.
+  };
+
+  /// A rung that gave no valid map.
+  struct Failed_rung
+  {
+    Rung rung;           ///< Which one.
+    Diagnosis diagnosis; ///< What was wrong.
+    std::string message; ///< The same as a sentence.
+    int iterations;      ///< Newton steps taken.
   };
 
   /// Which of the layouts gave the coordinates.
@@ -86,14 +106,21 @@ struct ABF_plus_plus_report
   int triangles = 0; ///< Triangles of the chart.
   int borders = 0;   ///< Border cycles of the chart.
 
+  Rung rung = FROM_TARGET_ANGLES;        ///< What gave the result, or was tried last.
+  std::vector<Failed_rung> failed_rungs; ///< What failed before.
+
   bool converged = false;                ///< Whether both tolerances were met.
   int iterations = 0;                    ///< Newton steps taken.
   double energy = 0;                     ///< Energy of the planar angles, the barrier included.
   double constraint_residual = 0;        ///< Largest violation of a constraint at a vertex, in radians.
   std::vector<ABF_plus_plus_step> steps; ///< All steps.
 
-  Layout layout = NO_LAYOUT; ///< The layout that gave the coordinates.
+  Layout layout = NO_LAYOUT; ///< The layout that gave the coordinates; none if they are those of a valid map.
   double closure = 0;        ///< Gap that the exact layout closed, relative to the border's length.
+  bool border_is_simple =
+      false;              ///< Whether no two edges of the planar border touch but neighbours: with no flipped
+                          ///< triangle, the map is then injective as a whole.
+  double scale_range = 1; ///< Longest edge of the layout over its shortest one.
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 

@@ -54,6 +54,10 @@ struct Hierarchical_options
   /// Options of the direct solver that polishes.
   ABF_plus_plus_options polish_options;
 
+  /// Is told of the progress and may stop the computation, if not null. The coarse parameterizer and `polish_options` have
+  /// visitors of their own.
+  Flattening_visitor* visitor = nullptr;
+
   /// Whether charts with more than one border are flattened; see `ABF_plus_plus_options::allow_holes`. The coarse
   /// parameterizer has to accept them, too.
   bool allow_holes = false;

@@ -112,7 +112,9 @@ public:
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
     Error_code result = OK;
-    internal::with_threads(m_options.threads, [&]() { result = run(mesh, bhd, uvmap, vimap); });
+    internal::with_threads(m_options.threads, [&]() {
+      result = m_outcome->unless_cancelled([&]() { return run(mesh, bhd, uvmap, vimap); });
+    });
     return result;
   }
 
@@ -151,6 +153,7 @@ private:
     *m_outcome = Outcome();
     Hierarchical_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
+    internal::visit_stage(m_options.visitor, Flattening_visitor::READ);
     internal::Chart_reader<Triangle_mesh> reader(mesh);
     const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
     report.seconds.read = stopwatch.lap();
@@ -165,6 +168,7 @@ private:
       return report.status;
     }
     stopwatch.lap();
+    internal::visit_stage(m_options.visitor, Flattening_visitor::WRITE);
     internal::write(reader, uv, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
@@ -175,12 +179,13 @@ private:
     Hierarchical_report& report = m_outcome->report;
     const internal::Coarse_solver<Coarse_parameterizer> solve(m_coarse_parameterizer);
     if(!internal::flatten_hierarchically(chart, m_options, solve, uv, report)) {
-      internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
-                     "no valid map was found in double precision");
+      internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::PRECISION_EXCEEDED,
+                     "double precision does not hold any valid map that was tried");
       return false;
     }
     if(m_options.polish) {
       internal::Stopwatch stopwatch;
+      internal::visit_stage(m_options.visitor, Flattening_visitor::POLISH);
       internal::polish(chart, m_options, uv, report);
       report.seconds.polish = stopwatch.lap();
     }
@@ -192,17 +197,16 @@ private:
   {
     Hierarchical_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
+    internal::visit_stage(m_options.visitor, Flattening_visitor::CERTIFY);
     internal::scale_to_surface_area(chart, uv);
     std::transform(uv.begin(), uv.end(), uv.begin(), round);
-    flipped = internal::flipped_triangles(chart, uv);
-    report.flipped_triangles = static_cast<int>(flipped.size());
-    report.smallest_angle = internal::smallest_angle(chart, uv);
+    const bool valid = internal::inspect(chart, uv, report, flipped);
     report.seconds.certify = stopwatch.lap();
-    if(flipped.empty())
+    if(valid)
       return true;
-    internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::FLIPPED_TRIANGLES,
-                   std::to_string(flipped.size()) + " flipped triangle(s), one at the vertex at " +
-                       internal::place(chart, chart.vertex[3 * flipped.front()]));
+    internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::PRECISION_EXCEEDED,
+                   "there is a valid map, but rounded to the coordinates' number type it has " +
+                       internal::describe_invalid(chart, flipped, report));
     return false;
   }
 

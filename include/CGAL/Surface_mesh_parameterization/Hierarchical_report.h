@@ -65,6 +65,10 @@ struct Hierarchical_report
   int polish_iterations = 0;      ///< Newton steps of the direct solver.
   double constraint_residual = 0; ///< Largest violation of a constraint by the polished angles, in radians.
 
+  bool border_is_simple =
+      false;              ///< Whether no two edges of the planar border touch but neighbours: with no flipped
+                          ///< triangle, the map is then injective as a whole.
+  double scale_range = 1; ///< Longest edge of the layout over its shortest one.
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 

@@ -17,6 +17,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -63,10 +65,15 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 
   std::vector<internal::Chart::Point_2> uv;
   uv.reserve(reader.vertex_descriptors.size());
+  double largest = 0;
   for(auto v : reader.vertex_descriptors) {
     const auto& p = get(uvmap, v);
     uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    largest = (std::max)({largest, std::abs(uv.back().x()), std::abs(uv.back().y())});
   }
+  const double scale = internal::power_of_two(largest); // of the layout; the measures do not depend on it
+  for(internal::Chart::Point_2& p : uv)
+    p = internal::Chart::Point_2(p.x() / scale, p.y() / scale);
   return internal::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
     visitor(reader.face_descriptors[t], face);
   });

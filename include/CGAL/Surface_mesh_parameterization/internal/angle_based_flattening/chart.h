@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +39,8 @@ struct Chart
   typedef Kernel::Point_2 Point_2;
   typedef Kernel::Point_3 Point_3;
 
-  std::vector<Point_3> points; // of each vertex
+  std::vector<Point_3> points; // of each vertex, divided by `scale`
+  double scale = 1;            // a power of two, so that squares neither overflow nor vanish
   std::vector<int> vertex;     // of each corner
   std::vector<int> opposite;   // of each corner: the one that faces the same edge, -1 at the border
   std::vector<std::vector<int>>
@@ -62,6 +64,12 @@ struct Chart
   int edge_source(int c) const { return vertex[next_corner(c)]; }
   int edge_target(int c) const { return vertex[previous_corner(c)]; }
 };
+
+// The power of two next to a number, or 1 if it is zero or not finite
+inline double power_of_two(double number)
+{
+  return number > 0 && std::isfinite(number) ? std::ldexp(1., std::ilogb(number)) : 1.;
+}
 
 // The corner that faces the border edge that follows the one faced by `c`.
 inline int next_on_border(const Chart& chart, int c)

@@ -57,7 +57,9 @@ inline Error_code error_code(ABF_plus_plus_report::Diagnosis diagnosis)
 inline std::string place(const Chart& chart, int v)
 {
   std::ostringstream text;
-  text << '(' << chart.points[v].x() << ", " << chart.points[v].y() << ", " << chart.points[v].z() << ')';
+  const double s = chart.scale;
+  text << '(' << s * chart.points[v].x() << ", " << s * chart.points[v].y() << ", " << s * chart.points[v].z()
+       << ')';
   return text.str();
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
@@ -19,9 +20,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <optional>
@@ -33,23 +33,6 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 
 namespace internal {
-
-// The seconds since the last call, and since construction at the first.
-class Stopwatch
-{
-public:
-  Stopwatch() { m_timer.start(); }
-
-  double lap()
-  {
-    const double elapsed = m_timer.time();
-    m_timer.reset();
-    return elapsed;
-  }
-
-private:
-  Real_timer m_timer;
-};
 
 // Whether the angles fit together so well that the exact layout reproduces them.
 inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& report)
@@ -87,40 +70,56 @@ bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plu
   return solved;
 }
 
-// Counts flipped triangles; returns `false` with the reason in `report` if there are any.
-inline bool certify(const Chart& chart, const std::vector<Chart::Point_2>& uv, ABF_plus_plus_report& report,
-                    std::vector<int>& flipped)
+// The triangles around interior vertices around which they wind more than once, although none is flipped.
+inline std::vector<int> wound_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
-  flipped = flipped_triangles(chart, uv);
-  report.flipped_triangles = static_cast<int>(flipped.size());
-  if(flipped.empty())
-    return true;
-  const std::string count = std::to_string(flipped.size()) + " flipped triangle(s), one at the vertex at " +
-                            place(chart, chart.vertex[3 * flipped.front()]);
-  if(report.converged)
-    fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::FLIPPED_TRIANGLES,
-         "the angles were found, but their layout has " + count);
-  else
-    fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
-         "the angles did not converge, and their layout has " + count);
-  return false;
+  const std::vector<int> sweeps = sweeps_over_axis(chart.vertex, uv);
+  std::vector<int> wound;
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(const int v = chart.vertex[c]; chart.interior[v] >= 0 && sweeps[v] != 1)
+      wound.push_back(c / 3);
+  return wound;
 }
 
-// Flattens a chart that `diagnose()` found flawless. `uv` is scaled to the surface's area, and rounded by `round` to
-// what the caller can store before it is certified. Returns `false` with the reason in `report`.
+// What is looked at in the end, whichever way the coordinates came: orientations, by exact predicates, the border, and how
+// large triangles are. Returns `false`, with the triangles that make the map invalid, if it is.
+template <typename Report>
+bool inspect(const Chart& chart, const std::vector<Chart::Point_2>& uv, Report& report,
+             std::vector<int>& invalid)
+{
+  invalid = flipped_triangles(chart, uv);
+  report.flipped_triangles = static_cast<int>(invalid.size());
+  if(invalid.empty())
+    invalid = wound_triangles(chart, uv);
+  report.border_is_simple = is_border_simple(chart, uv);
+  report.smallest_angle = smallest_angle(chart, uv);
+  report.scale_range = scale_range(chart, uv);
+  return invalid.empty();
+}
+
+template <typename Report>
+std::string describe_invalid(const Chart& chart, const std::vector<int>& invalid, const Report& report)
+{
+  return std::to_string(invalid.size()) +
+         (report.flipped_triangles > 0 ? " flipped triangle(s)"
+                                       : " triangle(s) that wind around a vertex more than once") +
+         ", one at the vertex at " + place(chart, chart.vertex[3 * invalid.front()]);
+}
+
+// From angles `alpha` near to the solution to a certified layout: the first and the third rung of the ladder, and most of
+// the second. `uv` is scaled to the surface's area, and rounded by `round` to what the caller can store before it is
+// certified. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename Rounding>
-bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-                   const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
-                   ABF_plus_plus_report& report)
+bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
+                         const Rounding& round, const std::vector<double>& beta, std::vector<double>& alpha,
+                         std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
+                         ABF_plus_plus_report& report)
 {
   Stopwatch stopwatch;
-  const std::vector<double> beta = target_angles(chart);
-  std::vector<double> alpha = starting_angles(beta);
-  report.seconds.targets = stopwatch.lap();
-
   std::optional<SolverTraits> scalar_solver;
+  visit_stage(options.visitor, Flattening_visitor::ANGLES);
   const bool solved = solve_angles(chart, beta, options, traits, alpha, report, &scalar_solver);
-  report.seconds.angles = stopwatch.lap();
+  report.seconds.angles += stopwatch.lap();
   if(!solved) {
     fail(report, ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, ABF_plus_plus_report::LINEAR_SYSTEM_FAILED,
          "the linear system of Newton step " + std::to_string(report.iterations + 1) +
@@ -128,16 +127,26 @@ bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, con
     return false;
   }
 
+  visit_stage(options.visitor, Flattening_visitor::LAYOUT);
+  uv.clear();
   if(!lay_out(chart, alpha, options, *scalar_solver, uv, report))
     return false;
   scale_to_surface_area(chart, uv);
   std::transform(uv.begin(), uv.end(), uv.begin(), round);
-  report.seconds.layout = stopwatch.lap();
+  report.seconds.layout += stopwatch.lap();
 
-  const bool valid = certify(chart, uv, report, flipped);
-  report.smallest_angle = smallest_angle(chart, uv);
-  report.seconds.certify = stopwatch.lap();
-  return valid;
+  visit_stage(options.visitor, Flattening_visitor::CERTIFY);
+  const bool valid = inspect(chart, uv, report, flipped);
+  report.seconds.certify += stopwatch.lap();
+  if(valid)
+    return true;
+  if(report.converged)
+    fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::FLIPPED_TRIANGLES,
+         "the angles were found, but their layout has " + describe_invalid(chart, flipped, report));
+  else
+    fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
+         "the angles did not converge, and their layout has " + describe_invalid(chart, flipped, report));
+  return false;
 }
 
 } // namespace internal

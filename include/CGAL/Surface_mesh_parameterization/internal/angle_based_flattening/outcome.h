@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
@@ -42,6 +43,19 @@ struct Outcome
       offending_vertices.push_back(reader.vertex_descriptors[v]);
     for(int t : triangles)
       offending_faces.push_back(reader.face_descriptors[t]);
+  }
+
+  // Calls `run`, which returns an error code, and turns the end that a visitor put to it into another one.
+  template <typename Run>
+  Error_code unless_cancelled(const Run& run)
+  {
+    try {
+      return run();
+    } catch(const Cancelled&) {
+      fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::CANCELLED,
+           "a visitor stopped the computation");
+      return report.status;
+    }
   }
 
   // Reads the chart of `bhd`. Returns `false`, with the reason in the report, if it cannot be flattened.

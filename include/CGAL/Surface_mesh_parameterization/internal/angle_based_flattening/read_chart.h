@@ -177,11 +177,17 @@ private:
   void read_points()
   {
     const auto points = get(CGAL::vertex_point, m_mesh);
+    double largest = 0;
     chart.points.reserve(vertex_descriptors.size());
     for(vertex_descriptor v : vertex_descriptors) {
       const auto& p = get(points, v);
       chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      for(int i = 0; i < 3; ++i)
+        largest = (std::max)(largest, std::abs(chart.points.back()[i]));
     }
+    chart.scale = power_of_two(largest);
+    for(Chart::Point_3& p : chart.points)
+      p = Chart::Point_3(p.x() / chart.scale, p.y() / chart.scale, p.z() / chart.scale);
     find_borders(chart, m_first_border);
   }
 

@@ -12,7 +12,9 @@
 
 #include <CGAL/bounding_box.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -51,14 +53,33 @@ inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Poin
   return total;
 }
 
+// The factor that makes a layout as large as the surface. A surface without area is as large as it is long, and squared.
+inline double scale_to_surface(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  const Total_areas total = total_areas(chart, uv);
+  return std::sqrt((total.surface > 0 ? total.surface : 1) / total.plane) * chart.scale;
+}
+
 // Scales the planar chart to the area of the surface, and moves its lower left corner to the origin.
 inline void scale_to_surface_area(const Chart& chart, std::vector<Chart::Point_2>& uv)
 {
-  const Total_areas total = total_areas(chart, uv);
-  const double factor = std::sqrt(total.surface / total.plane);
+  const double factor = scale_to_surface(chart, uv);
   const auto corner = (CGAL::bounding_box(uv.begin(), uv.end()).min)();
   for(Chart::Point_2& p : uv)
     p = CGAL::ORIGIN + (p - corner) * factor;
+}
+
+// The longest edge of a layout over its shortest one
+inline double scale_range(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  double shortest = (std::numeric_limits<double>::infinity)(), longest = 0;
+  for(int c = 0; c < chart.number_of_corners(); ++c) {
+    const auto edge = uv[chart.edge_target(c)] - uv[chart.edge_source(c)];
+    const double length = std::hypot(edge.x(), edge.y());
+    shortest = (std::min)(shortest, length);
+    longest = (std::max)(longest, length);
+  }
+  return longest / shortest;
 }
 
 } // namespace internal

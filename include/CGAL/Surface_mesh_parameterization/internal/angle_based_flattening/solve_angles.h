@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/newton_step.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -156,8 +157,7 @@ bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF
     report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
                             step.predicted_decrease, length, system.equation().steps(),
                             system.equation().factorizations()});
-    if(options.on_step)
-      options.on_step(report.steps.back());
+    visit_step(options.visitor, report.steps.back());
     report.converged = has_converged(options, report.steps.back(), beta.size());
   }
   report.energy = iterate.energy;

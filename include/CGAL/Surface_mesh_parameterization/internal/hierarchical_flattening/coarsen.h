@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/collapse_cost.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/edge_collapses.h>
 
@@ -44,11 +45,12 @@ public:
 
   // Adds levels until at most `target` vertices are left, or hardly any more can be removed. For `extreme_angle` see
   // `Collapse_cost`.
-  void coarsen(int target, double extreme_angle)
+  void coarsen(int target, double extreme_angle, Flattening_visitor* visitor = nullptr)
   {
     while(number_of_vertices() > target) {
       const int before = number_of_vertices();
       add_level((std::min)(before - target, before / 4 + 1), extreme_angle);
+      visit_level(visitor, number_of_vertices(), m_mesh.chart().number_of_vertices());
       if(before - number_of_vertices() < 0.01 * before)
         break;
     }

@@ -12,7 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/refine.h>
@@ -45,10 +46,13 @@ public:
   bool run(Layout& uv)
   {
     Stopwatch stopwatch;
-    m_coarsening.coarsen(coarse_size(), m_options.extreme_angle);
+    visit_stage(m_options.visitor, Flattening_visitor::COARSEN);
+    m_coarsening.coarsen(coarse_size(), m_options.extreme_angle, m_options.visitor);
     m_report.seconds.coarsen = stopwatch.lap();
+    visit_stage(m_options.visitor, Flattening_visitor::COARSE_CHART);
     const bool solved = solve_coarse();
     m_report.seconds.solve = stopwatch.lap();
+    visit_stage(m_options.visitor, Flattening_visitor::REFINE);
     const bool refined = (solved && refine()) || (start_without_solver() && refine());
     for(const Planar_point& p : m_uv)
       uv.emplace_back(p.x(), p.y());
@@ -69,7 +73,7 @@ private:
   bool refine()
   {
     Refinement refinement(m_coarsening, m_uv, m_report);
-    if(!refinement.run(m_options.sweeps))
+    if(!refinement.run(m_options.sweeps, m_options.visitor))
       return false;
     refinement.lower_angle_energy(m_options.angle_sweeps, m_options.barrier);
     return true;
@@ -100,7 +104,7 @@ private:
   // Collapses all that is there to one triangle, which has a valid map without any solver.
   bool start_without_solver()
   {
-    m_coarsening.coarsen(3, 0);
+    m_coarsening.coarsen(3, 0, m_options.visitor);
     const Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
     m_report.start = Hierarchical_report::WITHOUT_SOLVER;
     m_report.levels = m_coarsening.number_of_levels();

@@ -98,7 +98,10 @@ private:
   {
     const auto a = chart.points[p] - chart.points[v], b = chart.points[q] - chart.points[v];
     const double ab = a * b, aa = a.squared_length(), bb = b.squared_length();
-    // The cotangents of needles are bounded; what counts is that they are finite.
+    // The cotangents of needles are bounded; what counts is that they are finite. A triangle that is a point is as good
+    // as an equilateral one.
+    if(aa + bb == 0)
+      return {Planar_point(), Planar_point(), std::sqrt(1. / 3), std::sqrt(1. / 3), std::sqrt(1. / 3), 0};
     const double twice_area =
         (std::max)(std::sqrt(CGAL::cross_product(a, b).squared_length()), 1e-6 * (aa + bb));
     Triangle t;

@@ -37,12 +37,14 @@ public:
   {}
 
   // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no place in its star.
-  bool run(int sweeps)
+  bool run(int sweeps, Flattening_visitor* visitor)
   {
     sweep(sweeps);
     while(m_coarsening.number_of_levels() > 0) {
       if(!insert(m_coarsening.undo_level()))
         return false;
+      visit_level(visitor, m_coarsening.number_of_vertices(),
+                  m_coarsening.mesh().chart().number_of_vertices());
       // Errors with long waves are smoothed where vertices are few, and on the largest levels it costs most.
       const int large_levels = 3;
       sweep(m_coarsening.number_of_levels() < large_levels ? (std::min)(sweeps, 1) : sweeps);
