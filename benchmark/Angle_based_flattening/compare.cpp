@@ -49,15 +49,15 @@ std::vector<Method_title> chosen_methods(const Command_line& command)
 
 std::string caption(const Command_line& command)
 {
-  return "\n\nMedians of " + std::to_string(command.repeat) +
-         " runs, or of as many as fit into the limit, each in a process of its own with " +
+  return "\n\nMedians of up to " + std::to_string(command.repeat) +
+         " runs, as many as fit into the limit of time, each in a process of its own. Cores: " +
          std::to_string(command.threads) +
-         " cores, the BLAS on one thread. Seconds and memory (peak resident size) are those of the method "
-         "alone, "
-         "beyond the mesh in the form in which it takes it. A process was stopped after " +
-         std::to_string(command.limits.seconds) + " s, and had " +
+         "; the BLAS on one thread. Seconds and memory (peak resident size) are those of the method alone, "
+         "beyond "
+         "the mesh in the form in which it takes it. Limits of a process: " +
+         std::to_string(command.limits.seconds) + " s, " +
          format_number("%g GB of memory", command.limits.gigabytes) +
-         "; a method that was stopped twice was not tried on larger meshes.\n";
+         ". A method that was stopped by them twice was not tried on larger meshes.\n";
 }
 
 void report_results(const Command_line& command, const Results& results, Report& report)

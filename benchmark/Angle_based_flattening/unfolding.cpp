@@ -68,10 +68,10 @@ std::vector<double> numbers(const std::string& list)
   return result;
 }
 
-Chart chart_of_size(const Mesh& base, double triangles)
+Chart chart_of_size(const benchmarks::Mesh& base, double triangles)
 {
-  const Mesh mesh = benchmarks::resize_mesh(base, static_cast<std::size_t>(triangles));
-  abf::Chart_reader<Mesh> reader(mesh);
+  const benchmarks::Mesh mesh = benchmarks::resize_mesh(base, static_cast<std::size_t>(triangles));
+  abf::Chart_reader<benchmarks::Mesh> reader(mesh);
   if(const auto defect = reader.read(CGAL::Polygon_mesh_processing::longest_border(mesh).first))
     throw std::runtime_error("the mesh cannot be flattened: " + defect.message);
   return reader.chart;
@@ -90,7 +90,7 @@ std::string row(const Closing_errors& errors)
 
 void run(const Command_line& command)
 {
-  const Mesh base = benchmarks::read_mesh(command.mesh);
+  const benchmarks::Mesh base = benchmarks::read_mesh(command.mesh);
   const std::vector<double> tolerances = numbers(command.tolerances);
   std::vector<Closing_errors> results;
   std::vector<std::string> titles = {"triangles", "norm of grad F", "largest residual"};
@@ -100,9 +100,8 @@ void run(const Command_line& command)
   }
   std::cout << "# Closing errors of layouts\n\n" + benchmarks::command_text() +
                    benchmarks::describe_machine() +
-                   "\n\nThe largest closing error of the triangles, relative to their size, of three layouts "
-                   "of the same "
-                   "angles.\n\n";
+                   "\n\nThe largest closing error of the triangles, relative to their size, of three "
+                   "layouts of the same angles.\n\n";
   std::cout << benchmarks::markdown_head(titles, 0) << std::flush;
   for(const double size : numbers(command.sizes)) {
     const Chart chart = chart_of_size(base, size);

@@ -65,7 +65,7 @@ inline const std::vector<Relation>& relations()
   return list;
 }
 
-// How many triangles a method flips: none on any mesh, or some on one
+// How many triangles a method flips: none on any mesh, or some on one of them at least
 struct Flip_relation
 {
   const char* text;
@@ -155,7 +155,8 @@ inline void add_relation(Table& table, const Results& results, const Flip_relati
   table.add({relation.text, "flips of " + results.title(relation.method),
              flips.empty() ? "–" : count_cell(flips.front()), "–",
              flips.empty() ? "–" : count_cell(flips.back()),
-             std::to_string(seen) + " of " + std::to_string(flips.size()), verdict(seen, flips.size())});
+             std::to_string(seen) + " of " + std::to_string(flips.size()),
+             verdict(relation.flips && seen > 0 ? flips.size() : seen, flips.size())});
 }
 
 } // namespace internal

@@ -53,12 +53,14 @@ inline std::string times_table(const Results& results)
 inline std::string distortions_table(const Results& results, const std::size_t least, const std::size_t most)
 {
   Table table({"mesh", "faces", "method", "seconds", "shear", "principal shear", "stretch",
-               "angular distortion", "flips", "memory, MB", ""},
-              1);
+               "angular distortion", "flips", "memory, MB", "note"},
+              3);
+  bool empty = true;
   for(const Mesh_results& mesh : results.meshes) {
     if(mesh.triangles <= least || mesh.triangles > most) {
       continue;
     }
+    empty = false;
     for(const Method_title& method : results.methods) {
       const Measurement& m = mesh.measurements.at(method.name);
       const std::vector<std::string> cells = {mesh.name, std::to_string(mesh.triangles), method.title};
@@ -71,7 +73,7 @@ inline std::string distortions_table(const Results& results, const std::size_t l
       }
     }
   }
-  return table.text();
+  return empty ? "There was no such mesh.\n" : table.text();
 }
 
 // Geometric means over the meshes that both methods could do, without those where the one or the other is infinite
