@@ -70,11 +70,13 @@ void report_results(const Command_line& command, const Results& results, Report&
       distortions_table(results, 0, most_of_table_2));
   report.add("\n## Table III: very large meshes\n\n" +
              distortions_table(results, most_of_table_2, std::size_t(-1)));
-  report.add("\n## Ratios to CGAL's LSCM\n\nGeometric means over the meshes that both methods could do; of "
+  report.add("\n## Ratios to CGAL's LSCM\n\nGeometric means over the meshes that both methods could do, but "
+             "for developable ones; of "
              "stretch, those that neither flips.\n\n" +
              ratios_table(results, "lscm"));
   report.add("\n## Growth\n\nOf the run time on one surface in several sizes.\n\n" + growth_table(results));
-  report.add("\n## What the paper says\n\nQuotients on every mesh where both were measured.\n\n" +
+  report.add("\n## What the paper says\n\nQuotients on every mesh where both were measured, but for "
+             "developable ones.\n\n" +
              relations_table(results));
   if(!command.plots.empty()) {
     report.add("\n## Plots\n\n" + draw_plots(results, command.plots));

@@ -65,9 +65,10 @@ inline po::options_description visible_options(Command_line& command)
   add("most", option(command.most, "N"), "larger meshes of folders are left out");
   add("methods", option(command.methods, "NAME,NAME,..."), "as listed below; all if there is none");
   add("quick", po::bool_switch(&command.quick),
-      "--sizes 5000,20000,80000 --most 30000 --repeat 1 --timeout 8, which takes less than five minutes");
+      "--sizes 1000,4000,16000,64000 --most 30000 --repeat 1 --timeout 8, which takes less than five "
+      "minutes");
   add("all", po::bool_switch(&command.all),
-      "--sizes 5000,20000,80000,320000,1280000,4241328 --timeout 600, which takes hours");
+      "--sizes 1000,4000,16000,64000,256000,1024000,4241328 --timeout 600, which takes hours");
   add("repeat", option(command.repeat, "N"), "of how many processes each the medians are taken");
   add("timeout", option(command.limits.seconds, "SECONDS"),
       "limit of a process, which is stopped then, and of the time after which it is not repeated");
@@ -99,12 +100,12 @@ inline void apply_presets(const po::variables_map& values, Command_line& command
     }
   };
   if(command.quick) {
-    set("sizes", command.sizes, "5000,20000,80000");
+    set("sizes", command.sizes, "1000,4000,16000,64000");
     set("most", command.most, 30000);
     set("repeat", command.repeat, 1);
     set("timeout", command.limits.seconds, 8);
   } else if(command.all) {
-    set("sizes", command.sizes, "5000,20000,80000,320000,1280000,4241328");
+    set("sizes", command.sizes, "1000,4000,16000,64000,256000,1024000,4241328");
     set("timeout", command.limits.seconds, 600);
   }
 }

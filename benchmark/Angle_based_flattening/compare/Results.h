@@ -37,6 +37,17 @@ struct Mesh_results
     return found == measurements.end() ? Measurement()[name] : found->second[name];
   }
 
+  // Whether some method leaves nothing but rounding errors of the angles: quotients of these say nothing.
+  bool is_flat() const
+  {
+    for(const auto& [method, measurement] : measurements) {
+      if(measurement["angular"] < 1e-8) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   std::string title() const
   {
     return name + " (" + (triangles < 1000 ? "" : std::to_string((triangles + 500) / 1000) + "K)") +

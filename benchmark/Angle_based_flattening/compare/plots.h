@@ -12,6 +12,7 @@
 #include "../common/format.h"
 #include "../common/plot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -64,6 +65,14 @@ inline std::string times_script(const Results& results)
          curves.str() + "\n";
 }
 
+inline Results without_flat_meshes(Results results)
+{
+  const auto is_flat = [](const Mesh_results& mesh) { return mesh.is_flat(); };
+  results.meshes.erase(std::remove_if(results.meshes.begin(), results.meshes.end(), is_flat),
+                       results.meshes.end());
+  return results;
+}
+
 inline std::string mesh_tics(const Results& results)
 {
   std::string tics = "set xtics rotate by -40 (";
@@ -110,8 +119,8 @@ inline std::string draw_plots(const Results& results, const std::string& folder)
 {
   const std::pair<const char*, std::string> failures[] = {
       {"time.svg", plot(internal::times_script(results), folder + "/time.svg", "900,900")},
-      {"distortion.svg",
-       plot(internal::distortions_script(results), folder + "/distortion.svg", "1200,1350")}};
+      {"distortion.svg", plot(internal::distortions_script(internal::without_flat_meshes(results)),
+                              folder + "/distortion.svg", "1200,1350")}};
   const std::string name_of_folder = std::filesystem::path(folder + "/").parent_path().filename().string();
   std::string text;
   for(const auto& [name, failure] : failures) {

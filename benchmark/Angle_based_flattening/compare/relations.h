@@ -93,16 +93,14 @@ inline std::string verdict(const std::size_t seen, const std::size_t all)
   return all == 0 ? "not measured" : seen == all ? "yes" : seen == 0 ? "NO" : "on some";
 }
 
-// Where a surface is flat, the quotient of two rounding errors says nothing.
 inline std::vector<double> quotients(const Results& results, const Relation& relation)
 {
   std::vector<double> quotients;
   for(const Mesh_results& mesh : results.meshes) {
-    const double left = mesh.number(relation.left, relation.number);
-    const double right = mesh.number(relation.right, relation.number);
-    if(mesh.triangles >= relation.least_triangles && left > 1e-12 && right > 1e-12 &&
-       !(std::isinf(left) && std::isinf(right))) {
-      quotients.push_back(left / right);
+    const double quotient =
+        mesh.number(relation.left, relation.number) / mesh.number(relation.right, relation.number);
+    if(mesh.triangles >= relation.least_triangles && !mesh.is_flat() && !std::isnan(quotient)) {
+      quotients.push_back(quotient);
     }
   }
   return quotients;

@@ -87,7 +87,7 @@ inline std::string ratios_table(const Results& results, const std::string& refer
       std::vector<double> ratios;
       for(const Mesh_results& mesh : results.meshes) {
         const double ratio = mesh.number(method.name, name) / mesh.number(reference, name);
-        if(std::isfinite(ratio) && ratio > 0) {
+        if(std::isfinite(ratio) && ratio > 0 && !mesh.is_flat()) {
           ratios.push_back(ratio);
         }
       }

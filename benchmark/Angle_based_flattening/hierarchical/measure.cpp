@@ -18,6 +18,7 @@
 #include <exception>
 #include <map>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,8 +55,12 @@ Measurement run_method(const Task& task, Mesh& mesh)
     return run(mesh, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options_of(task)));
   } else if(task.method == direct) {
     return run(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
+  } else if(task.method == hlscm || task.method == lscm) {
+    return run_lscm(task, mesh);
+  } else if(task.method == sequential) {
+    return run_sequential(task, mesh);
   }
-  return run_other_method(task, mesh);
+  throw std::runtime_error("unknown method '" + task.method + "'");
 }
 
 } // namespace

@@ -33,8 +33,10 @@ void take_report(const SMP::Hierarchical_report& report, Measurement& measuremen
 void take_report(const SMP::ABF_plus_plus_report& report, Measurement& measurement);
 void measure_map(const Mesh& mesh, Halfedge border, UV_map uv, Measurement& measurement);
 
-// Runs one of the methods that are not ABF++.
-Measurement run_other_method(const Task& task, Mesh& mesh);
+// Run methods whose code takes long to compile, in translation units of their own: LSCM, hierarchical or not, and the
+// sequential hierarchy.
+Measurement run_lscm(const Task& task, Mesh& mesh);
+Measurement run_sequential(const Task& task, Mesh& mesh);
 
 template <class Parameterizer>
 auto take_report_of(const Parameterizer& parameterizer, Measurement& measurement, int)

@@ -32,9 +32,10 @@ Method make_method(const char* name, const char* title, const Flattening& flatte
           }};
 }
 
-// The parameterizers of our package, those of CGAL, and the methods that are implemented here: each list in a
-// translation unit of its own.
+// The parameterizers of our package, the hierarchical one with another of CGAL, those of CGAL, and the methods that are
+// implemented here: each list in a translation unit of its own.
 std::vector<Method> package_methods();
+std::vector<Method> hierarchical_methods();
 std::vector<Method> free_border_methods();
 std::vector<Method> fixed_border_methods();
 std::vector<Method> own_methods();
@@ -42,7 +43,8 @@ std::vector<Method> own_methods();
 inline std::vector<Method> all_methods()
 {
   std::vector<Method> methods;
-  for(const auto list : {package_methods, own_methods, free_border_methods, fixed_border_methods})
+  for(const auto list :
+      {package_methods, own_methods, hierarchical_methods, free_border_methods, fixed_border_methods})
     for(Method& method : list())
       methods.push_back(std::move(method));
   return methods;

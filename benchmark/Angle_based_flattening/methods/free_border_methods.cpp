@@ -6,16 +6,13 @@
 #include "Parameterizer_method.h"
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 
 namespace ABF_benchmark {
 
 std::vector<Method> free_border_methods()
 {
-  typedef SMP::LSCM_parameterizer_3<Mesh> LSCM;
-  return {parameterizer_method<LSCM>("lscm", "LSCM (CGAL)"),
-          parameterizer_method<SMP::Hierarchical_parameterizer_3<Mesh, LSCM>>("hlscm", "hierarchical LSCM"),
+  return {parameterizer_method<SMP::LSCM_parameterizer_3<Mesh>>("lscm", "LSCM (CGAL)"),
           parameterizer_method<SMP::ARAP_parameterizer_3<Mesh>>("arap", "ARAP (CGAL)")};
 }
 
