@@ -17,10 +17,10 @@
 #include "hierarchical/speed.h"
 
 #include "common/Report.h"
+#include "common/command_text.h"
 
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -52,21 +52,6 @@ const Part& part(const std::string& name)
   throw std::runtime_error("there is no part '" + name + "'");
 }
 
-std::string file_name(const std::string& path)
-{
-  return std::filesystem::path(path).filename().string();
-}
-
-// What prints the report again, without the folders of this machine
-std::string command_text(const Command_line& command)
-{
-  std::string text = "    hierarchical " + file_name(command.mesh);
-  if(!command.data.empty()) {
-    text += " --data " + file_name(command.data);
-  }
-  return text + " --parts " + command.parts + " --repeat " + std::to_string(command.repeat) + "\n\n";
-}
-
 std::string caption(const Command_line& command)
 {
   return "Medians of " + std::to_string(command.repeat) +
@@ -83,7 +68,7 @@ void run(const Command_line& command)
     parts.push_back(part(name));
   }
   Report report(command.output);
-  report.add("# Hierarchical parameterization\n\n" + command_text(command) + describe_machine() + "\n\n" +
+  report.add("# Hierarchical parameterization\n\n" + command_text() + describe_machine() + "\n\n" +
              caption(command));
   for(const Part& part : parts) {
     report.add(std::string("\n## ") + part.title + "\n\n" + part.measure(command));

@@ -7,9 +7,12 @@
 // largest closing error against the number of triangles, for the same angles. Prints a Markdown table.
 // `unfolding --sizes 1000,10000 --svg unfolding.svg`; see `--help`.
 
+#include "common/describe_machine.h" // first: it includes <Eigen/SuperLUSupport>
+
 #include "solvers/newton_systems.h"
 
-#include "solvers/format.h"
+#include "common/command_text.h"
+#include "common/format.h"
 #include "unfolding/Closing_errors.h"
 #include "unfolding/plot.h"
 
@@ -26,7 +29,7 @@
 
 namespace unfolding {
 
-using solvers::format_number;
+using benchmarks::format_number;
 
 struct Command_line
 {
@@ -65,10 +68,10 @@ std::vector<double> numbers(const std::string& list)
   return result;
 }
 
-Chart chart_of_size(const solvers::Mesh& base, double triangles)
+Chart chart_of_size(const benchmarks::Mesh& base, double triangles)
 {
-  const solvers::Mesh mesh = solvers::resize_mesh(base, static_cast<std::size_t>(triangles));
-  abf::Chart_reader<solvers::Mesh> reader(mesh);
+  const benchmarks::Mesh mesh = benchmarks::resize_mesh(base, static_cast<std::size_t>(triangles));
+  abf::Chart_reader<benchmarks::Mesh> reader(mesh);
   if(const auto defect = reader.read(CGAL::Polygon_mesh_processing::longest_border(mesh).first))
     throw std::runtime_error("the mesh cannot be flattened: " + defect.message);
   return reader.chart;
@@ -82,12 +85,12 @@ std::string row(const Closing_errors& errors)
     cells.push_back(format_number("%.1e", layout.closing_error));
     cells.push_back(std::to_string(layout.flips));
   }
-  return solvers::markdown_row(cells);
+  return benchmarks::markdown_row(cells);
 }
 
 void run(const Command_line& command)
 {
-  const solvers::Mesh base = solvers::read_mesh(command.mesh);
+  const benchmarks::Mesh base = benchmarks::read_mesh(command.mesh);
   const std::vector<double> tolerances = numbers(command.tolerances);
   std::vector<Closing_errors> results;
   std::vector<std::string> titles = {"triangles", "norm of grad F", "largest residual"};
@@ -95,7 +98,11 @@ void run(const Command_line& command)
     titles.push_back(title);
     titles.push_back("flips");
   }
-  std::cout << solvers::markdown_head(titles, 0) << std::flush;
+  std::cout << "# Closing errors of layouts\n\n" + benchmarks::command_text() +
+                   benchmarks::describe_machine() +
+                   "\n\nThe largest closing error of the triangles, relative to their size, of three "
+                   "layouts of the same angles.\n\n";
+  std::cout << benchmarks::markdown_head(titles, 0) << std::flush;
   for(const double size : numbers(command.sizes)) {
     const Chart chart = chart_of_size(base, size);
     for(const double tolerance : tolerances) {

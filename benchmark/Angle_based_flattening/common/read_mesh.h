@@ -26,6 +26,13 @@ inline Mesh read_mesh(const std::string& file)
   return mesh;
 }
 
+inline void write_mesh(const Mesh& mesh, const std::string& file)
+{
+  if(!CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::use_binary_mode(true))) {
+    throw std::runtime_error("cannot write '" + file + "'");
+  }
+}
+
 } // namespace benchmarks
 
 #endif // BENCHMARKS_COMMON_READ_MESH_H

@@ -7,10 +7,10 @@
 #define HIERARCHICAL_RUNNER_H
 
 #include "Command_line.h"
-#include "Measurement.h"
 #include "Task.h"
 #include "measure.h"
 
+#include "../common/Measurement.h"
 #include "../common/format.h"
 #include "../common/run_child.h"
 

@@ -9,7 +9,6 @@
 // The parts that run variants of the method on the same meshes: other orders, numbers of sweeps, polishing.
 
 #include "Command_line.h"
-#include "Measurement.h"
 #include "Runner.h"
 #include "measure.h"
 #include "tables.h"

@@ -7,7 +7,6 @@
 #define HIERARCHICAL_LARGE_H
 
 #include "Command_line.h"
-#include "Measurement.h"
 #include "Runner.h"
 #include "measure.h"
 #include "tables.h"

@@ -5,21 +5,14 @@
 
 #include "measure.h"
 
-#include "sequential.h"
+#include "run.h"
 
-#include "../common/Peak_memory.h"
-#include "../common/read_mesh.h"
 #include "../common/use_cores.h"
 
 #include <CGAL/Aff_transformation_2.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-
-#include <malloc.h>
 
 #include <cmath>
 #include <exception>
@@ -32,12 +25,8 @@
 
 namespace hierarchical {
 
-using namespace benchmarks;
-
 namespace {
 
-typedef boost::graph_traits<Mesh>::halfedge_descriptor Halfedge;
-typedef Mesh::Property_map<Mesh::Vertex_index, CGAL::Epick::Point_2> UV_map;
 typedef SMP::Hierarchical_report::Seconds Seconds;
 
 const std::vector<std::pair<std::string, double Seconds::*>>& seconds_of_stages()
@@ -47,6 +36,43 @@ const std::vector<std::pair<std::string, double Seconds::*>>& seconds_of_stages(
       {"refine", &Seconds::refine}, {"polish", &Seconds::polish},   {"certify", &Seconds::certify},
       {"write", &Seconds::write}};
   return stages;
+}
+
+// Sets the number of threads, where the options have one.
+template <class Options>
+auto set_threads(Options& options, const int threads, int) -> decltype(void(options.threads = threads))
+{
+  options.threads = threads;
+}
+
+template <class Options>
+void set_threads(Options&, int, long)
+{}
+
+Measurement run_method(const Task& task, Mesh& mesh)
+{
+  if(task.method == habf || task.method == polished) {
+    return run(mesh, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options_of(task)));
+  } else if(task.method == direct) {
+    return run(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
+  } else if(task.method == hlscm || task.method == lscm) {
+    return run_lscm(task, mesh);
+  } else if(task.method == sequential) {
+    return run_sequential(task, mesh);
+  }
+  throw std::runtime_error("unknown method '" + task.method + "'");
+}
+
+} // namespace
+
+SMP::Hierarchical_options options_of(const Task& task)
+{
+  SMP::Hierarchical_options options;
+  options.simplification_rate = task.rate;
+  options.sweeps = task.sweeps;
+  options.polish = task.method == polished;
+  set_threads(options, task.threads, 0);
+  return options;
 }
 
 void take_report(const SMP::Hierarchical_report& report, Measurement& measurement)
@@ -69,17 +95,6 @@ void take_report(const SMP::ABF_plus_plus_report& report, Measurement& measureme
   measurement.numbers["newton_steps"] = report.iterations;
 }
 
-template <class Parameterizer>
-auto take_report_of(const Parameterizer& parameterizer, Measurement& measurement, int)
-    -> decltype(take_report(parameterizer.report(), measurement))
-{
-  take_report(parameterizer.report(), measurement);
-}
-
-template <class Parameterizer>
-void take_report_of(const Parameterizer&, Measurement&, long)
-{}
-
 // The shear depends on the axes. For small distortions the root mean square over two pairs of axes at 45 degrees is
 // the one over all pairs.
 void measure_map(const Mesh& mesh, const Halfedge border, UV_map uv, Measurement& measurement)
@@ -96,77 +111,6 @@ void measure_map(const Mesh& mesh, const Halfedge border, UV_map uv, Measurement
   numbers["stretch"] = measures.l2_stretch;
   numbers["flips"] = measures.flipped_triangles;
 }
-
-template <class Parameterizer>
-Measurement run(Mesh& mesh, Parameterizer parameterizer)
-{
-  const Halfedge border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  if(border == boost::graph_traits<Mesh>::null_halfedge()) {
-    return failed_measurement("the mesh has no border");
-  }
-  const UV_map uv = mesh.add_property_map<Mesh::Vertex_index, CGAL::Epick::Point_2>("v:uv").first;
-  const auto parameterized = mesh.add_property_map<Mesh::Vertex_index, bool>("v:parameterized", false).first;
-
-  Measurement measurement;
-  measurement.numbers["vertices"] = static_cast<double>(mesh.number_of_vertices());
-  measurement.numbers["triangles"] = static_cast<double>(mesh.number_of_faces());
-  malloc_trim(0); // what reading the mesh has freed shall not be used again unseen
-  const Peak_memory memory;
-  CGAL::Real_timer timer;
-  timer.start();
-  const SMP::Error_code status =
-      parameterizer.parameterize(mesh, border, uv, get(boost::vertex_index, mesh), parameterized);
-  timer.stop();
-  if(status != SMP::OK) {
-    return failed_measurement(SMP::get_error_message(status));
-  }
-  measurement.numbers["seconds"] = timer.time();
-  measurement.numbers["bytes"] = memory.bytes();
-  take_report_of(parameterizer, measurement, 0);
-  measure_map(mesh, border, uv, measurement);
-  return measurement;
-}
-
-// Sets the number of threads, where the options have one.
-template <class Options>
-auto set_threads(Options& options, const int threads, int) -> decltype(void(options.threads = threads))
-{
-  options.threads = threads;
-}
-
-template <class Options>
-void set_threads(Options&, int, long)
-{}
-
-SMP::Hierarchical_options options_of(const Task& task)
-{
-  SMP::Hierarchical_options options;
-  options.simplification_rate = task.rate;
-  options.sweeps = task.sweeps;
-  options.polish = task.method == polished;
-  set_threads(options, task.threads, 0);
-  return options;
-}
-
-Measurement run_method(const Task& task, Mesh& mesh)
-{
-  const SMP::Hierarchical_options options = options_of(task);
-  if(task.method == habf || task.method == polished) {
-    return run(mesh, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options));
-  } else if(task.method == hlscm) {
-    typedef SMP::LSCM_parameterizer_3<SMP::Hierarchical_coarse_mesh> Coarse;
-    return run(mesh, SMP::Hierarchical_parameterizer_3<Mesh, Coarse>(options));
-  } else if(task.method == sequential) {
-    return run(mesh, Sequential_parameterizer<Mesh>(options));
-  } else if(task.method == direct) {
-    return run(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
-  } else if(task.method == lscm) {
-    return run(mesh, SMP::LSCM_parameterizer_3<Mesh>());
-  }
-  throw std::runtime_error("unknown method '" + task.method + "'");
-}
-
-} // namespace
 
 const std::vector<std::string>& stages()
 {

@@ -6,13 +6,16 @@
 #ifndef HIERARCHICAL_MEASURE_H
 #define HIERARCHICAL_MEASURE_H
 
-#include "Measurement.h"
 #include "Task.h"
+
+#include "../common/Measurement.h"
 
 #include <string>
 #include <vector>
 
 namespace hierarchical {
+
+using namespace benchmarks;
 
 // A method as the tables and the command line know it
 struct Method

@@ -7,13 +7,12 @@
 #define HIERARCHICAL_RATES_H
 
 #include "Command_line.h"
-#include "Measurement.h"
 #include "Runner.h"
 #include "measure.h"
-#include "plot.h"
 #include "tables.h"
 
 #include "../common/Report.h"
+#include "../common/plot.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include "Run_report.h"
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,16 +32,31 @@ Method make_method(const char* name, const char* title, const Flattening& flatte
           }};
 }
 
-// Those that are implemented here, and those that CGAL and our package offer as parameterizers.
+// The parameterizers of our package, the hierarchical one with another of CGAL, those of CGAL, and the methods that are
+// implemented here: each list in a translation unit of its own.
+std::vector<Method> package_methods();
+std::vector<Method> hierarchical_methods();
+std::vector<Method> free_border_methods();
+std::vector<Method> fixed_border_methods();
 std::vector<Method> own_methods();
-std::vector<Method> parameterizer_methods();
 
 inline std::vector<Method> all_methods()
 {
-  std::vector<Method> methods = parameterizer_methods();
-  for(Method& method : own_methods())
-    methods.push_back(std::move(method));
+  std::vector<Method> methods;
+  for(const auto list :
+      {package_methods, own_methods, hierarchical_methods, free_border_methods, fixed_border_methods})
+    for(Method& method : list())
+      methods.push_back(std::move(method));
   return methods;
+}
+
+// Throws an exception if there is none of that name.
+inline Method find_method(const std::string& name)
+{
+  for(Method& method : all_methods())
+    if(method.name == name)
+      return std::move(method);
+  throw std::runtime_error("there is no method '" + name + "'");
 }
 
 } // namespace ABF_benchmark

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,9 @@ struct Run_report
   double residual =
       0; // largest violated constraint of the angles, or what another method stops by; 0 if neither
   std::string failure; // a sentence; empty on success
+
+  // Called, if there is one, once the surface is in the form in which the method takes it: where its time begins.
+  std::function<void()> begin;
 };
 
 inline bool fail(Run_report& report, std::string sentence)

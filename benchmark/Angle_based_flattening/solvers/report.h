@@ -11,6 +11,7 @@
 #include "Results.h"
 #include "measure.h"
 
+#include "../common/command_text.h"
 #include "../common/describe_machine.h"
 #include "../common/format.h"
 
@@ -114,8 +115,8 @@ inline std::string ratios(const std::vector<Mesh_results>& meshes, const Matrix_
 // Everything, in Markdown.
 inline std::string report(const std::vector<Mesh_results>& meshes, const Command_line& command)
 {
-  std::string text = "# Sparse direct solvers on the matrices of ABF++\n\n" + describe_machine() + "\n\n" +
-                     internal::caption(command) + "\n";
+  std::string text = "# Sparse direct solvers on the matrices of ABF++\n\n" + command_text() +
+                     describe_machine() + "\n\n" + internal::caption(command) + "\n";
   for(const Matrix_kind kind : matrix_kinds) {
     text += "\n## " + internal::title(kind) + "\n\n" + internal::table(meshes, kind);
   }

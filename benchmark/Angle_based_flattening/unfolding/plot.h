@@ -8,7 +8,8 @@
 
 #include "Closing_errors.h"
 
-#include <cstdio>
+#include "../common/plot.h"
+
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -18,7 +19,7 @@ namespace unfolding {
 
 // What gnuplot is told: one data block and one curve for each layout and tolerance.
 inline std::string plot_script(const std::vector<Closing_errors>& results,
-                               const std::vector<double>& tolerances, const std::string& file)
+                               const std::vector<double>& tolerances)
 {
   std::ostringstream data, curves;
   int block = 0;
@@ -33,8 +34,8 @@ inline std::string plot_script(const std::vector<Closing_errors>& results,
              << kind + 1 << " pointtype " << block / layout_titles.size() + 4 << " title '"
              << layout_titles[kind] << ", |grad F| <= " << tolerance << "'";
     }
-  return data.str() + "set terminal svg size 800,600 font 'sans,12' background 'white'\nset output '" + file +
-         "'\nset logscale xy\nset format '10^{%T}'\nset grid\nset key below maxcols 3\n"
+  return data.str() +
+         "set logscale xy\nset format '10^{%T}'\nset grid\nset key below maxcols 3\n"
          "set xlabel 'triangles'\nset ylabel 'largest closing error, relative to the triangle'\n" +
          curves.str() + "\n";
 }
@@ -42,14 +43,9 @@ inline std::string plot_script(const std::vector<Closing_errors>& results,
 inline void plot(const std::vector<Closing_errors>& results, const std::vector<double>& tolerances,
                  const std::string& file)
 {
-  if(file.find('\'') != std::string::npos)
-    throw std::runtime_error("the name of the plot must not have quotes in it");
-  std::FILE* gnuplot = popen("gnuplot", "w");
-  const std::string script = plot_script(results, tolerances, file);
-  const bool written = gnuplot != nullptr && std::fputs(script.c_str(), gnuplot) >= 0;
-  if(gnuplot == nullptr || pclose(gnuplot) != 0 || !written)
-    throw std::runtime_error(
-        "no plot: gnuplot is missing (scripts/install-dependencies gnuplot-nox), or failed");
+  const std::string failure = benchmarks::plot(plot_script(results, tolerances), file, "800,600");
+  if(!failure.empty())
+    throw std::runtime_error("no plot: " + failure);
 }
 
 } // namespace unfolding

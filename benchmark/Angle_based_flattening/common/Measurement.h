@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef HIERARCHICAL_MEASUREMENT_H
-#define HIERARCHICAL_MEASUREMENT_H
+#ifndef BENCHMARKS_COMMON_MEASUREMENT_H
+#define BENCHMARKS_COMMON_MEASUREMENT_H
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace hierarchical {
+namespace benchmarks {
 
 // What one process measured: numbers with names.
 struct Measurement
@@ -100,6 +100,6 @@ inline Measurement median(const std::vector<Measurement>& measurements)
   return result;
 }
 
-} // namespace hierarchical
+} // namespace benchmarks
 
-#endif // HIERARCHICAL_MEASUREMENT_H
+#endif // BENCHMARKS_COMMON_MEASUREMENT_H
