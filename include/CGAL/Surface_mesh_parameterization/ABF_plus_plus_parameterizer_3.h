@@ -61,6 +61,7 @@ class ABF_plus_plus_parameterizer_3
 public:
   /// Triangle mesh type
   typedef TriangleMesh_ Triangle_mesh;
+  /// Same as `Triangle_mesh`
   typedef TriangleMesh_ TriangleMesh;
 
 #ifndef DOXYGEN_RUNNING

@@ -71,6 +71,7 @@ class Hierarchical_parameterizer_3
 public:
   /// Triangle mesh type
   typedef TriangleMesh_ Triangle_mesh;
+  /// Same as `Triangle_mesh`
   typedef TriangleMesh_ TriangleMesh;
 
 #ifndef DOXYGEN_RUNNING
