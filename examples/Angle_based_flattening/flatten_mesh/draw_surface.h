@@ -78,7 +78,8 @@ private:
 class Projected_surface
 {
 public:
-  Projected_surface(const Mesh& mesh, const std::vector<Face>& faces, const Surface_view& view, const Frame& frame)
+  Projected_surface(const Mesh& mesh, const std::vector<Face>& faces, const Surface_view& view,
+                    const Frame& frame)
       : m_corners(mesh.number_of_vertices(), Canvas::Corner{0, 0, 0, {}})
   {
     CGAL::Bbox_2 box;
@@ -117,10 +118,12 @@ private:
 };
 
 template <class Shader>
-void draw_face(Canvas& canvas, const Mesh& mesh, const Face f, const Projected_surface& corners, const Shader& color)
+void draw_face(Canvas& canvas, const Mesh& mesh, const Face f, const Projected_surface& corners,
+               const Shader& color)
 {
   const Halfedge h = mesh.halfedge(f);
-  canvas.draw_triangle(corners[mesh.source(h)], corners[mesh.target(h)], corners[mesh.target(mesh.next(h))], color);
+  canvas.draw_triangle(corners[mesh.source(h)], corners[mesh.target(h)], corners[mesh.target(mesh.next(h))],
+                       color);
 }
 
 // Draws the surface with a checkerboard in the plane of its map; the squares have the given side there. Where the
@@ -143,7 +146,8 @@ void draw_checkerboard(Canvas& canvas, const Mesh& mesh, const std::vector<Face>
   }
   const Color light = {0.97, 0.96, 0.92}, dark = {0.13, 0.36, 0.57}, behind = {0.62, 0.62, 0.62};
   const auto shader = [&](const std::array<double, Canvas::number_of_values>& values) {
-    const Kernel::Vector_3 normal = Surface_view::normalized(Kernel::Vector_3(values[2], values[3], values[4]));
+    const Kernel::Vector_3 normal =
+        Surface_view::normalized(Kernel::Vector_3(values[2], values[3], values[4]));
     const bool odd = std::fmod(std::abs(std::floor(values[0]) + std::floor(values[1])), 2) == 1;
     const Color paint = mix(odd ? dark : light, behind, normal.z() < 0 ? 0.75 : 0.);
     const double lamp = std::abs(normal * Surface_view::normalized(Kernel::Vector_3(-0.35, 0.5, 0.8)));

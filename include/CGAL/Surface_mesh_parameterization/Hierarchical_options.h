@@ -29,7 +29,7 @@ struct Hierarchical_options
   /// Coarsening makes no angles smaller than this or larger than \f$\pi\f$ less this, in radians; 2.5 degrees.
   double extreme_angle = 0.0436;
 
-  /// Sweeps of relaxation on each level.
+  /// Sweeps of relaxation on each level; 0 for none. More of them bring the distortion down and take more time.
   int sweeps = 2;
 
   /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
@@ -44,7 +44,7 @@ struct Hierarchical_options
   /// distortion down to that of the direct method.
   bool polish = false;
 
-  /// Options of the direct solver that polishes.
+  /// Options of the direct solver that polishes. It uses `SuperLU_solver_traits`.
   ABF_plus_plus_options polish_options;
 
   /// Whether charts with more than one border are flattened; see `ABF_plus_plus_options::allow_holes`. The coarse
