@@ -219,7 +219,7 @@ void draw_comparison(const std::vector<Flat_mesh_ptr>& flats, const std::string&
     draw_plane(canvas, *flats[i], plane_of(mesh, flats[i]->uv, lower, upper), scale,
                Frame{left, 350, column - 16, 282});
   }
-  write_file(file, canvas.png());
+  write_file(file, canvas.png(51));
 }
 
 // Keeps the coarse chart that the hierarchical method hands to its coarse parameterizer.

@@ -91,10 +91,10 @@ public:
     draw_triangle(q, s, r, shader);
   }
 
-  // The picture as a PNG file.
-  std::string png() const
+  // The picture as a PNG file. Fewer levels of each colour make it smaller.
+  std::string png(const int levels = 255) const
   {
-    const std::vector<png_byte> pixels = averaged();
+    const std::vector<png_byte> pixels = averaged(levels);
     png_image image = {};
     image.version = PNG_IMAGE_VERSION;
     image.width = static_cast<png_uint_32>(m_width);
@@ -148,7 +148,7 @@ private:
     m_colors[sample] = color(values);
   }
 
-  std::vector<png_byte> averaged() const
+  std::vector<png_byte> averaged(const int levels) const
   {
     std::vector<png_byte> pixels;
     for(int y = 0; y < m_height; ++y) {
@@ -163,8 +163,9 @@ private:
             sum[k] += color[k] / (samples * samples);
           }
         }
-        for(const double part : sum) { // 52 levels look the same as 256, and make smaller files
-          pixels.push_back(static_cast<png_byte>(5 * std::lround(51 * (std::min)((std::max)(part, 0.), 1.))));
+        for(const double part : sum) {
+          const double level = std::round(levels * (std::min)((std::max)(part, 0.), 1.));
+          pixels.push_back(static_cast<png_byte>(std::lround(255 * level / levels)));
         }
       }
     }
