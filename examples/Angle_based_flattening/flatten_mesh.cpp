@@ -21,6 +21,10 @@
 #include "flatten_mesh/write_obj.h"
 #include "flatten_mesh/write_svg.h"
 
+#ifdef ABF_WITH_PNG
+#include "flatten_mesh/draw_surface.h"
+#endif
+
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
 
@@ -81,6 +85,12 @@ void write_files(const Command_line& command, const Surface& surface, Run_record
   if(!command.svg.empty() && record.flattening.succeeded()) {
     write_svg(open(command.svg), surface.mesh, surface.chart, record.flattening);
   }
+#ifdef ABF_WITH_PNG
+  if(!command.picture.empty() && record.flattening.succeeded()) {
+    open(command.picture)
+        .write(checkerboard_picture(surface.mesh, surface.chart.faces, record.flattening.uv));
+  }
+#endif
   record.write_seconds = timer.time();
   if(!command.json.empty()) {
     open(command.json).write(report_json(record));
@@ -110,7 +120,7 @@ Exit_status tell_failure(const Command_line& command, const Flattening& flatteni
 Exit_status run(const Command_line& command)
 {
   Progress progress(command.verbose);
-  for(const std::string& name : {command.output, command.svg, command.json}) {
+  for(const std::string& name : {command.output, command.svg, command.picture, command.json}) {
     Output_file::check(name);
   }
 

@@ -11,6 +11,10 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
+#ifdef ABF_WITH_PNG
+#include <png.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -367,6 +371,38 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
   BOOST_TEST((svg.find("nan") == std::string::npos));
 }
 
+#ifdef ABF_WITH_PNG
+// A plane square as a checkerboard: both colours, in about equal parts, on a white ground.
+BOOST_AUTO_TEST_CASE(picture_shows_a_checkerboard)
+{
+  run(quoted(write("sheet.off", off(Sheet()))) + " --picture " + quoted(file("flat.png")));
+  BOOST_TEST(status == 0);
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  BOOST_REQUIRE(png_image_begin_read_from_file(&image, file("flat.png").c_str()) != 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+  BOOST_REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
+  std::size_t light = 0, dark = 0, ground = 0;
+  for(std::size_t i = 0; i < pixels.size(); i += 3) {
+    const bool is_ground = pixels[i] == 255;
+    ground += is_ground;
+    light += !is_ground && pixels[i] > 150;
+    dark += pixels[i] < 80;
+  }
+  BOOST_TEST(ground > 0u);
+  BOOST_TEST(light > pixels.size() / 3 / 10);
+  BOOST_TEST(dark > light / 2);
+  BOOST_TEST(dark < light * 2);
+}
+#else
+BOOST_AUTO_TEST_CASE(picture_needs_libpng)
+{
+  run(quoted(write("sheet.off", off(Sheet()))) + " --picture " + quoted(file("flat.png")));
+  check_refusal({"libpng"});
+}
+#endif
+
 BOOST_AUTO_TEST_CASE(order_and_coordinates_survive)
 {
   const Sheet sheet;
@@ -498,8 +534,9 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
   run("--help");
   BOOST_TEST(status == 0);
   BOOST_TEST(standard_error == "");
-  for(const char* option : {"input", "output", "svg", "json", "component", "border", "method", "barrier",
-                            "layout", "tolerance", "max-iterations", "step", "solver", "verbose", "help"}) {
+  for(const char* option :
+      {"input", "output", "svg", "picture", "json", "component", "border", "method", "barrier", "layout",
+       "tolerance", "max-iterations", "step", "solver", "verbose", "help"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

@@ -15,10 +15,12 @@
 #include <boost/program_options.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -30,6 +32,7 @@ struct Command_line
   std::string input;
   std::string output;
   std::string svg;
+  std::string picture;
   std::string json;
   int component = 0;
   int border = 0;
@@ -61,6 +64,9 @@ inline po::options_description file_options(Command_line& command)
       "the input; faces outside the chart have no 'vt'. The chart has the area it has in space.");
   add("svg", po::value(&command.svg)->value_name("FILE.svg"),
       "draw the chart, every triangle coloured by its angular distortion");
+  add("picture", po::value(&command.picture)->value_name("FILE.png"),
+      "draw the surface with a checkerboard of the plane: squares remain squares where shapes are preserved "
+      "(where built with libpng)");
   add("json", po::value(&command.json)->value_name("FILE.json"),
       "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
       "Also written when the parameterizer fails.");
@@ -165,15 +171,26 @@ inline void check_files(const Command_line& command)
     throw Input_error(
         "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
   }
-  for(const std::string& output : {command.output, command.svg, command.json}) {
-    if(is_same_file(command.input, output)) {
-      throw Input_error("'" + output + "' would overwrite the input: choose another name");
+  const std::vector<std::string> outputs = {command.output, command.svg, command.picture, command.json};
+  for(std::size_t i = 0; i < outputs.size(); ++i) {
+    if(is_same_file(command.input, outputs[i])) {
+      throw Input_error("'" + outputs[i] + "' would overwrite the input: choose another name");
+    }
+    for(std::size_t j = 0; j < i; ++j) {
+      if(is_same_file(outputs[j], outputs[i])) {
+        throw Input_error(
+            "two outputs have the same name: choose different ones for --output, --svg, --picture "
+            "and --json");
+      }
     }
   }
-  if(is_same_file(command.output, command.svg) || is_same_file(command.output, command.json) ||
-     is_same_file(command.svg, command.json)) {
-    throw Input_error("two outputs have the same name: choose different ones for --output, --svg and --json");
+#ifndef ABF_WITH_PNG
+  if(!command.picture.empty()) {
+    throw Input_error(
+        "this program was built without libpng, which --picture needs: install libpng-dev and build "
+        "it again, or use --svg");
   }
+#endif
 }
 
 inline void check_numbers(const Command_line& command)
@@ -289,7 +306,7 @@ inline std::string help_text()
           "from 1, as OBJ files do.\n"
           "\nExit status: 0 when the flattening is valid, with no flipped triangle, and written where asked\n"
           "for; 1 when the computation failed; 2 when the command line or the input is wrong. Where it is\n"
-          "not 0, neither OBJ nor SVG are written.\n";
+          "not 0, neither OBJ nor SVG nor PNG are written.\n";
   return text.str();
 }
 

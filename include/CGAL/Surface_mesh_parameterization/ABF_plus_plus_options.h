@@ -45,16 +45,19 @@ struct ABF_plus_plus_options
   };
 
   /// Weight \f$\kappa\f$ of the barrier that keeps angles away from zero; `0` is exactly the energy of the
-  /// paper. The barrier has its minimum where the energy has, so that ordinary charts hardly change.
+  /// paper. The barrier has its minimum where the energy has, so that ordinary charts hardly change. It has no unit,
+  /// and must not be negative.
   double barrier = 0.1;
 
-  /// Largest violation of a constraint at a vertex that is accepted, in radians.
+  /// Largest violation of a constraint at a vertex that is accepted, in radians; positive. That of the reconstruction
+  /// constraint is the logarithm of a ratio of lengths.
   double tolerance = 1e-8;
 
-  /// The solver goes on until a step promises to lower the energy by less than this part of it.
+  /// The solver goes on until a step promises to lower the energy by less than this part of it; positive.
   double energy_tolerance = 1e-6;
 
-  /// Largest number of Newton steps.
+  /// Largest number of Newton steps. A run that needs more is laid out as far as it came, and accepted only if no
+  /// triangle is flipped.
   int max_iterations = 100;
 
   Step_type step = NEWTON; ///< Treatment of the constraints' second derivatives.

@@ -62,6 +62,7 @@ class ABF_plus_plus_parameterizer_3
 public:
   /// Triangle mesh type
   typedef TriangleMesh_ Triangle_mesh;
+  /// Same as `Triangle_mesh`
   typedef TriangleMesh_ TriangleMesh;
 
 #ifndef DOXYGEN_RUNNING
@@ -91,8 +92,10 @@ public:
   /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
   /// On any error `uvmap` is left as it was.
   ///
-  /// The time is that of a few Cholesky factorizations of a planar graph's matrix with two unknowns an interior
-  /// vertex, one for each Newton step, and that of one more for the layout.
+  /// For \f$n\f$ vertices the time is that of a few sparse factorizations, \cgalBigO{n^{3/2}} operations each: of two
+  /// matrices of order \f$n\f$ if `ABF_plus_plus_options::linear_solver` is `ABF_plus_plus_options::ITERATIVE`, and of one
+  /// of order \f$2n\f$ for each Newton step if it is `ABF_plus_plus_options::DIRECT`; and that of one more for the layout. The
+  /// factors take \cgalBigO{n \log n} memory.
   ///
   /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and

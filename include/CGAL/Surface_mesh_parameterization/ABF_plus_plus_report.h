@@ -78,9 +78,9 @@ struct ABF_plus_plus_report
   /// Which of the layouts gave the coordinates.
   enum Layout
   {
-    NO_LAYOUT,
-    EXACT,
-    LEAST_SQUARES
+    NO_LAYOUT,    ///< None: the run ended before.
+    EXACT,        ///< `ABF_plus_plus_options::EXACT_LAYOUT`.
+    LEAST_SQUARES ///< `ABF_plus_plus_options::LEAST_SQUARES_LAYOUT`.
   };
 
   /// Wall clock time of each stage, in seconds.

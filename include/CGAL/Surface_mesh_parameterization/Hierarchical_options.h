@@ -29,7 +29,8 @@ struct Hierarchical_options
   /// Coarsening makes no angles smaller than this or larger than \f$\pi\f$ less this, in radians; 2.5 degrees.
   double extreme_angle = 0.0436;
 
-  /// Sweeps of relaxation on each level but the three largest ones, which have at most one.
+  /// Sweeps of relaxation on each level but the three largest ones, which have at most one; 0 for none. More
+  /// of them bring the distortion down and take more time.
   int sweeps = 3;
 
   /// Sweeps over the finest level, in the end, that lower the energy of the direct method vertex by vertex. They help
@@ -51,7 +52,7 @@ struct Hierarchical_options
   /// distortion down to that of the direct method.
   bool polish = false;
 
-  /// Options of the direct solver that polishes.
+  /// Options of the direct solver that polishes. It uses `SuperLU_solver_traits`.
   ABF_plus_plus_options polish_options;
 
   /// Is told of the progress and may stop the computation, if not null. The coarse parameterizer and `polish_options` have

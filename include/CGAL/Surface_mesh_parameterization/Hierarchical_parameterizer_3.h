@@ -38,7 +38,8 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer.
+/// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer: a
+/// `Surface_mesh` with points of `Exact_predicates_inexact_constructions_kernel`.
 typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -58,11 +59,12 @@ typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`.
 ///
-/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`. With
-///         `LSCM_parameterizer_3` this is hierarchical LSCM.<br>
+/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`. It may return
+///         flipped triangles or an error: then a finer chart is tried. With `LSCM_parameterizer_3` this is hierarchical
+///         LSCM.<br>
 ///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
 ///
-/// Copies of a parameterizer share their report.
+/// Copies of a parameterizer share their report. Different threads need parameterizers that are not copies of one another.
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::ABF_plus_plus_parameterizer_3`
 template <typename TriangleMesh_, typename CoarseParameterizer_ = Default>
@@ -71,6 +73,7 @@ class Hierarchical_parameterizer_3
 public:
   /// Triangle mesh type
   typedef TriangleMesh_ Triangle_mesh;
+  /// Same as `Triangle_mesh`
   typedef TriangleMesh_ TriangleMesh;
 
 #ifndef DOXYGEN_RUNNING

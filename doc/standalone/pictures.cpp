@@ -1,0 +1,405 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Makes the pictures of the manual from the meshes of the examples, and prints the manual's table of measures:
+// `pictures DATA_FOLDER PICTURE_FOLDER`.
+
+#include "flatten_mesh/Canvas.h"
+#include "flatten_mesh/Distortion_scale.h"
+#include "flatten_mesh/build_mesh.h"
+#include "flatten_mesh/draw_surface.h"
+#include "flatten_mesh/number_text.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+
+const Kernel::Vector_3 shell_from(0.55, -1, 0.35), egg_from(0.5, -1, 0.35), upwards(0, 0, 1);
+
+void write_file(const std::string& name, const std::string& content)
+{
+  std::ofstream file(name, std::ios::binary);
+  if(!(file << content))
+    throw std::runtime_error("cannot write " + name);
+  std::cerr << name << ": " << content.size() / 1000 << " kB\n";
+}
+
+std::vector<Face> all_faces(const Mesh& mesh)
+{
+  return {mesh.faces_begin(), mesh.faces_end()};
+}
+
+Color color_of(const std::string& name)
+{
+  const long rgb = std::strtol(name.c_str() + 1, nullptr, 16);
+  return {(rgb >> 16) / 255., (rgb >> 8 & 255) / 255., (rgb & 255) / 255.};
+}
+
+// A mesh, its map by one of the parameterizers, and what that did to each triangle.
+struct Flat_mesh
+{
+  Flat_mesh() = default;
+  Flat_mesh(const Flat_mesh&) = delete; // the map would still be that of the other mesh
+  Flat_mesh& operator=(const Flat_mesh&) = delete;
+
+  std::string name;
+  Mesh mesh;
+  UV_map uv;
+  std::vector<double> distortion; // angular, of each face
+  std::vector<double> areas;      // on the surface
+  SMP::Flattening_measures measures;
+};
+
+using Flat_mesh_ptr = std::unique_ptr<Flat_mesh>;
+
+template <class Parameterizer>
+Flat_mesh_ptr flatten(const std::string& name, const Mesh& mesh, Parameterizer parameterizer)
+{
+  Flat_mesh_ptr flat = std::make_unique<Flat_mesh>();
+  flat->name = name;
+  flat->mesh = mesh;
+  flat->uv = flat->mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+  const Halfedge border = CGAL::Polygon_mesh_processing::longest_border(flat->mesh).first;
+  if(SMP::parameterize(flat->mesh, parameterizer, border, flat->uv) != SMP::OK)
+    throw std::runtime_error(name + " failed");
+  flat->distortion.resize(mesh.number_of_faces());
+  flat->areas.resize(mesh.number_of_faces());
+  flat->measures = SMP::measure_flattening(flat->mesh, border, flat->uv,
+                                           [&](const Face f, const SMP::Flattening_face_measures& face) {
+                                             flat->distortion[f.idx()] = face.angular_distortion;
+                                             flat->areas[f.idx()] = face.area;
+                                           });
+  return flat;
+}
+
+// The plane as a surface in space, to be drawn like one. It is turned so that `upper`, seen from `lower`, is upwards.
+Mesh plane_of(const Mesh& mesh, const UV_map& uv, const Vertex lower, const Vertex upper)
+{
+  const Kernel::Vector_2 up = uv[upper] - uv[lower];
+  Mesh plane = mesh;
+  for(const Vertex v : mesh.vertices()) {
+    const Kernel::Vector_2 p = uv[v] - uv[lower];
+    plane.point(v) = Kernel::Point_3(p.x() * up.y() - p.y() * up.x(), p * up, 0);
+  }
+  return plane;
+}
+
+const Surface_view& from_above()
+{
+  static const Surface_view view(Kernel::Vector_3(0, 0, 1), Kernel::Vector_3(0, 1, 0));
+  return view;
+}
+
+void draw_edges(Canvas& canvas, const Mesh& mesh, const Projected_surface& corners, const double width,
+                const Color& color, const bool border_only)
+{
+  for(const auto e : mesh.edges()) {
+    if(border_only && !mesh.is_border(e))
+      continue;
+    Canvas::Corner p = corners[mesh.vertex(e, 0)], q = corners[mesh.vertex(e, 1)];
+    p.depth += 1.5;
+    q.depth += 1.5;
+    canvas.draw_line(p, q, width, color);
+  }
+}
+
+void draw_plane(Canvas& canvas, const Flat_mesh& flat, const Mesh& plane, const Distortion_scale& scale,
+                const Frame& frame)
+{
+  const Projected_surface corners(plane, all_faces(plane), from_above(), frame);
+  for(const Face f : plane.faces()) {
+    const Color color = color_of(Distortion_scale::color(scale.color_index(flat.distortion[f.idx()])));
+    draw_face(canvas, plane, f, corners, [&](const auto&) { return color; });
+  }
+  draw_edges(canvas, plane, corners, 1.2, {0.15, 0.15, 0.15}, true);
+}
+
+// A plain surface with its edges.
+void draw_net(Canvas& canvas, const Mesh& mesh, const Surface_view& view, const double width,
+              const Frame& frame)
+{
+  const Projected_surface corners(mesh, all_faces(mesh), view, frame);
+  for(const Face f : mesh.faces()) {
+    const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(mesh, f)));
+    const double lamp = std::abs(normal * Surface_view::normalized(Kernel::Vector_3(-0.35, 0.5, 0.8)));
+    const Color paint = normal.z() < 0 ? Color{0.66, 0.68, 0.7} : Color{0.86, 0.91, 0.97};
+    draw_face(canvas, mesh, f, corners, [&](const auto&) {
+      return mix({0, 0, 0}, paint, 0.45 + 0.55 * lamp);
+    });
+  }
+  draw_edges(canvas, mesh, corners, width, {0.08, 0.22, 0.4}, false);
+}
+
+Distortion_scale common_scale(const std::vector<const Flat_mesh*>& flats)
+{
+  std::vector<double> all;
+  for(const Flat_mesh* flat : flats)
+    all.insert(all.end(), flat->distortion.begin(), flat->distortion.end());
+  return Distortion_scale(all);
+}
+
+// Parameterizers differ in the size of their results: the same number of squares for each.
+double square_side(const Flat_mesh& flat)
+{
+  double area = 0;
+  for(const Face f : flat.mesh.faces()) {
+    const Halfedge h = flat.mesh.halfedge(f);
+    area += std::abs(CGAL::to_double(CGAL::area(flat.uv[flat.mesh.source(h)], flat.uv[flat.mesh.target(h)],
+                                                flat.uv[flat.mesh.target(flat.mesh.next(h))])));
+  }
+  return std::sqrt(area) / 26;
+}
+
+// The two vertices that are the most distant in z, lower first.
+std::pair<Vertex, Vertex> lowest_and_highest(const Mesh& mesh)
+{
+  const auto lower = [&](const Vertex v, const Vertex w) { return mesh.point(v).z() < mesh.point(w).z(); };
+  const auto ends = std::minmax_element(mesh.vertices_begin(), mesh.vertices_end(), lower);
+  return {*ends.first, *ends.second};
+}
+
+void draw_pair(const Flat_mesh& flat, const Kernel::Vector_3& from, const std::string& file)
+{
+  Canvas canvas(1000, 520);
+  const auto [lower, upper] = lowest_and_highest(flat.mesh);
+  draw_checkerboard(canvas, flat.mesh, all_faces(flat.mesh), flat.uv, square_side(flat),
+                    Surface_view(from, upwards), Frame{10, 10, 480, 500});
+  draw_plane(canvas, flat, plane_of(flat.mesh, flat.uv, lower, upper), common_scale({&flat}),
+             Frame{510, 10, 480, 500});
+  write_file(file, canvas.png());
+}
+
+void draw_package(const Flat_mesh& flat, const std::string& file)
+{
+  Canvas canvas(300, 300);
+  draw_checkerboard(canvas, flat.mesh, all_faces(flat.mesh), flat.uv, square_side(flat),
+                    Surface_view(shell_from, upwards), Frame{5, 5, 290, 290});
+  write_file(file, canvas.png());
+}
+
+void draw_comparison(const std::vector<Flat_mesh_ptr>& flats, const std::string& file)
+{
+  std::vector<const Flat_mesh*> all;
+  for(const Flat_mesh_ptr& flat : flats)
+    all.push_back(flat.get());
+  const Distortion_scale scale = common_scale(all);
+  const double column = 270;
+  Canvas canvas(static_cast<int>(column * static_cast<double>(flats.size())), 640);
+  for(std::size_t i = 0; i < flats.size(); ++i) {
+    const double left = column * static_cast<double>(i) + 8;
+    const Mesh& mesh = flats[i]->mesh;
+    const auto [lower, upper] = lowest_and_highest(mesh);
+    draw_checkerboard(canvas, mesh, all_faces(mesh), flats[i]->uv, square_side(*flats[i]),
+                      Surface_view(shell_from, upwards), Frame{left, 8, column - 16, 330});
+    draw_plane(canvas, *flats[i], plane_of(mesh, flats[i]->uv, lower, upper), scale,
+               Frame{left, 350, column - 16, 282});
+  }
+  write_file(file, canvas.png(51));
+}
+
+// Keeps the coarse chart that the hierarchical method hands to its coarse parameterizer.
+struct Coarse_chart_keeper : SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh>
+{
+  using Coarse_mesh = SMP::Hierarchical_coarse_mesh;
+  using Base = SMP::ABF_plus_plus_parameterizer_3<Coarse_mesh>;
+
+  std::shared_ptr<Mesh> surface = std::make_shared<Mesh>(), plane = std::make_shared<Mesh>();
+
+  template <class UV, class Index, class Parameterized>
+  SMP::Error_code parameterize(Coarse_mesh& mesh, Base::halfedge_descriptor border, UV uv, Index index,
+                               Parameterized parameterized)
+  {
+    const SMP::Error_code result = Base::parameterize(mesh, border, uv, index, parameterized);
+    surface->clear();
+    plane->clear();
+    for(const auto v : mesh.vertices()) {
+      const auto& p = mesh.point(v);
+      const auto& q = get(uv, v);
+      surface->add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
+      plane->add_vertex(Kernel::Point_3(q.x(), q.y(), 0));
+    }
+    for(const auto f : mesh.faces()) {
+      const auto vertices = mesh.vertices_around_face(mesh.halfedge(f));
+      surface->add_face(vertices);
+      plane->add_face(vertices);
+    }
+    return result;
+  }
+};
+
+void draw_hierarchy(const Mesh& shell, const std::string& file)
+{
+  SMP::Hierarchical_options options;
+  options.coarse_triangles = 600;
+  const Coarse_chart_keeper keeper;
+  const Flat_mesh_ptr flat = flatten(
+      "hierarchical", shell, SMP::Hierarchical_parameterizer_3<Mesh, Coarse_chart_keeper>(options, keeper));
+  Mesh plane = shell;
+  for(const Vertex v : shell.vertices())
+    plane.point(v) = Kernel::Point_3(flat->uv[v].x(), flat->uv[v].y(), 0);
+
+  const Surface_view view(shell_from, upwards);
+  Canvas canvas(1080, 300);
+  draw_net(canvas, shell, view, 0.3, Frame{8, 8, 254, 284});
+  draw_net(canvas, *keeper.surface, view, 0.9, Frame{278, 8, 254, 284});
+  draw_net(canvas, *keeper.plane, from_above(), 0.9, Frame{548, 8, 254, 284});
+  draw_net(canvas, plane, from_above(), 0.3, Frame{818, 8, 254, 284});
+  write_file(file, canvas.png());
+}
+
+std::string svg_text(const double x, const double y, const std::string& anchor, const std::string& text)
+{
+  return "<text x=\"" + format_number("%g", x) + "\" y=\"" + format_number("%g", y) + "\" text-anchor=\"" +
+         anchor + "\">" + text + "</text>\n";
+}
+
+// Of the logarithm of the angular distortion, by area.
+class Histogram
+{
+public:
+  static constexpr int first_decade = -5, last_decade = 1, bins = 48;
+
+  explicit Histogram(const Flat_mesh& flat) : m_parts(bins, 0.)
+  {
+    double sum = 0;
+    for(const double area : flat.areas)
+      sum += area;
+    for(std::size_t i = 0; i < flat.areas.size(); ++i) {
+      const double decade = std::log10((std::max)(flat.distortion[i], 1e-30)) - first_decade;
+      const int bin = static_cast<int>(std::floor(decade * bins / (last_decade - first_decade)));
+      m_parts[static_cast<std::size_t>((std::min)((std::max)(bin, 0), bins - 1))] += flat.areas[i] / sum;
+    }
+  }
+
+  double operator[](const int bin) const { return m_parts[static_cast<std::size_t>(bin)]; }
+
+private:
+  std::vector<double> m_parts;
+};
+
+void draw_histogram(const std::vector<Flat_mesh_ptr>& flats, const std::string& file)
+{
+  const double width = 640, height = 260, left = 50, top = 20, highest = 0.16;
+  const char* const colors[] = {"#b5542b", "#8a6fb0", "#14588a", "#2b9a74"};
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 720 340\" font-family=\"sans-serif\" "
+      "font-size=\"13\" fill=\"#5b6775\">\n<title>Angular distortion by area</title>\n";
+  const int decades = Histogram::last_decade - Histogram::first_decade;
+  for(int i = 0; i <= decades; ++i) {
+    const double x = left + width * i / decades;
+    svg += "<path stroke=\"#d9e0e7\" d=\"M" + format_number("%g", x) + " 20v260\"/>\n";
+    svg += svg_text(x, top + height + 18, "middle", "1e" + std::to_string(Histogram::first_decade + i));
+  }
+  svg += svg_text(left + width / 2, top + height + 42, "middle", "angular distortion of a triangle");
+  for(int percent = 0; percent <= 15; percent += 5)
+    svg += svg_text(left - 8, top + height * (1 - percent / (100 * highest)) + 4, "end",
+                    std::to_string(percent) + " %");
+  for(std::size_t i = 0; i < flats.size(); ++i) {
+    const Histogram histogram(*flats[i]);
+    const std::string color = colors[i % 4];
+    std::string path;
+    for(int bin = 0; bin < Histogram::bins; ++bin) {
+      const double y = top + height * (1 - (std::min)(histogram[bin] / highest, 1.));
+      path += (bin == 0 ? "M" : "L") + format_number("%.1f", left + width * (bin + 0.5) / Histogram::bins) +
+              " " + format_number("%.1f", y);
+    }
+    svg += "<path fill=\"none\" stroke-width=\"2\" stroke=\"" + color + "\" d=\"" + path + "\"/>\n";
+    const double y = top + 22 + 20 * static_cast<double>(i);
+    svg += "<path stroke-width=\"3\" stroke=\"" + color + "\" d=\"M" + format_number("%g", left + 15) + " " +
+           format_number("%g", y - 4) + "h24\"/>\n" + svg_text(left + 46, y, "start", flats[i]->name);
+  }
+  write_file(file, svg + "</svg>\n");
+}
+
+void print_measures(const std::vector<Flat_mesh_ptr>& flats)
+{
+  for(const Flat_mesh_ptr& flat : flats) {
+    const SMP::Flattening_measures& m = flat->measures;
+    std::cout << "<tr><td>" << flat->name << "</td>";
+    for(const double value : {m.angular_distortion, m.l2_principal_shear, m.max_quasi_conformal_ratio,
+                              m.l2_stretch, m.l2_area_distortion})
+      std::cout << "<td>" << format_number("%.3g", value) << "</td>";
+    std::cout << "<td>" << m.flipped_triangles << "</td></tr>\n";
+  }
+}
+
+Mesh read_mesh(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
+    throw std::runtime_error("cannot read " + file);
+  return mesh;
+}
+
+// The egg, cut open along its seam.
+Mesh read_egg(const std::string& folder)
+{
+  Mesh egg = read_mesh(folder + "/egg.off");
+  const auto seam_edges = egg.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  const auto seam_vertices = egg.add_property_map<Vertex, bool>("v:seam", false).first;
+  CGAL::Seam_mesh<Mesh, decltype(seam_edges), decltype(seam_vertices)> seam_mesh(egg, seam_edges,
+                                                                                 seam_vertices);
+  seam_mesh.add_seams((folder + "/egg.selection.txt").c_str());
+  Mesh open;
+  CGAL::copy_face_graph(seam_mesh, open);
+  return open;
+}
+
+void run(const std::string& data, const std::string& pictures)
+{
+  const Mesh shell = read_mesh(data + "/shell.off");
+  std::vector<Flat_mesh_ptr> flats;
+  flats.push_back(flatten("LSCM", shell, SMP::LSCM_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("ARAP", shell, SMP::ARAP_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("ABF++", shell, SMP::ABF_plus_plus_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("hierarchical ABF++", shell, SMP::Hierarchical_parameterizer_3<Mesh>()));
+  print_measures(flats);
+  draw_pair(*flats[2], shell_from, pictures + "/shell.png");
+  draw_package(*flats[2], pictures + "/package.png");
+  draw_comparison(flats, pictures + "/comparison.png");
+  draw_histogram(flats, pictures + "/histogram.svg");
+  draw_hierarchy(shell, pictures + "/hierarchy.png");
+  draw_pair(*flatten("egg", read_egg(data), SMP::ABF_plus_plus_parameterizer_3<Mesh>()), egg_from,
+            pictures + "/egg.png");
+}
+
+} // namespace flatten_mesh
+
+int main(int argc, char* argv[])
+{
+  if(argc != 3) {
+    std::cerr << "usage: pictures DATA_FOLDER PICTURE_FOLDER\n";
+    return 2;
+  }
+  try {
+    flatten_mesh::run(argv[1], argv[2]);
+  } catch(const std::exception& error) {
+    std::cerr << "pictures: " << error.what() << '\n';
+    return 1;
+  }
+}
