@@ -101,10 +101,11 @@ private:
     // The cotangents of needles are bounded; what counts is that they are finite. A triangle that is a point is as good
     // as an equilateral one.
     if(aa + bb == 0)
-      return {Planar_point(), Planar_point(), std::sqrt(1. / 3), std::sqrt(1. / 3), std::sqrt(1. / 3), 0};
+      return {Planar_point::Zero(), Planar_point::Zero(), std::sqrt(1. / 3),
+              std::sqrt(1. / 3),    std::sqrt(1. / 3),    0};
     const double twice_area =
         (std::max)(std::sqrt(CGAL::cross_product(a, b).squared_length()), 1e-6 * (aa + bb));
-    Triangle t;
+    Triangle t{Planar_point::Zero(), Planar_point::Zero(), 0, 0, 0, 0};
     t.cot_v = ab / twice_area;
     t.cot_p = (aa - ab) / twice_area;
     t.cot_q = (bb - ab) / twice_area;

@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/relax_vertex.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -83,26 +85,66 @@ private:
     const int n = static_cast<int>(vertices.size());
     parallel_for(number_of_blocks, [&](int b) {
       Planar_star star;
-      for(int i = begin_of_block(b, n); i < begin_of_block(b + 1, n); ++i) {
+      for(int i = begin_of_block(b, n); tallies[b].complete && i < begin_of_block(b + 1, n); ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        const Insertion insertion = insert_vertex(star, m_uv[vertices[i]]);
-        tallies[b].kernel_insertions += insertion == INSERTED_IN_KERNEL;
-        if(insertion == NOT_INSERTED) {
-          tallies[b].complete = false;
-          return;
-        }
+        if(star.on_border)
+          tallies[b].put_off.push_back(vertices[i]);
+        else
+          insert(star, vertices[i], tallies[b]);
       }
     });
+    Planar_star star;
     bool complete = true;
-    for(const Tally& tally : tallies) {
+    for(Tally& tally : tallies) {
+      for(std::size_t i = 0; tally.complete && i < tally.put_off.size(); ++i) {
+        star.gather(m_coarsening.mesh(), m_uv, tally.put_off[i]);
+        insert(star, tally.put_off[i], tally);
+      }
       m_report.kernel_insertions += tally.kernel_insertions;
       complete = complete && tally.complete;
     }
     return complete;
   }
 
-  // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices with neighbours in another block are
-  // put off until all blocks are done, so that the result does not depend on the number of threads.
+  void insert(const Planar_star& star, int v, Tally& tally)
+  {
+    Insertion insertion = insert_vertex(star, m_uv[v]);
+    if(insertion == INSERTED && star.on_border && border_overlaps(v)) {
+      m_uv[v] = kernel_centre(star);
+      insertion = is_valid(star, m_uv[v]) ? INSERTED_IN_KERNEL : NOT_INSERTED;
+    }
+    tally.kernel_insertions += insertion == INSERTED_IN_KERNEL;
+    tally.complete = insertion != NOT_INSERTED;
+  }
+
+  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, take a full turn.
+  // Vertices could come to lie in triangles twice there, with all of them positively oriented.
+  bool border_overlaps(int v) const
+  {
+    const Edge_collapses& mesh = m_coarsening.mesh();
+    const int first = mesh.first_corner(v);
+    int last = first;
+    for(int c = first; c >= 0; c = mesh.chart().rotate(c))
+      last = c;
+    return takes_full_turn(v) || takes_full_turn(mesh.chart().vertex[previous_corner(first)]) ||
+           takes_full_turn(mesh.chart().vertex[next_corner(last)]);
+  }
+
+  bool takes_full_turn(int v) const
+  {
+    const Chart& chart = m_coarsening.mesh().chart();
+    double turn = 0;
+    m_coarsening.mesh().for_each_corner(v, [&](int c) {
+      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
+                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
+      turn += std::atan2(cross(a, b), a.dot(b));
+    });
+    return turn > 2 * pi - 1e-3;
+  }
+
+  // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices of the border, and those with
+  // neighbours in another block, are put off until all blocks are done, so that the result does not depend on the number
+  // of threads.
   template <typename Star>
   void relax_all(const Star& empty)
   {
@@ -114,7 +156,8 @@ private:
       Star star = empty;
       for(int i = begin; i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
+        if(star.on_border || star.first_neighbour < vertices[begin] ||
+           star.last_neighbour > vertices[end - 1])
           tallies[b].put_off.push_back(vertices[i]);
         else
           relax(star, vertices[i], tallies[b]);
@@ -134,10 +177,13 @@ private:
   template <typename Star>
   void relax(const Star& star, int v, Tally& tally)
   {
-    if(relax_vertex(star, m_uv[v]))
-      ++tally.moves;
-    else
-      ++tally.rejected_moves;
+    const Planar_point place = m_uv[v];
+    bool moved = relax_vertex(star, m_uv[v]);
+    if(moved && star.on_border && border_overlaps(v)) {
+      m_uv[v] = place;
+      moved = false;
+    }
+    ++(moved ? tally.moves : tally.rejected_moves);
   }
 
   static constexpr int number_of_blocks = 16;
