@@ -7,6 +7,7 @@
 #define ANGLE_BASED_FLATTENING_TEST_MESHES_H
 
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cmath>
@@ -31,6 +32,16 @@ void make_bump(int n, Mesh& mesh)
         return Point(x, y, std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5))));
       },
       true);
+}
+
+// The only border of a mesh.
+template <typename Mesh>
+typename boost::graph_traits<Mesh>::halfedge_descriptor border(const Mesh& mesh)
+{
+  for(auto h : halfedges(mesh))
+    if(CGAL::is_border(h, mesh))
+      return h;
+  return boost::graph_traits<Mesh>::null_halfedge();
 }
 
 template <typename Mesh>

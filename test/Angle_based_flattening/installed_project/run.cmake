@@ -1,14 +1,31 @@
 # Installs the package into its build tree, then builds and runs the project in this folder against it.
-# Called by ctest with BUILD_DIR, GENERATOR, COMPILER, CONFIG.
-set(prefix ${BUILD_DIR}/installed)
-set(project ${BUILD_DIR}/installed_project)
-file(REMOVE_RECURSE ${prefix} ${project})
+# Called by ctest with BUILD_DIR, NAME, GENERATOR, COMPILER, CONFIG; with DPKG_DEB it is installed from a Debian package,
+# and with WITHOUT_TBB the project does not find TBB.
+set(root ${BUILD_DIR}/${NAME}_root)
+set(project ${BUILD_DIR}/${NAME})
+file(REMOVE_RECURSE ${root} ${project})
 
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix} --config ${CONFIG})
+if(DPKG_DEB)
+  run(${CMAKE_CPACK_COMMAND} -G DEB -C ${CONFIG} --config ${BUILD_DIR}/CPackConfig.cmake -B ${root})
+  file(GLOB package ${root}/*.deb)
+  run(${DPKG_DEB} --extract ${package} ${root})
+  execute_process(COMMAND ${DPKG_DEB} --field ${package} OUTPUT_VARIABLE fields COMMAND_ERROR_IS_FATAL ANY)
+  foreach(field "Architecture: all" "Depends: libcgal-dev .*, libeigen3-dev .*, libsuperlu-dev ")
+    if(NOT fields MATCHES "${field}")
+      message(FATAL_ERROR "${package} lacks '${field}':\n${fields}")
+    endif()
+  endforeach()
+  set(prefix ${root}/usr)
+else()
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${root} --config ${CONFIG})
+  set(prefix ${root})
+endif()
+
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${project} -G ${GENERATOR}
-  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_PREFIX_PATH=${prefix})
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_PREFIX_PATH=${prefix}
+  -D CMAKE_DISABLE_FIND_PACKAGE_TBB=${WITHOUT_TBB} -D WITHOUT_TBB=${WITHOUT_TBB})
 run(${CMAKE_COMMAND} --build ${project} --config ${CONFIG} --target run)

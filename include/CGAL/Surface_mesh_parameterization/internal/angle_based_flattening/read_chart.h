@@ -145,14 +145,15 @@ private:
   template <typename VertexIndexMap>
   void number_vertices(VertexIndexMap vimap)
   {
-    chart.vertex.resize(3 * face_descriptors.size());
+    typedef typename boost::property_traits<VertexIndexMap>::value_type Index;
+    std::vector<Index> indices(3 * face_descriptors.size());
+    for_each_corner([&](halfedge_descriptor h, int c) { indices[c] = get(vimap, target(h, m_mesh)); });
+    make_indices_dense(indices);
+    std::vector<int> ranks(static_cast<std::size_t>(*std::max_element(indices.begin(), indices.end())) + 1,
+                           -1);
+    chart.vertex.resize(indices.size());
     for_each_corner([&](halfedge_descriptor h, int c) {
-      chart.vertex[c] = static_cast<int>(get(vimap, target(h, m_mesh)));
-    });
-    make_indices_dense();
-    std::vector<int> ranks(*std::max_element(chart.vertex.begin(), chart.vertex.end()) + 1, -1);
-    for_each_corner([&](halfedge_descriptor h, int c) {
-      int& rank = ranks[chart.vertex[c]];
+      int& rank = ranks[static_cast<std::size_t>(indices[c])];
       if(rank < 0) {
         rank = static_cast<int>(vertex_descriptors.size());
         vertex_descriptors.push_back(target(h, m_mesh));
@@ -162,16 +163,17 @@ private:
   }
 
   // Replaces indices of vertices that are too far apart for an array.
-  void make_indices_dense()
+  template <typename Index>
+  static void make_indices_dense(std::vector<Index>& indices)
   {
-    const auto [least, largest] = std::minmax_element(chart.vertex.begin(), chart.vertex.end());
-    if(*least >= 0 && static_cast<std::size_t>(*largest) < 8 * chart.vertex.size())
+    const auto [least, largest] = std::minmax_element(indices.begin(), indices.end());
+    if(!(*least < Index(0)) && static_cast<std::size_t>(*largest) < 8 * indices.size())
       return;
-    std::vector<int> indices = chart.vertex;
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    for(int& v : chart.vertex)
-      v = static_cast<int>(std::lower_bound(indices.begin(), indices.end(), v) - indices.begin());
+    std::vector<Index> sorted = indices;
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    for(Index& v : indices)
+      v = static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
   }
 
   void read_points()

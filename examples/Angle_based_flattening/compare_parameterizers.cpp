@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <iomanip>
+#include <iostream>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+// Every parameterizer goes here: they differ in their type only.
+template <typename Parameterizer>
+void compare(const char* name, const Parameterizer& parameterizer, Mesh& mesh)
+{
+  const Mesh::Halfedge_index border = PMP::longest_border(mesh).first;
+  auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  std::cout << std::setw(6) << name;
+  if(SMP::parameterize(mesh, parameterizer, border, uv) == SMP::OK) {
+    const SMP::Flattening_measures measures = SMP::measure_flattening(mesh, border, uv);
+    std::cout << std::fixed << std::setprecision(4) << std::setw(10) << measures.angular_distortion
+              << std::setw(10) << measures.l2_stretch << std::setw(9) << measures.flipped_triangles << "\n";
+  } else {
+    std::cout << " failed\n";
+  }
+  mesh.remove_property_map(uv);
+}
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh)) {
+    std::cerr << "Cannot read the mesh.\n";
+    return 1;
+  }
+  std::cout << "          angles   stretch  flipped\n";
+  compare("LSCM", SMP::LSCM_parameterizer_3<Mesh>(), mesh);
+  compare("ARAP", SMP::ARAP_parameterizer_3<Mesh>(), mesh);
+  compare("ABF++", SMP::ABF_plus_plus_parameterizer_3<Mesh>(), mesh);
+  compare("HABF++", SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(), mesh);
+}
