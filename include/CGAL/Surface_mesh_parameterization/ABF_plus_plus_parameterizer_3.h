@@ -127,7 +127,7 @@ public:
     if(!sound)
       return report.status;
 
-    const internal::Rounding<VertexUVmap> round;
+    internal::Rounded_points<VertexUVmap> round;
     std::vector<internal::Chart::Point_2> uv;
     std::vector<int> flipped;
     if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
@@ -135,7 +135,7 @@ public:
       return report.status;
     }
     stopwatch.lap();
-    internal::write(reader, uv, uvmap);
+    round.write(reader, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
   }

@@ -24,7 +24,6 @@
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -157,7 +156,7 @@ private:
     if(!sound)
       return report.status;
 
-    const internal::Rounding<VertexUVmap> round;
+    internal::Rounded_points<VertexUVmap> round;
     Layout uv;
     std::vector<int> flipped;
     if(!flatten(reader.chart, uv) || !certify(reader.chart, round, uv, flipped)) {
@@ -165,7 +164,7 @@ private:
       return report.status;
     }
     stopwatch.lap();
-    internal::write(reader, uv, uvmap);
+    round.write(reader, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
   }
@@ -188,12 +187,12 @@ private:
   }
 
   template <typename Rounding>
-  bool certify(const internal::Chart& chart, const Rounding& round, Layout& uv, std::vector<int>& flipped)
+  bool certify(const internal::Chart& chart, Rounding& round, Layout& uv, std::vector<int>& flipped)
   {
     Hierarchical_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
     internal::scale_to_surface_area(chart, uv);
-    std::transform(uv.begin(), uv.end(), uv.begin(), round);
+    round(uv);
     flipped = internal::flipped_triangles(chart, uv);
     report.flipped_triangles = static_cast<int>(flipped.size());
     report.smallest_angle = internal::smallest_angle(chart, uv);

@@ -23,7 +23,6 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -109,7 +108,7 @@ inline bool certify(const Chart& chart, const std::vector<Chart::Point_2>& uv, A
 // what the caller can store before it is certified. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename Rounding>
 bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, SolverTraits traits,
-                   const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
+                   Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
                    ABF_plus_plus_report& report)
 {
   Stopwatch stopwatch;
@@ -129,7 +128,7 @@ bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, Sol
   if(!lay_out(chart, alpha, options, traits, uv, report))
     return false;
   scale_to_surface_area(chart, uv);
-  std::transform(uv.begin(), uv.end(), uv.begin(), round);
+  round(uv);
   report.seconds.layout = stopwatch.lap();
 
   const bool valid = certify(chart, uv, report, flipped);
