@@ -46,7 +46,7 @@ Report flatten(const Chart& chart, const Options& options, std::vector<Point_2>&
 {
   Report report;
   std::vector<int> flipped;
-  const auto keep = [](const Point_2& p) { return p; };
+  const auto keep = [](std::vector<Point_2>&) {};
   abf::flatten_chart(chart, options, Solver(), keep, uv, flipped, report);
   return report;
 }

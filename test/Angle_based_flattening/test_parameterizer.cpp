@@ -221,6 +221,24 @@ BOOST_AUTO_TEST_CASE(float_kernel)
              parameterizer.report().smallest_angle);
 }
 
+// Also where the compiler takes a conversion to floats and back for nothing.
+BOOST_AUTO_TEST_CASE(rounding_to_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;
+  namespace abf = SMP::internal;
+  std::vector<abf::Chart::Point_2> uv;
+  for(int i = 1; i <= 7; ++i)
+    uv.push_back(abf::Chart::Point_2(1. / (3 * i), 1e10 / (7 * i)));
+  const std::vector<abf::Chart::Point_2> exact = uv;
+  abf::Rounded_points<boost::associative_property_map<std::map<int, Float_point>>> round;
+  round(uv);
+  for(std::size_t i = 0; i < uv.size(); ++i) {
+    const volatile float x = static_cast<float>(exact[i].x()), y = static_cast<float>(exact[i].y());
+    BOOST_TEST(uv[i].x() == double(x));
+    BOOST_TEST(uv[i].y() == double(y));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(same_bits_every_time)
 {
   Surface_mesh mesh;

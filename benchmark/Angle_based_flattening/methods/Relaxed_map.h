@@ -31,7 +31,7 @@ struct Relaxed_map
   {
     std::vector<int> flipped;
     SMP::ABF_plus_plus_report start;
-    const auto no_rounding = [](const Point_2& p) { return p; };
+    const auto no_rounding = [](std::vector<Point_2>&) {};
     if(!abf::flatten_chart(chart, SMP::ABF_plus_plus_options(), Solver(), no_rounding, uv, flipped, start))
       return fail(report, "no start: " + start.message);
     return relax(chart, uv, report);

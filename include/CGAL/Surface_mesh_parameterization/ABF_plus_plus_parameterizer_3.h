@@ -163,7 +163,7 @@ private:
     if(!sound)
       return report.status;
 
-    const internal::Rounding<VertexUVmap> round;
+    internal::Rounded_points<VertexUVmap> round;
     std::vector<internal::Chart::Point_2> uv;
     std::vector<int> flipped;
     if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
@@ -172,7 +172,7 @@ private:
     }
     stopwatch.lap();
     internal::visit_stage(m_options.visitor, Flattening_visitor::WRITE);
-    internal::write(reader, uv, uvmap);
+    round.write(reader, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
   }

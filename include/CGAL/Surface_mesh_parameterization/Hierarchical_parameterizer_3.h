@@ -24,7 +24,6 @@
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -163,7 +162,7 @@ private:
     if(!sound)
       return report.status;
 
-    const internal::Rounding<VertexUVmap> round;
+    internal::Rounded_points<VertexUVmap> round;
     Layout uv;
     std::vector<int> flipped;
     if(!flatten(reader.chart, uv) || !certify(reader.chart, round, uv, flipped)) {
@@ -172,7 +171,7 @@ private:
     }
     stopwatch.lap();
     internal::visit_stage(m_options.visitor, Flattening_visitor::WRITE);
-    internal::write(reader, uv, uvmap);
+    round.write(reader, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
   }
@@ -196,13 +195,13 @@ private:
   }
 
   template <typename Rounding>
-  bool certify(const internal::Chart& chart, const Rounding& round, Layout& uv, std::vector<int>& flipped)
+  bool certify(const internal::Chart& chart, Rounding& round, Layout& uv, std::vector<int>& flipped)
   {
     Hierarchical_report& report = m_outcome->report;
     internal::Stopwatch stopwatch;
     internal::visit_stage(m_options.visitor, Flattening_visitor::CERTIFY);
     internal::scale_to_surface_area(chart, uv);
-    std::transform(uv.begin(), uv.end(), uv.begin(), round);
+    round(uv);
     const bool valid = internal::inspect(chart, uv, report, flipped);
     report.seconds.certify = stopwatch.lap();
     if(valid)

@@ -23,7 +23,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -111,7 +110,7 @@ std::string describe_invalid(const Chart& chart, const std::vector<int>& invalid
 // certified. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename Rounding>
 bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-                         const Rounding& round, const std::vector<double>& beta, std::vector<double>& alpha,
+                         Rounding& round, const std::vector<double>& beta, std::vector<double>& alpha,
                          std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
                          ABF_plus_plus_report& report)
 {
@@ -132,7 +131,7 @@ bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& option
   if(!lay_out(chart, alpha, options, *scalar_solver, uv, report))
     return false;
   scale_to_surface_area(chart, uv);
-  std::transform(uv.begin(), uv.end(), uv.begin(), round);
+  round(uv);
   report.seconds.layout += stopwatch.lap();
 
   visit_stage(options.visitor, Flattening_visitor::CERTIFY);

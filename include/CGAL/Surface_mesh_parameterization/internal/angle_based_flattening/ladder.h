@@ -32,7 +32,7 @@ class Ladder
 
 public:
   Ladder(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-         const Rounding& round, Report& report)
+         Rounding& round, Report& report)
       : m_chart(chart), m_options(options), m_traits(traits), m_round(round), m_report(report)
   {}
 
@@ -93,10 +93,12 @@ private:
       return false;
     const Report high = m_report;
     Layout lowered;
-    if(flatten_again(alpha, lowered, flipped) && m_report.converged)
+    if(flatten_again(alpha, lowered, flipped) && m_report.converged) {
       uv.swap(lowered);
-    else
+    } else {
       m_report = high;
+      m_round(uv); // which remembers what is to be written
+    }
     flipped.clear();
     return true;
   }
@@ -165,14 +167,14 @@ private:
 
   bool is_valid(Layout& uv, std::vector<int>& flipped)
   {
-    std::transform(uv.begin(), uv.end(), uv.begin(), m_round);
+    m_round(uv);
     return inspect(m_chart, uv, m_report, flipped);
   }
 
   const Chart& m_chart;
   const ABF_plus_plus_options& m_options;
   const SolverTraits& m_traits;
-  const Rounding& m_round;
+  Rounding& m_round;
   Report& m_report;
   std::vector<double> m_beta;
 };
@@ -180,7 +182,7 @@ private:
 // Flattens a chart that `diagnose()` found flawless. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename Rounding>
 bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-                   const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
+                   Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
                    ABF_plus_plus_report& report)
 {
   return Ladder<SolverTraits, Rounding>(chart, options, traits, round, report).climb(uv, flipped);

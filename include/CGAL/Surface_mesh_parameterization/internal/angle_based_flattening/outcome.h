@@ -76,28 +76,37 @@ struct Outcome
   }
 };
 
-// Rounds coordinates to the number type of the points that a property map holds, so that what is certified is what
-// will be written.
+// Coordinates as the points that a property map holds. What is certified is read back from the very points that are
+// written: a conversion to their number type and back in one expression is not enough, as GCC 12 removes it at -O2 where
+// it vectorizes straight-line code.
 template <typename VertexUVmap>
-struct Rounding
+class Rounded_points
 {
   typedef typename boost::property_traits<VertexUVmap>::value_type Point;
   typedef typename CGAL::Kernel_traits<Point>::Kernel::FT FT;
 
-  Chart::Point_2 operator()(const Chart::Point_2& p) const
+public:
+  // Rounds `uv` to what the points hold.
+  void operator()(std::vector<Chart::Point_2>& uv)
   {
-    return Chart::Point_2(CGAL::to_double(FT(p.x())), CGAL::to_double(FT(p.y())));
+    m_points.clear();
+    m_points.reserve(uv.size());
+    for(const Chart::Point_2& p : uv)
+      m_points.push_back(Point(FT(p.x()), FT(p.y())));
+    for(std::size_t v = 0; v < uv.size(); ++v)
+      uv[v] = Chart::Point_2(CGAL::to_double(m_points[v].x()), CGAL::to_double(m_points[v].y()));
   }
-};
 
-template <typename TriangleMesh, typename VertexUVmap>
-void write(const Chart_reader<TriangleMesh>& reader, const std::vector<Chart::Point_2>& uv, VertexUVmap uvmap)
-{
-  typedef typename Rounding<VertexUVmap>::Point Point;
-  typedef typename Rounding<VertexUVmap>::FT FT;
-  for(std::size_t v = 0; v < uv.size(); ++v)
-    put(uvmap, reader.vertex_descriptors[v], Point(FT(uv[v].x()), FT(uv[v].y())));
-}
+  template <typename TriangleMesh>
+  void write(const Chart_reader<TriangleMesh>& reader, VertexUVmap uvmap) const
+  {
+    for(std::size_t v = 0; v < m_points.size(); ++v)
+      put(uvmap, reader.vertex_descriptors[v], m_points[v]);
+  }
+
+private:
+  std::vector<Point> m_points;
+};
 
 } // namespace internal
 
