@@ -109,12 +109,23 @@ private:
   void insert(const Planar_star& star, int v, Tally& tally)
   {
     Insertion insertion = insert_vertex(star, m_uv[v]);
-    if(insertion == INSERTED && star.on_border && border_overlaps(v)) {
-      m_uv[v] = kernel_centre(star);
-      insertion = is_valid(star, m_uv[v]) ? INSERTED_IN_KERNEL : NOT_INSERTED;
-    }
+    if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v))
+      insertion = insert_on_border_edge(star, v);
     tally.kernel_insertions += insertion == INSERTED_IN_KERNEL;
     tally.complete = insertion != NOT_INSERTED;
+  }
+
+  // On the edge between its neighbours a border vertex changes nothing about the border, and near to the end that it had
+  // been merged into it sees all of its star.
+  Insertion insert_on_border_edge(const Planar_star& star, int v)
+  {
+    const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
+    for(double part : {0.5, 0.25, 0.75, 0.1, 0.9, 0.01, 0.99, 0.001, 0.999}) {
+      m_uv[v] = a + part * (b - a);
+      if(is_valid(star, m_uv[v]) && !border_overlaps(v))
+        return INSERTED_IN_KERNEL;
+    }
+    return NOT_INSERTED;
   }
 
   // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, take a full turn.
