@@ -8,6 +8,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -27,8 +28,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 
 int main(int argc, char* argv[])
 {
-  Mesh mesh;
-  if(!OpenMesh::IO::read_mesh(mesh, argc > 1 ? argv[1] : "data/shell.off")) {
+  Mesh mesh; // OpenMesh's own reader knows no comments in files
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh)) {
     std::cerr << "Cannot read the mesh.\n";
     return 1;
   }

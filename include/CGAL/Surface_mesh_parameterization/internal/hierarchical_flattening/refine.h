@@ -87,10 +87,12 @@ private:
       Planar_star star;
       for(int i = begin_of_block(b, n); tallies[b].complete && i < begin_of_block(b + 1, n); ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(star.on_border)
+        if(star.on_border) { // until then it does not change the border
+          m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
           tallies[b].put_off.push_back(vertices[i]);
-        else
+        } else {
           insert(star, vertices[i], tallies[b]);
+        }
       }
     });
     Planar_star star;
