@@ -179,6 +179,16 @@ BOOST_AUTO_TEST_CASE(of_charts_without_interior_vertices)
   }
 }
 
+// As those of a surface whose coordinates are so large that squares overflow.
+BOOST_AUTO_TEST_CASE(of_angles_that_are_not_numbers)
+{
+  const Chart chart = make_chart({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const std::vector<double> alpha(6, std::numeric_limits<double>::quiet_NaN());
+  std::vector<Point_2> uv;
+  const bool solved = abf::Least_squares_layout(chart, alpha).solve(Solver(), uv);
+  BOOST_TEST((!solved || abf::flipped_triangles(chart, uv).size() == 2u));
+}
+
 // The minimum of Eq. 21 is where no single coordinate can improve it.
 BOOST_AUTO_TEST_CASE(least_squares_minimizes_equation_21)
 {

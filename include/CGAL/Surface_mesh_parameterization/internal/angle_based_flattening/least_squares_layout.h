@@ -109,7 +109,8 @@ private:
       if(std::sin(alpha[c]) > std::sin(alpha[l]))
         l = c;
     const int j = next_corner(l), k = previous_corner(l);
-    const Complex m = std::polar(std::sin(alpha[k]) / std::sin(alpha[l]), alpha[j]);
+    const double scale = std::sin(alpha[k]) / std::sin(alpha[l]); // std::polar() must not get NaN
+    const Complex m = scale * Complex(std::cos(alpha[j]), std::sin(alpha[j]));
     m_coefficients[j] = m - 1.;
     m_coefficients[k] = -m;
     m_coefficients[l] = 1;

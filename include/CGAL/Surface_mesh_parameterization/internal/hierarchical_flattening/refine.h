@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/relax_vertex.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -112,22 +114,44 @@ private:
   {
     Insertion insertion = insert_vertex(star, m_uv[v]);
     if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v))
-      insertion = insert_on_border_edge(star, v);
+      insertion = insert_cautiously(star, v);
     tally.kernel_insertions += insertion == INSERTED_IN_KERNEL;
     tally.complete = insertion != NOT_INSERTED;
   }
 
-  // On the edge between its neighbours a border vertex changes nothing about the border, and near to the end that it had
-  // been merged into it sees all of its star.
-  Insertion insert_on_border_edge(const Planar_star& star, int v)
+  // Where the border stays as it is, or nearly: the tip of an ear a little outside of the edge between its neighbours, any
+  // other vertex next to one of them, in the middle of what it takes over of its triangles. With the one that it had
+  // been merged into, that is valid.
+  Insertion insert_cautiously(const Planar_star& star, int v)
   {
     const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
-    for(double part : {0.5, 0.25, 0.75, 0.1, 0.9, 0.01, 0.99, 0.001, 0.999}) {
-      m_uv[v] = a + part * (b - a);
-      if(is_valid(star, m_uv[v]) && !border_overlaps(v))
-        return INSERTED_IN_KERNEL;
-    }
+    const Planar_point outwards(b.y() - a.y(), a.x() - b.x());
+    for(double distance : {0.5, 0.1, 0.01, 0.001, 0.0001})
+      for(const Planar_point& place :
+          {Planar_point((a + b) / 2 + distance * outwards), next_to_end(star, true, distance),
+           next_to_end(star, false, distance)}) {
+        m_uv[v] = place;
+        if(is_valid(star, place) && !border_overlaps(v))
+          return INSERTED_IN_KERNEL;
+      }
     return NOT_INSERTED;
+  }
+
+  // A place next to the first or the last vertex of the ring of a border vertex, in the middle of the triangles between
+  // that and the others; `distance` is relative to the nearest one.
+  static Planar_point next_to_end(const Planar_star& star, bool first, double distance)
+  {
+    const Planar_star::Triangle &front = star.triangles.front(), &back = star.triangles.back();
+    const Planar_point &end = first ? front.q : back.p, &neighbour = first ? front.p : back.q;
+    double nearest = (neighbour - end).norm(), angle = 0;
+    for(const Planar_star::Triangle& t : star.triangles)
+      if(&t != (first ? &front : &back)) {
+        const Planar_point p = t.p - end, q = t.q - end;
+        nearest = (std::min)({nearest, p.norm(), q.norm()});
+        angle += std::atan2(cross(p, q), p.dot(q));
+      }
+    const Eigen::Rotation2Dd turn(first ? -angle / 2 : angle / 2);
+    return end + distance * nearest * (turn * (neighbour - end).normalized());
   }
 
   // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, take a full turn.
