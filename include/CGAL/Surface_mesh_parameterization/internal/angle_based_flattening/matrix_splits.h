@@ -9,8 +9,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +30,28 @@ inline Eigen::Matrix<double, 3, 2> basis_of_sum_preserving_steps()
   return basis;
 }
 
+// The inverse of a symmetric matrix whose eigenvalues relative to those of the definite matrix `metric` are lifted to
+// `least_relative_curvature` where they are less.
+inline Eigen::Matrix2d lifted_inverse(const Eigen::Matrix2d& matrix, const Eigen::Matrix2d& metric)
+{
+  // With a Cholesky factor L of the metric, these are the eigenvalues of L^-1 A L'^-1.
+  const double l00 = std::sqrt(metric(0, 0)), l10 = metric(1, 0) / l00,
+               l11 = std::sqrt(metric(1, 1) - l10 * l10);
+  Eigen::Matrix2d inverse_factor;
+  inverse_factor << 1 / l00, 0, -l10 / (l00 * l11), 1 / l11;
+  const Eigen::Matrix2d relative = inverse_factor * matrix * inverse_factor.transpose();
+
+  const double mean = relative.trace() / 2;
+  const double radius = std::hypot((relative(0, 0) - relative(1, 1)) / 2, relative(0, 1));
+  const auto inverse = [](double eigenvalue) { return 1 / (std::max)(eigenvalue, least_relative_curvature); };
+  // A function of a matrix is the line through its values at both eigenvalues.
+  const double slope =
+      radius > 1e-14 * std::abs(mean) ? (inverse(mean + radius) - inverse(mean - radius)) / (2 * radius) : 0;
+  const Eigen::Matrix2d inverse_relative = inverse(mean - radius) * Eigen::Matrix2d::Identity() +
+                                           slope * (relative - (mean - radius) * Eigen::Matrix2d::Identity());
+  return inverse_factor.transpose() * inverse_relative * inverse_factor;
+}
+
 // Both matrix splits of the paper (Eqs. 7 to 17), for one triangle.
 //
 // Eq. 6 for the angles of a triangle reads H d + B' dlambda + mu 1 = r, with the diagonal Hessian H of the
@@ -48,13 +68,7 @@ inline Eigen::Matrix3d split(const Eigen::Vector3d& energy_curvature, const Eige
   const Eigen::Matrix2d energy_hessian = basis.transpose() * energy_curvature.asDiagonal() * basis;
   const Eigen::Matrix2d hessian = basis.transpose() * curvature.asDiagonal() * basis;
 
-  const Eigen::Matrix2d margin = hessian - least_relative_curvature * energy_hessian;
-  if(margin.trace() > 0 && margin.determinant() > 0)
-    return basis * hessian.inverse() * basis.transpose();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> eigen(hessian, energy_hessian);
-  const Eigen::Vector2d lifted = eigen.eigenvalues().cwiseMax(least_relative_curvature);
-  const Eigen::Matrix<double, 3, 2> directions = basis * eigen.eigenvectors();
-  return directions * lifted.cwiseInverse().asDiagonal() * directions.transpose();
+  return basis * lifted_inverse(hessian, energy_hessian) * basis.transpose();
 }
 
 } // namespace internal

@@ -18,8 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/relax_vertex.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -150,8 +148,10 @@ private:
         nearest = (std::min)({nearest, p.norm(), q.norm()});
         angle += std::atan2(cross(p, q), p.dot(q));
       }
-    const Eigen::Rotation2Dd turn(first ? -angle / 2 : angle / 2);
-    return end + distance * nearest * (turn * (neighbour - end).normalized());
+    const Planar_point along = (neighbour - end).normalized();
+    const double c = std::cos(angle / 2), s = first ? -std::sin(angle / 2) : std::sin(angle / 2);
+    return end +
+           distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
   // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, take a full turn.

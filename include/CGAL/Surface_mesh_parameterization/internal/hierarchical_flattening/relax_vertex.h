@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
@@ -62,10 +61,13 @@ bool relax_vertex(const Star& star, Planar_point& place)
   if(!is_valid(star, place))
     return false;
   const Energy here(star, place, true);
-  const double determinant = here.hessian.determinant();
+  const double determinant =
+      here.hessian(0, 0) * here.hessian(1, 1) - here.hessian(0, 1) * here.hessian(0, 1);
   Planar_point step;
   if(determinant > 0 && here.hessian.trace() > 0)
-    step = -here.hessian.inverse() * here.gradient;
+    step = Planar_point(here.hessian(0, 1) * here.gradient.y() - here.hessian(1, 1) * here.gradient.x(),
+                        here.hessian(0, 1) * here.gradient.x() - here.hessian(0, 0) * here.gradient.y()) /
+           determinant;
   else
     step = -here.gradient / (here.hessian.cwiseAbs().sum() + (std::numeric_limits<double>::min)());
   for(int halvings = 0; halvings < 5; ++halvings, step /= 2) {
