@@ -204,7 +204,10 @@ public:
       return m_outcome.report.status;
     }
     stopwatch.lap();
-    rooms::write(reader, certified(reader.chart), uvmap);
+    Layout uv = certified(reader.chart);
+    rooms::Rounded_points<UV_map> rounded;
+    rounded(uv);
+    rounded.write(reader, uvmap);
     m_outcome.report.seconds.certify = stopwatch.lap();
     return m_outcome.report.status;
   }

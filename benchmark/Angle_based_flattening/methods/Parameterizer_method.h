@@ -79,7 +79,7 @@ struct Parameterizer_method
     } catch(const std::exception& error) {
       return fail(report, std::string("the parameterizer threw an exception: ") + error.what());
     }
-    uv.assign(chart.points.size(), Point_2());
+    uv.assign(chart.points.size(), Point_2(0, 0));
     for(Vertex v : mesh.vertices())
       uv[v] = uvmap[v];
     return finish(chart, uv, report);
