@@ -326,6 +326,7 @@ BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
   }
 
   Options options;
+  options.ladder = false;
   options.max_iterations = 0; // leaves the angles of a steep cone as they are, far from flat
   options.layout = Options::LEAST_SQUARES_LAYOUT;
   std::vector<Point_2> uv;
@@ -334,6 +335,23 @@ BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
   BOOST_TEST(report.status == SMP::ERROR_NO_1_TO_1_MAPPING);
   BOOST_TEST(report.diagnosis == Report::NO_CONVERGENCE);
   BOOST_TEST(!report.message.empty());
+}
+
+// Without any Newton step, only the last rung is left; and each rung before it says why it failed.
+BOOST_AUTO_TEST_CASE(the_ladder_is_climbed_and_reported)
+{
+  Options options;
+  options.max_iterations = 0;
+  std::vector<Point_2> uv;
+  const Report report = flatten(bump(20, 1, 20), options, uv);
+  BOOST_TEST(report.status == SMP::OK);
+  BOOST_TEST(report.flipped_triangles == 0);
+  BOOST_TEST(report.rung == Report::VALID_MAP);
+  BOOST_REQUIRE(report.failed_rungs.size() == 3);
+  for(int rung : {Report::FROM_TARGET_ANGLES, Report::RAISED_BARRIER, Report::FROM_VALID_MAP}) {
+    BOOST_TEST(report.failed_rungs[rung].rung == rung);
+    BOOST_TEST(!report.failed_rungs[rung].message.empty());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
