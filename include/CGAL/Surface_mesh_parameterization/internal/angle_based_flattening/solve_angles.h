@@ -110,6 +110,9 @@ public:
     return m_caution * (std::min)(1e-2, (std::max)(0.1 * largest_residual, least_useful));
   }
 
+  // Whether another step from the same iterate would be more exact to any effect.
+  bool can_be_raised() const { return m_caution > 1e-10; }
+
 private:
   double m_tolerance, m_caution = 1, m_last_residual = (std::numeric_limits<double>::infinity)();
 };
@@ -152,6 +155,8 @@ bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
     const double length = take_step(chart, energy, beta, step, penalty, iterate);
+    if(length == 0 && system.equation().steps() > 0 && accuracy.can_be_raised())
+      continue; // a more exact step may lower the merit function where this one did not
     if(length == 0)
       break;
     report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
