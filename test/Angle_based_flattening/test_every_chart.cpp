@@ -53,7 +53,9 @@ struct Run
     Surface_mesh::Halfedge_index h = mesh.halfedge(Surface_mesh::Face_index(static_cast<unsigned>(c / 3)));
     while(!is_border(opposite(h, mesh), mesh) || target(h, mesh) != vertex(chart.edge_target(c)))
       h = next(h, mesh);
-    code = SMP::parameterize(mesh, parameterizer, opposite(h, mesh), uv);
+    // SMP::parameterize() refuses some of these meshes in debug mode
+    const auto done = mesh.add_property_map<Vertex, bool>("v:done", false).first;
+    code = parameterizer.parameterize(mesh, opposite(h, mesh), uv, get(boost::vertex_index, mesh), done);
     for(Vertex v : parameterizer.offending_vertices())
       offenders.insert(static_cast<int>(v));
   }
