@@ -110,8 +110,12 @@ public:
     return m_caution * (std::min)(1e-2, (std::max)(0.1 * largest_residual, least_useful));
   }
 
-  // Whether another step from the same iterate would be more exact to any effect.
-  bool can_be_raised() const { return m_caution > 1e-10; }
+  // Asks for more exact steps from now on; returns `false` if they could not be any more exact to any effect.
+  bool raise()
+  {
+    m_caution /= 10;
+    return m_caution > 1e-10;
+  }
 
 private:
   double m_tolerance, m_caution = 1, m_last_residual = (std::numeric_limits<double>::infinity)();
@@ -155,7 +159,7 @@ bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
     const double length = take_step(chart, energy, beta, step, penalty, iterate);
-    if(length == 0 && system.equation().steps() > 0 && accuracy.can_be_raised())
+    if(length == 0 && system.equation().steps() > 0 && accuracy.raise())
       continue; // a more exact step may lower the merit function where this one did not
     if(length == 0)
       break;
