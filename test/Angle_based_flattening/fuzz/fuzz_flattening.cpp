@@ -89,7 +89,7 @@ bool is_about_input(Report::Diagnosis diagnosis)
 {
   return diagnosis != Report::NOTHING_WRONG && diagnosis != Report::LINEAR_SYSTEM_FAILED &&
          diagnosis != Report::NO_CONVERGENCE && diagnosis != Report::WRONG_LAYOUT &&
-         diagnosis != Report::FLIPPED_TRIANGLES;
+         diagnosis != Report::FLIPPED_TRIANGLES && diagnosis != Report::PRECISION_EXCEEDED;
 }
 
 // Mostly a border, if there is one.
