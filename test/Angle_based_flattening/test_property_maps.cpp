@@ -27,6 +27,11 @@
 #include <utility>
 #include <vector>
 
+// With CGAL 6 a dynamic map takes a default value by reference, and that of a point has no coordinates.
+#ifndef __clang__
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
