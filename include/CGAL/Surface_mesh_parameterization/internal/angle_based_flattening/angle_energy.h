@@ -8,8 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
+
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -44,10 +45,7 @@ struct Angle_energy
 
   double value(const std::vector<double>& alpha, const std::vector<double>& beta) const
   {
-    double sum = 0;
-    for(std::size_t c = 0; c < alpha.size(); ++c)
-      sum += value(alpha[c], beta[c]);
-    return sum;
+    return parallel_sum(static_cast<int>(alpha.size()), [&](int c) { return value(alpha[c], beta[c]); });
   }
 };
 

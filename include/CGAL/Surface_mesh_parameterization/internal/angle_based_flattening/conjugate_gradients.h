@@ -13,6 +13,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <limits>
+
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
@@ -30,6 +32,14 @@ inline void multiply(const Eigen::SparseMatrix<double>& symmetric, const Eigen::
   });
 }
 
+// When to stop: at this part of the solution, in the energy norm, and at this largest entry of the residual. That is
+// given up when the steps are used up.
+struct Iterative_accuracy
+{
+  double relative_error = 0;
+  double largest_residual = (std::numeric_limits<double>::infinity)();
+};
+
 struct Iterative_solution
 {
   enum Status
@@ -43,24 +53,26 @@ struct Iterative_solution
 };
 
 // Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, starting at zero, until the
-// preconditioned norm of the residual, sqrt(r' M r), is `tolerance` times that at the start. (Eigen's own looks at the
-// plain norm, in which large multipliers at slivers hide all others.)
+// preconditioned norm of the residual, sqrt(r' M r), has become a small part of that at the start. (Eigen's own looks at
+// the plain norm, in which large multipliers at slivers hide all others.)
 template <typename Preconditioner>
 Iterative_solution conjugate_gradients(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b,
-                                       Preconditioner& preconditioner, double tolerance, int max_steps,
-                                       Eigen::VectorXd& x)
+                                       Preconditioner& preconditioner, const Iterative_accuracy& accuracy,
+                                       int max_steps, Eigen::VectorXd& x)
 {
   x = Eigen::VectorXd::Zero(b.size());
   Eigen::VectorXd residual = b, correction, direction, product;
   double previous = 0, goal = 0;
-  for(int step = 0; step <= max_steps; ++step) {
+  for(int step = 0;; ++step) {
     if(!preconditioner.apply(residual, correction))
       return {Iterative_solution::FAILED, step};
     const double norm = residual.dot(correction);
     if(step == 0)
-      goal = tolerance * tolerance * norm;
-    if(norm <= goal)
-      return {norm >= 0 ? Iterative_solution::SOLVED : Iterative_solution::NOT_SOLVED, step};
+      goal = accuracy.relative_error * accuracy.relative_error * norm;
+    if(norm < 0 || (step == max_steps && norm > goal))
+      return {Iterative_solution::NOT_SOLVED, step};
+    if(norm <= goal && (step == max_steps || residual.cwiseAbs().maxCoeff() <= accuracy.largest_residual))
+      return {Iterative_solution::SOLVED, step};
     if(step == 0)
       direction = correction;
     else
@@ -70,11 +82,10 @@ Iterative_solution conjugate_gradients(const Eigen::SparseMatrix<double>& a, con
     multiply(a, direction, product);
     const double curvature = direction.dot(product);
     if(!(curvature > 0))
-      break;
+      return {Iterative_solution::NOT_SOLVED, step};
     x += norm / curvature * direction;
     residual -= norm / curvature * product;
   }
-  return {Iterative_solution::NOT_SOLVED, max_steps};
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 
 #include <Eigen/Core>
@@ -35,26 +36,38 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
   Constraint_vector residual = Constraint_vector::Zero(2 * chart.number_of_interior_vertices);
   for(int i = 0; i < chart.number_of_interior_vertices; ++i)
     residual[2 * i] = -2 * pi;
+  std::vector<double> log_sines(alpha.size());
+  parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
+    for(int c = begin; c < end; ++c)
+      log_sines[c] = std::log(std::sin(alpha[c]));
+  });
   for(int c = 0; c < chart.number_of_corners(); ++c) {
     const int i = chart.interior[chart.vertex[c]];
     if(i >= 0)
       residual[2 * i] += alpha[c];
-    const double log_sine = std::log(std::sin(alpha[c]));
     const int before = chart.interior[chart.vertex[previous_corner(c)]];
     const int after = chart.interior[chart.vertex[next_corner(c)]];
     if(before >= 0)
-      residual[2 * before + 1] += log_sine;
+      residual[2 * before + 1] += log_sines[c];
     if(after >= 0)
-      residual[2 * after + 1] -= log_sine;
+      residual[2 * after + 1] -= log_sines[c];
   }
   return residual;
 }
 
 // The derivatives of the six constraints at the vertices of one triangle, border vertices' rows being zero,
 // with respect to its three angles. Rows 2k and 2k + 1 belong to the vertex of corner k.
+inline Eigen::Vector3d cotangents(const std::vector<double>& alpha, int triangle)
+{
+  Eigen::Vector3d result;
+  for(int k = 0; k < 3; ++k)
+    result[k] = std::cos(alpha[3 * triangle + k]) / std::sin(alpha[3 * triangle + k]);
+  return result;
+}
+
 typedef Eigen::Matrix<double, 6, 3> Local_jacobian;
 
-inline Local_jacobian local_jacobian(const Chart& chart, const std::vector<double>& alpha, int triangle)
+inline Local_jacobian local_jacobian(const Chart& chart, int triangle, const Eigen::Vector3d& cotangents)
 {
   Local_jacobian jacobian = Local_jacobian::Zero();
   for(int k = 0; k < 3; ++k) {
@@ -62,23 +75,22 @@ inline Local_jacobian local_jacobian(const Chart& chart, const std::vector<doubl
       continue;
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
     jacobian(2 * k, k) = 1;
-    jacobian(2 * k + 1, next) = 1 / std::tan(alpha[3 * triangle + next]);
-    jacobian(2 * k + 1, previous) = -1 / std::tan(alpha[3 * triangle + previous]);
+    jacobian(2 * k + 1, next) = cotangents[next];
+    jacobian(2 * k + 1, previous) = -cotangents[previous];
   }
   return jacobian;
 }
 
 // The second derivative of the sum of all constraints times their multipliers with respect to the angle at
 // corner `c`; derivatives with respect to two different angles vanish.
-inline double constraint_curvature(const Chart& chart, const std::vector<double>& alpha,
-                                   const Constraint_vector& multipliers, int c)
+inline double constraint_curvature(const Chart& chart, const Constraint_vector& multipliers, int c,
+                                   double cotangent)
 {
   const int before = chart.interior[chart.vertex[previous_corner(c)]];
   const int after = chart.interior[chart.vertex[next_corner(c)]];
   const double difference =
       (before >= 0 ? multipliers[2 * before + 1] : 0) - (after >= 0 ? multipliers[2 * after + 1] : 0);
-  const double sine = std::sin(alpha[c]);
-  return -difference / (sine * sine);
+  return -difference * (1 + cotangent * cotangent);
 }
 
 } // namespace internal

@@ -23,10 +23,13 @@ namespace internal {
 constexpr double least_relative_curvature = 0.1;
 
 // An orthonormal basis of the plane d_1 + d_2 + d_3 = 0 of the steps that keep a triangle's sum of angles.
-inline Eigen::Matrix<double, 3, 2> basis_of_sum_preserving_steps()
+typedef Eigen::Matrix<double, 3, 2> Sum_preserving_steps;
+
+inline const Sum_preserving_steps& basis_of_sum_preserving_steps()
 {
-  Eigen::Matrix<double, 3, 2> basis;
-  basis << std::sqrt(0.5), std::sqrt(1. / 6), -std::sqrt(0.5), std::sqrt(1. / 6), 0, -std::sqrt(2. / 3);
+  static const Sum_preserving_steps basis = (Sum_preserving_steps() << std::sqrt(0.5), std::sqrt(1. / 6),
+                                             -std::sqrt(0.5), std::sqrt(1. / 6), 0, -std::sqrt(2. / 3))
+                                                .finished();
   return basis;
 }
 
@@ -60,15 +63,14 @@ inline Eigen::Matrix2d lifted_inverse(const Eigen::Matrix2d& matrix, const Eigen
 //   d = P (r - B' dlambda)   with   P = T (T' H T)^-1 T',
 // T being a basis of the steps with sum zero. Summed over all triangles, B d = -C then is Eq. 16.
 //
-// Returns P. `curvature` is the diagonal of H; where H is less than `least_relative_curvature` times the energy's
-// own Hessian in some direction of the plane, it is lifted to that.
-inline Eigen::Matrix3d split(const Eigen::Vector3d& energy_curvature, const Eigen::Vector3d& curvature)
+// Returns (T' H T)^-1. `curvature` is the diagonal of H; where H is less than `least_relative_curvature` times the
+// energy's own Hessian in some direction of the plane, it is lifted to that.
+inline Eigen::Matrix2d split(const Eigen::Vector3d& energy_curvature, const Eigen::Vector3d& curvature)
 {
-  static const Eigen::Matrix<double, 3, 2> basis = basis_of_sum_preserving_steps();
+  const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
   const Eigen::Matrix2d energy_hessian = basis.transpose() * energy_curvature.asDiagonal() * basis;
   const Eigen::Matrix2d hessian = basis.transpose() * curvature.asDiagonal() * basis;
-
-  return basis * lifted_inverse(hessian, energy_hessian) * basis.transpose();
+  return lifted_inverse(hessian, energy_hessian);
 }
 
 } // namespace internal

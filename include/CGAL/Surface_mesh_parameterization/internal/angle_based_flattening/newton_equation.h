@@ -37,9 +37,8 @@ public:
       : m_traits(traits), m_iteratively(iteratively && Has_factor<SolverTraits>::value)
   {}
 
-  // `accuracy` is relative to the solution, in the energy norm.
   bool solve(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
-             double accuracy, Eigen::VectorXd& solution)
+             const Iterative_accuracy& accuracy, Eigen::VectorXd& solution)
   {
     m_accuracy = accuracy;
     m_steps = m_factorizations = 0;
@@ -103,7 +102,7 @@ private:
   std::optional<Block_preconditioner<SolverTraits>> m_preconditioner;
   bool m_preconditioner_is_stale = false;
   std::optional<Symmetric_system<SolverTraits>> m_whole_system;
-  double m_accuracy = 0;
+  Iterative_accuracy m_accuracy;
   int m_steps = 0, m_factorizations = 0;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/matrix_splits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/newton_equation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
 
 #include <Eigen/Core>
@@ -35,7 +36,8 @@ struct Newton_step
 
 // Computes steps by solving Eq. 16, whose matrix is assembled triangle by triangle:
 //   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
-// with the P of `split()`, and r minus the gradient of the Lagrangian. This S is positive definite.
+// with P = T (T' H T)^-1 T', as `split()` says, and r minus the gradient of the Lagrangian. This S is positive
+// definite.
 template <typename SolverTraits>
 class Newton_system
 {
@@ -45,18 +47,19 @@ public:
       : m_chart(chart), m_beta(beta), m_energy(energy),
         m_with_constraint_curvature(with_constraint_curvature),
         m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices),
-        m_equation(traits, iteratively)
+        m_local(chart.number_of_triangles()), m_equation(traits, iteratively)
   {}
 
-  // Computes the step, if iteratively then with relative accuracy `accuracy`, from angles `alpha` and `multipliers`, where the constraints are off by `residual`.
-  // Returns `false` if the linear solver fails.
+  // Computes the step, if iteratively then with `accuracy`, from angles `alpha` and `multipliers`, where the
+  // constraints are off by `residual`. Returns `false` if the linear solver fails.
   bool compute(const std::vector<double>& alpha, const Constraint_vector& multipliers,
-               const Constraint_vector& residual, Newton_step& step, double accuracy = 0)
+               const Constraint_vector& residual, Newton_step& step,
+               const Iterative_accuracy& accuracy = Iterative_accuracy())
   {
     const Eigen::VectorXd right_hand_side = assemble(alpha, multipliers, residual);
     if(!m_equation.solve(m_assembly.matrix(), right_hand_side, accuracy, step.multipliers))
       return false;
-    substitute_back(alpha, multipliers, step);
+    substitute_back(step);
     return true;
   }
 
@@ -64,12 +67,17 @@ public:
   Eigen::VectorXd assemble(const std::vector<double>& alpha, const Constraint_vector& multipliers,
                            const Constraint_vector& residual)
   {
+    parallel_for_blocks(m_chart.number_of_triangles(), [&](int begin, int end) {
+      for(int t = begin; t < end; ++t)
+        m_local[t] = local_system(t, alpha, multipliers);
+    });
     Eigen::VectorXd right_hand_side = residual;
     m_assembly.set_zero();
     for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
-      const Local_system local = local_system(t, alpha, multipliers);
-      const Local_jacobian scaled = local.jacobian * local.inverse;
-      m_assembly.add(t, scaled * local.jacobian.transpose());
+      const Local_system& local = m_local[t];
+      const Plane_jacobian jacobian = plane_jacobian(t, local.cotangents);
+      const Plane_jacobian scaled = jacobian * local.inverse;
+      m_assembly.add(t, scaled * jacobian.transpose());
       add(t, scaled * local.force, right_hand_side);
     }
     return right_hand_side;
@@ -80,45 +88,53 @@ public:
 
 private:
   typedef Eigen::Matrix<double, 6, 1> Local_constraints;
+  typedef Eigen::Matrix<double, 6, 2> Plane_jacobian;
 
+  // All that the assembly and the substitution need of a triangle
   struct Local_system
   {
-    Local_jacobian jacobian; // B
-    Eigen::Matrix3d inverse; // P
-    Eigen::Vector3d force;   // r
+    Eigen::Vector3d cotangents;
+    Eigen::Matrix<double, 2, 2, Eigen::DontAlign> inverse; // (T' H T)^-1
+    Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
   };
+
+  // B T
+  Plane_jacobian plane_jacobian(int t, const Eigen::Vector3d& cotangents) const
+  {
+    return local_jacobian(m_chart, t, cotangents) * basis_of_sum_preserving_steps();
+  }
 
   Local_system local_system(int t, const std::vector<double>& alpha,
                             const Constraint_vector& multipliers) const
   {
     Local_system local;
-    local.jacobian = local_jacobian(m_chart, alpha, t);
-    Eigen::Vector3d energy_curvature, curvature;
+    local.cotangents = cotangents(alpha, t);
+    Eigen::Vector3d energy_gradient, energy_curvature, curvature;
     for(int k = 0; k < 3; ++k) {
       const int c = 3 * t + k;
-      local.force[k] = -m_energy.first_derivative(alpha[c], m_beta[c]);
+      energy_gradient[k] = m_energy.first_derivative(alpha[c], m_beta[c]);
       energy_curvature[k] = curvature[k] = m_energy.second_derivative(alpha[c], m_beta[c]);
       if(m_with_constraint_curvature)
-        curvature[k] += constraint_curvature(m_chart, alpha, multipliers, c);
+        curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
     }
-    local.force -= local.jacobian.transpose() * gather(t, multipliers);
+    local.force = -basis_of_sum_preserving_steps().transpose() * energy_gradient -
+                  plane_jacobian(t, local.cotangents).transpose() * gather(t, multipliers);
     local.inverse = split(energy_curvature, curvature);
     return local;
   }
 
   // Eqs. 10 and 17, together.
-  void substitute_back(const std::vector<double>& alpha, const Constraint_vector& multipliers,
-                       Newton_step& step) const
+  void substitute_back(Newton_step& step) const
   {
-    step.angles.resize(alpha.size());
-    step.predicted_decrease = 0;
-    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
-      const Local_system local = local_system(t, alpha, multipliers);
-      const Eigen::Vector3d force = local.force - local.jacobian.transpose() * gather(t, step.multipliers);
-      const Eigen::Vector3d d = local.inverse * force;
-      Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = d;
-      step.predicted_decrease += d.dot(force) / 2;
-    }
+    step.angles.resize(m_beta.size());
+    step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
+      const Local_system& local = m_local[t];
+      const Eigen::Vector2d force =
+          local.force - plane_jacobian(t, local.cotangents).transpose() * gather(t, step.multipliers);
+      const Eigen::Vector2d d = local.inverse * force;
+      Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
+      return d.dot(force) / 2;
+    });
   }
 
   // The six entries of a vector that belong to the vertices of triangle `t`; zero at border vertices.
@@ -147,6 +163,7 @@ private:
   Angle_energy m_energy;
   bool m_with_constraint_curvature;
   Triangle_assembly<2> m_assembly;
+  std::vector<Local_system> m_local; // of each triangle
   Newton_equation<SolverTraits> m_equation;
 };
 

@@ -18,6 +18,8 @@
 #endif
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace CGAL {
 
@@ -35,12 +37,28 @@ void parallel_for(int n, const Function& f)
   });
 }
 
+constexpr int block_size = 1024;
+
 // Calls `f(begin, end)` for blocks of [0, n), which do not depend on the number of threads.
 template <typename Function>
 void parallel_for_blocks(int n, const Function& f)
 {
-  const int size = 1024;
-  parallel_for((n + size - 1) / size, [&](int b) { f(b * size, n - b * size < size ? n : (b + 1) * size); });
+  parallel_for((n + block_size - 1) / block_size,
+               [&](int b) { f(b * block_size, n - b * block_size < block_size ? n : (b + 1) * block_size); });
+}
+
+// The sum of f(0) to f(n - 1), by blocks, so that rounding does not depend on the number of threads.
+template <typename Function>
+double parallel_sum(int n, const Function& f)
+{
+  std::vector<double> sums(n / block_size + 1, 0);
+  parallel_for_blocks(n, [&](int begin, int end) {
+    double sum = 0;
+    for(int i = begin; i < end; ++i)
+      sum += f(i);
+    sums[begin / block_size] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
 // Calls `f`, which may run as many threads at once; as many as there are processors if `threads` is 0, and never more.

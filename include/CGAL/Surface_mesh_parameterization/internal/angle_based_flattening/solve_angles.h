@@ -14,11 +14,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/newton_step.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -74,15 +74,20 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
                         const Newton_step& step, double penalty, Angle_iterate& iterate)
 {
   const double merit = iterate.merit(penalty), rounding = 1e-12 * merit;
-  double slope = -penalty * iterate.violation();
-  for(std::size_t c = 0; c < beta.size(); ++c)
-    slope += energy.first_derivative(iterate.alpha[c], beta[c]) * step.angles[c];
+  const int corners = chart.number_of_corners();
+  const double slope =
+      parallel_sum(
+          corners,
+          [&](int c) { return energy.first_derivative(iterate.alpha[c], beta[c]) * step.angles[c]; }) -
+      penalty * iterate.violation();
 
   Angle_iterate next;
   next.alpha.resize(beta.size());
   for(double length = longest_step(iterate.alpha, step.angles); length > 1e-8; length /= 2) {
-    for(std::size_t c = 0; c < beta.size(); ++c)
-      next.alpha[c] = iterate.alpha[c] + length * step.angles[c];
+    parallel_for_blocks(corners, [&](int begin, int end) {
+      for(int c = begin; c < end; ++c)
+        next.alpha[c] = iterate.alpha[c] + length * step.angles[c];
+    });
     next.evaluate(chart, energy, beta);
     if(next.merit(penalty) <= merit + 1e-4 * length * slope + rounding) {
       next.multipliers = iterate.multipliers + length * step.multipliers;
@@ -93,21 +98,28 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
   return 0;
 }
 
-// How exactly the step from each iterate is to be solved for. An exact step would leave residuals of about the square of
-// what they are, and none need be less than the tolerance. The solver measures the error of a step as a whole; where a
-// single constraint did not profit, the next steps are more exact.
+// How exactly the step from each iterate is to be solved for. An exact step would reduce the residuals about as much as
+// the last one did, squared; to solve for more is wasted. (Eisenstat and Walker 1996, their second choice.) Where it was
+// not enough, the next steps are more exact.
 class Step_accuracy
 {
 public:
   explicit Step_accuracy(double tolerance) : m_tolerance(tolerance) {}
 
-  double next(double largest_residual)
+  Iterative_accuracy next(double largest_residual)
   {
-    if(largest_residual > m_tolerance && largest_residual > 0.5 * m_last_residual)
+    const bool is_first = m_last_residual == 0;
+    const double change = is_first ? 0 : largest_residual / m_last_residual;
+    if(largest_residual > m_tolerance && change > 0.5)
       m_caution /= 10;
     m_last_residual = largest_residual;
-    const double least_useful = 0.1 * m_tolerance / (largest_residual + m_tolerance);
-    return m_caution * (std::min)(1e-2, (std::max)(0.1 * largest_residual, least_useful));
+    Iterative_accuracy accuracy;
+    accuracy.relative_error = m_caution * 1e-2;
+    if(!is_first)
+      accuracy.largest_residual =
+          m_caution * (std::min)(0.1 * largest_residual,
+                                 (std::max)(change * change * largest_residual, 0.1 * m_tolerance));
+    return accuracy;
   }
 
   // Asks for more exact steps from now on; returns `false` if they could not be any more exact to any effect.
@@ -118,7 +130,7 @@ public:
   }
 
 private:
-  double m_tolerance, m_caution = 1, m_last_residual = (std::numeric_limits<double>::infinity)();
+  double m_tolerance, m_caution = 1, m_last_residual = 0;
 };
 
 // The stopping rule: all constraints are met, and the last step had little left to gain. Both do not depend on the
