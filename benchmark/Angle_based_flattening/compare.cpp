@@ -66,13 +66,14 @@ void report_results(const Command_line& command, const Results& results, Report&
              times_table(results));
   report.add(
       "\n## Table II: small to large meshes\n\nShear is that of Eq. 24, which depends on the direction of "
-      "the axes; principal shear does not. Stretch is infinite where a triangle is flipped.\n\n" +
+      "the axes; principal shear does not. Stretch is that of the mirror image where a triangle is flipped, "
+      "and infinite where one has no area.\n\n" +
       distortions_table(results, 0, most_of_table_2));
   report.add("\n## Table III: very large meshes\n\n" +
              distortions_table(results, most_of_table_2, std::size_t(-1)));
   report.add("\n## Ratios to CGAL's LSCM\n\nGeometric means over the meshes that both methods could do, but "
              "for developable ones; of "
-             "stretch, those that neither flips.\n\n" +
+             "stretch, those where it is finite.\n\n" +
              ratios_table(results, "lscm"));
   report.add("\n## Growth\n\nOf the run time on one surface in several sizes.\n\n" + growth_table(results));
   report.add("\n## What the paper says\n\nQuotients on every mesh where both were measured, but for "

@@ -15,7 +15,7 @@
 
 #include "common/Report.h"
 #include "common/Temporary_folder.h"
-#include "common/run_child.h"
+#include "common/measure_in_child.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -51,17 +51,10 @@ Mesh_results write_matrices(const Mesh& base, const std::size_t triangles, const
   return results;
 }
 
-Measurement measure_in_child(const Solver& solver, const std::string& file, const Child_limits& limits)
-{
-  const Child_result child = run_child({"--measure", solver.name, "--matrix", file}, limits);
-  const std::string failure = child.failure(limits);
-  return failure.empty() ? measurement_from_text(child.output) : failed_measurement(failure);
-}
-
 void tell(const Mesh_results& mesh, const Matrix_kind kind, const Solver& solver, const Measurement& m)
 {
   std::cerr << mesh.triangles << " triangles, order " << mesh.matrices[kind].order << ", " << solver.name
-            << ": " << (m.failure.empty() ? format_seconds(m.total()) + " s" : m.failure) << std::endl;
+            << ": " << outcome_text(m, total_seconds(m)) << std::endl;
 }
 
 // Solver by solver, and then all of them again, so that a disturbance does not hit one solver only.
@@ -72,7 +65,8 @@ void measure_matrix(const Command_line& command, const std::string& file, const 
   for(int run = 0; run < command.repeat; ++run) {
     for(const Solver& solver : all_solvers()) {
       if(!matrix.has_failed(solver.name)) {
-        const Measurement measurement = measure_in_child(solver, file, command.limits);
+        const Measurement measurement =
+            measure_in_child({"--measure", solver.name, "--matrix", file}, command.limits);
         matrix.measurements[solver.name].push_back(measurement);
         tell(results, kind, solver, measurement);
       }

@@ -12,31 +12,18 @@
 #include "sweep/report.h"
 
 #include "common/Report.h"
+#include "common/mesh_files.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <set>
 #include <string>
-#include <vector>
 
 namespace sweep {
 
-std::vector<std::filesystem::path> mesh_files(const std::string& folder)
-{
-  const std::set<std::string> extensions{".off", ".obj", ".ply", ".stl"};
-  std::vector<std::filesystem::path> files;
-  for(const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if(entry.is_regular_file() && extensions.count(entry.path().extension().string())) {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
+namespace fs = std::filesystem;
 
 // After a crash or a timeout another process goes on with the next run.
 File_results flatten_in_children(const std::string& file, const Command_line& command)
@@ -64,7 +51,7 @@ bool run(const Command_line& command)
   Report report(command.output);
   report.add("# Sweep, " + command.method + " method\n\n" + table_head());
   Summary summary;
-  for(const std::filesystem::path& file : mesh_files(command.folder)) {
+  for(const fs::path& file : mesh_files<fs::recursive_directory_iterator>(command.folder)) {
     File_results results = flatten_in_children(file.string(), command);
     results.file = file.lexically_relative(command.folder).string();
     report.add(table_rows(results));

@@ -11,18 +11,17 @@
 
 #include "solvers/newton_systems.h"
 
+#include "common/Command_options.h"
 #include "common/command_text.h"
 #include "common/format.h"
+#include "common/number_list.h"
 #include "unfolding/Closing_errors.h"
 #include "unfolding/plot.h"
-
-#include <boost/program_options.hpp>
 
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,30 +39,27 @@ struct Command_line
   bool help = false;
 };
 
-boost::program_options::options_description options(Command_line& command)
+benchmarks::Command_options options_of(Command_line& command)
 {
   namespace po = boost::program_options;
-  po::options_description all("Options", 100, 60);
-  const auto text = [](std::string& value, const char* name) {
-    return po::value(&value)->value_name(name)->default_value(value);
-  };
-  all.add_options()("mesh", text(command.mesh, "FILE"), "a disk, which is simplified or subdivided")(
-      "sizes", text(command.sizes, "N,N,..."),
-      "numbers of triangles")("tolerances", text(command.tolerances, "X,X,..."),
-                              "where the solver of the angles stops: at that norm of grad F")(
-      "svg", po::value(&command.svg)->value_name("FILE"), "draw the errors into that file, with gnuplot")(
-      "help,h", po::bool_switch(&command.help), "print this text");
-  return all;
+  using benchmarks::value_with_default;
+  benchmarks::Command_options options;
+  options.add("mesh", value_with_default(command.mesh, "FILE"), "a disk, which is simplified or subdivided");
+  options.add("sizes", value_with_default(command.sizes, "N,N,..."), "numbers of triangles");
+  options.add("tolerances", value_with_default(command.tolerances, "X,X,..."),
+              "where the solver of the angles stops: at that norm of grad F");
+  options.add("svg", po::value(&command.svg)->value_name("FILE"),
+              "draw the errors into that file, with gnuplot");
+  options.add("help,h", po::bool_switch(&command.help), "print this text");
+  return options;
 }
 
 std::vector<double> numbers(const std::string& list)
 {
   std::vector<double> result;
-  std::istringstream words(list);
-  for(std::string word; std::getline(words, word, ',');) {
+  for(const std::string& word : benchmarks::words_of_list(list)) {
     result.push_back(std::stod(word));
-    if(!(result.back() > 0))
-      throw std::runtime_error("--sizes and --tolerances take numbers above 0");
+    benchmarks::require_positive("--sizes and --tolerances", result.back());
   }
   return result;
 }
@@ -118,15 +114,12 @@ void run(const Command_line& command)
 
 int main(int argc, char* argv[])
 {
-  namespace po = boost::program_options;
   try {
     unfolding::Command_line command;
-    const po::options_description options = unfolding::options(command);
-    po::variables_map values;
-    po::store(po::parse_command_line(argc, argv, options), values);
-    po::notify(values);
+    const benchmarks::Command_options options = unfolding::options_of(command);
+    options.parse(argc, argv);
     if(command.help)
-      std::cout << "unfolding: closing errors of layouts of the same angles.\n\n" << options;
+      std::cout << options.help_text("unfolding: closing errors of layouts of the same angles.\n");
     else
       unfolding::run(command);
     return EXIT_SUCCESS;

@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
   for(const char* word :
       {"vertices", "triangles", "borders", "iterations", "angular distortion", "L2 stretch",
        "L-infinity stretch", "L2 shear", "L2 principal shear", "equal-stretch error", "quasi-conformal ratio",
-       "area distortion", "symmetric Dirichlet", "flipped triangles", "smallest angle", "seconds",
+       "area distortion", "symmetric Dirichlet", "flipped triangles", "border ", "smallest angle", "seconds",
        "layout"}) {
     BOOST_TEST((standard_output.find(word) != std::string::npos), standard_output << " lacks " << word);
   }
@@ -363,6 +363,7 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
     }
   }
   BOOST_TEST(tree.get<int>("borders") == 1);
+  BOOST_TEST(tree.get<std::string>("border") == "simple");
   BOOST_TEST(tree.get<int>("triangles") > 5000);
   BOOST_TEST(lines_with(obj(), "vt").size() == tree.get<std::size_t>("vertices"));
   const std::string svg = content(file("flat.svg"));

@@ -26,6 +26,7 @@
 #include <ostream>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace test_charts;
@@ -137,6 +138,7 @@ BOOST_DATA_TEST_CASE(of_linear_maps, boost::unit_test::data::make(linear_maps), 
   check(measured.map.l2_area_distortion, 0);
   check(measured.map.symmetric_dirichlet_energy, dirichlet);
   BOOST_TEST(measured.map.flipped_triangles == (flips ? chart.number_of_triangles() : 0));
+  BOOST_TEST(measured.map.border_is_simple);
   if(ratio == 1)
     BOOST_TEST(measured.map.angular_distortion < 1e-24);
 }
@@ -342,6 +344,82 @@ BOOST_AUTO_TEST_CASE(principal_shear_is_the_largest)
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(borders)
+
+namespace {
+
+// A strip of a spiral staircase of radii 1 and 2, `turns` times around.
+Chart staircase(double turns)
+{
+  const int steps = 40;
+  std::vector<Point_3> points;
+  Triangles triangles;
+  for(int i = 0; i <= steps; ++i) {
+    const double angle = 2 * CGAL_PI * turns * i / steps;
+    for(const double radius : {1., 2.})
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), angle);
+    if(i > 0) {
+      triangles.push_back({2 * i - 2, 2 * i - 1, 2 * i + 1});
+      triangles.push_back({2 * i - 2, 2 * i + 1, 2 * i});
+    }
+  }
+  return make_chart(points, triangles);
+}
+
+// A square with a square hole, whose lower left corner is `corner` in the plane.
+Measures with_hole(const Point_2& corner)
+{
+  std::vector<Point_3> points;
+  for(const double r : {4., 2.})
+    for(const auto& [x, y] : {std::make_pair(-r, -r), {r, -r}, {r, r}, {-r, r}})
+      points.emplace_back(x, y, 0);
+  Triangles triangles;
+  for(int i = 0; i < 4; ++i) {
+    const int next = (i + 1) % 4;
+    triangles.push_back({i, next, next + 4});
+    triangles.push_back({i, next + 4, i + 4});
+  }
+  const Chart chart = make_chart(points, triangles);
+  BOOST_TEST(chart.borders.size() == 2u);
+  std::vector<Point_2> uv = projected(chart);
+  uv[4] = corner;
+  return measure(chart, uv).map;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(overlaps_without_flips)
+{
+  for(const double turns : {0.9, 1.1}) {
+    const Chart chart = staircase(turns);
+    const Measures measures = measure(chart, projected(chart)).map;
+    BOOST_TEST(measures.flipped_triangles == 0);
+    BOOST_TEST(measures.border_is_simple == (turns < 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_holes)
+{
+  const double ulp = 4 * std::numeric_limits<double>::epsilon();
+  BOOST_TEST(with_hole({-2, -2}).border_is_simple);
+  BOOST_TEST(with_hole({-2, -4 + ulp}).border_is_simple);
+  BOOST_TEST(!with_hole({-2, -4}).border_is_simple); // touches the other border
+  BOOST_TEST(!with_hole({-2, -5}).border_is_simple);
+  BOOST_TEST(!with_hole({3, -2}).border_is_simple); // crosses itself
+}
+
+BOOST_AUTO_TEST_CASE(of_collapsed_and_infinite_points)
+{
+  const Chart one = make_chart({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  BOOST_TEST(!measure(one, {{0, 0}, {1, 0}, {0, 0}}).map.border_is_simple);
+  BOOST_TEST(!measure(one, {{0, 0}, {1, 0}, {2, 0}}).map.border_is_simple);
+  const Measures measures = measure(one, {{0, 0}, {1, 0}, {0, infinity}}).map;
+  BOOST_TEST(measures.border_is_simple);
+  BOOST_TEST(measures.flipped_triangles == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(degenerate)
 
 namespace {
@@ -459,7 +537,7 @@ BOOST_AUTO_TEST_CASE(totals_are_those_of_the_faces)
 {
   Mesh with_triangle = test_meshes::bump<Mesh>(8);
   const auto bhd = CGAL::Polygon_mesh_processing::longest_border(with_triangle).first;
-  const Face other = with_triangle.add_face(with_triangle.add_vertex(Point_3(5, 0, 0)),
+  const Face other = with_triangle.add_face(with_triangle.add_vertex(Point_3(0.5, 0.5, 0)), // over the border
                                             with_triangle.add_vertex(Point_3(6, 0, 0)),
                                             with_triangle.add_vertex(Point_3(5, 1, 0)));
   const Mesh& mesh = with_triangle;
@@ -484,6 +562,7 @@ BOOST_AUTO_TEST_CASE(totals_are_those_of_the_faces)
   check(measures.l2_stretch, std::sqrt(l2_stretch / area));
   check(measures.linf_stretch, linf_stretch);
   check(measures.mean_quasi_conformal_ratio, ratio / area);
+  BOOST_TEST(measures.border_is_simple);
   BOOST_TEST(measures.l2_stretch == SMP::measure_flattening(mesh, bhd, uvmap).l2_stretch);
 }
 

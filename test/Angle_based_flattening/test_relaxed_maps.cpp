@@ -98,14 +98,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(flat_charts_are_undistorted_in_the_end, Energy, Ma
 BOOST_AUTO_TEST_CASE_TEMPLATE(map_energies_decrease_without_flips, Energy, Map_energies)
 {
   for(const Chart& chart : {test_charts::bump(14, 17, 1), test_charts::bump(9, 18, 3)}) {
-    std::vector<int> flipped;
-    SMP::ABF_plus_plus_report start;
     std::vector<Point_2> uv;
-    const auto no_rounding = [](std::vector<Point_2>&) {};
-    BOOST_TEST_REQUIRE(
-        abf::flatten_chart(chart, SMP::ABF_plus_plus_options(), Solver(), no_rounding, uv, flipped, start));
-    const double before = Map_energy<Energy>(chart).value(coordinates(uv));
     Run_report report;
+    BOOST_TEST_REQUIRE(flatten_by_abf_plus_plus(chart, uv, report), report.failure);
+    const double before = Map_energy<Energy>(chart).value(coordinates(uv));
     BOOST_TEST_REQUIRE(Relaxed_map<Energy>().flatten(chart, uv, report), report.failure);
     BOOST_TEST(report.energy < 0.999 * before);
     BOOST_TEST(report.energy >= least_energy(chart, Energy()));

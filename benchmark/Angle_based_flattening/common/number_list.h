@@ -6,6 +6,7 @@
 #ifndef BENCHMARKS_COMMON_NUMBER_LIST_H
 #define BENCHMARKS_COMMON_NUMBER_LIST_H
 
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -41,6 +42,13 @@ std::vector<Number> numbers_of_list(const std::string& list, const std::string& 
     numbers.push_back(number);
   }
   return numbers;
+}
+
+// Numbers of triangles
+inline std::vector<std::size_t> triangles_of_list(const std::string& list, const std::string& option)
+{
+  const std::vector<long> numbers = numbers_of_list<long>(list, option, 100, 1000000000);
+  return {numbers.begin(), numbers.end()};
 }
 
 } // namespace benchmarks

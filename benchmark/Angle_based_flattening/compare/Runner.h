@@ -11,8 +11,7 @@
 #include "Test_mesh.h"
 
 #include "../common/Temporary_folder.h"
-#include "../common/format.h"
-#include "../common/run_child.h"
+#include "../common/measure_in_child.h"
 
 #include <cstddef>
 #include <iostream>
@@ -73,20 +72,15 @@ private:
 
   Measurement run_once(const Test_mesh& mesh, const Method_title& method, const std::string& file)
   {
-    const Child_result child =
-        run_child({"--run", method.name, "--file", file, "--threads", std::to_string(m_command.threads)},
-                  m_command.limits);
-    const std::string failure = child.failure(m_command.limits);
-    Measurement measurement =
-        failure.empty() ? measurement_from_text(child.output) : failed_measurement(failure);
-    if(failure.find("longer") != std::string::npos || measurement.failure == "out of memory") {
+    Measurement measurement = measure_in_child(
+        {"--run", method.name, "--file", file, "--threads", std::to_string(m_command.threads)},
+        m_command.limits);
+    if(measurement.failure.rfind("took longer", 0) == 0 || measurement.failure == "out of memory") {
       measurement.failure = "stopped: " + measurement.failure;
       ++m_stops[method.name];
     }
     std::cerr << mesh.name << ", " << mesh.triangles << ", " << method.name << ": "
-              << (measurement.succeeded() ? format_seconds(measurement["seconds"]) + " s"
-                                          : measurement.failure)
-              << std::endl;
+              << outcome_text(measurement, measurement["seconds"]) << std::endl;
     return measurement;
   }
 

@@ -6,6 +6,7 @@
 #include "Test_mesh.h"
 
 #include "../common/add_noise.h"
+#include "../common/mesh_files.h"
 #include "../common/read_mesh.h"
 #include "../common/resize_mesh.h"
 
@@ -24,12 +25,6 @@ namespace compare {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_mesh_file(const fs::path& file)
-{
-  const std::string extension = file.extension().string();
-  return extension == ".ply" || extension == ".off" || extension == ".obj" || extension == ".stl";
-}
 
 // Throws an exception if it is no disk.
 Test_mesh read_disk(const fs::path& file)
@@ -50,12 +45,9 @@ Test_mesh read_disk(const fs::path& file)
 // Folders of meshes have much in them that is no disk.
 void add_folder(const Command_line& command, const std::string& folder, std::vector<Test_mesh>& meshes)
 {
-  for(const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if(!is_mesh_file(entry.path())) {
-      continue;
-    }
+  for(const fs::path& file : mesh_files(folder)) {
     try {
-      const Test_mesh mesh = read_disk(entry.path());
+      const Test_mesh mesh = read_disk(file);
       if(mesh.triangles >= command.least && mesh.triangles <= command.most) {
         meshes.push_back(mesh);
       }

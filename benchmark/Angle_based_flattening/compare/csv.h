@@ -29,7 +29,8 @@ inline std::string csv(const Results& results)
                                             "quasi_conformal",
                                             "area",
                                             "symmetric_dirichlet",
-                                            "flips"};
+                                            "flips",
+                                            "border_is_simple"};
   std::string text = "mesh,faces,method";
   for(const std::string& number : numbers) {
     text += "," + number;

@@ -76,6 +76,7 @@ void measure_map(Mesh& mesh, const Halfedge border, const Reader& reader, const 
   numbers["area"] = m.l2_area_distortion;
   numbers["symmetric_dirichlet"] = m.symmetric_dirichlet_energy;
   numbers["flips"] = m.flipped_triangles;
+  numbers["border_is_simple"] = m.border_is_simple;
 }
 
 } // namespace

@@ -67,7 +67,8 @@ inline std::string distortions_table(const Results& results, const std::size_t l
       if(m.succeeded()) {
         table.add({cells[0], cells[1], cells[2], seconds_cell(m["seconds"]), cell("%.4f", m["shear"]),
                    cell("%.4f", m["principal_shear"]), cell("%.5g", m["stretch"]), cell("%.3e", m["angular"]),
-                   count_cell(m["flips"]), cell("%.1f", m["bytes"] / 1e6), ""});
+                   count_cell(m["flips"]), cell("%.1f", m["bytes"] / 1e6),
+                   m["border_is_simple"] == 1 ? "" : "the border crosses itself"});
       } else {
         table.add({cells[0], cells[1], cells[2], "–", "–", "–", "–", "–", "–", "–", failure_cell(m)});
       }

@@ -8,16 +8,12 @@
 
 #include "Task.h"
 
+#include "../common/Command_options.h"
+#include "../common/mesh_files.h"
 #include "../common/number_list.h"
 #include "../common/run_child.h"
 
-#include <boost/program_options.hpp>
-
-#include <algorithm>
-#include <cstddef>
 #include <filesystem>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -38,75 +34,46 @@ struct Command_line
 
   Task task; // what a process that measures shall do
 
-  static std::vector<std::size_t> triangles(const std::string& list, const std::string& option)
-  {
-    const std::vector<long> numbers = numbers_of_list<long>(list, option, 100, 1000000000);
-    return {numbers.begin(), numbers.end()};
-  }
-
   // The meshes of the parts that compare the quality: those in the folder, or else the one mesh
-  std::vector<std::string> mesh_files() const
+  std::vector<std::string> compared_files() const
   {
     if(data.empty()) {
       return {mesh};
     }
     std::vector<std::string> files;
-    for(const auto& entry : std::filesystem::directory_iterator(data)) {
-      const std::string extension = entry.path().extension().string();
-      if(extension == ".ply" || extension == ".off" || extension == ".obj" || extension == ".stl") {
-        files.push_back(entry.path().string());
-      }
+    for(const std::filesystem::path& file : mesh_files(data)) {
+      files.push_back(file.string());
     }
-    std::sort(files.begin(), files.end());
     return files;
   }
 };
 
 namespace internal {
 
-namespace po = boost::program_options;
-
-template <class Value>
-po::typed_value<Value>* option(Value& value, const char* name)
+inline Command_options options_of(Command_line& command)
 {
-  return po::value(&value)->value_name(name)->default_value(value);
-}
-
-inline po::options_description visible_options(Command_line& command)
-{
-  po::options_description options("Options", 100, 60);
-  po::options_description_easy_init add = options.add_options();
-  add("mesh", po::value(&command.mesh)->value_name("FILE"),
-      "a disk, which is simplified or subdivided; the word '--mesh' may be left out. By default the sea "
-      "shell of the examples");
-  add("data", po::value(&command.data)->value_name("FOLDER"),
-      "disks for quality, sequential, sweeps and polish; by default only the one mesh");
-  add("parts", option(command.parts, "PART,PART,..."), "what to measure");
-  add("sizes", option(command.sizes, "N,N,..."),
-      "numbers of triangles for speed; quality takes the second one");
-  add("large", option(command.large_sizes, "N,N,..."), "numbers of triangles for large");
-  add("rates", option(command.rates, "PERCENT,..."), "simplification rates for rates");
-  add("sweeps", option(command.sweeps, "N,N,..."), "sweeps on each level for sweeps");
-  add("figure", po::value(&command.figure)->value_name("NAME"),
-      "what rates measures is also written to NAME.csv and drawn to NAME.svg, by gnuplot");
-  add("threads", option(command.threads, "N"), "compared with one thread, in speed and large");
-  add("repeat", option(command.repeat, "N"), "of how many processes each the medians are taken");
-  add("timeout", option(command.limits.seconds, "SECONDS"), "limit of a process; it is killed then");
-  add("memory", option(command.limits.gigabytes, "GB"), "limit of a process");
-  add("output,o", po::value(&command.output)->value_name("FILE.md"), "write the report there as well");
-  add("help,h", po::bool_switch(&command.help), "print this text");
-  return options;
-}
-
-inline po::options_description all_options(Command_line& command)
-{
-  po::options_description options = visible_options(command);
-  po::options_description_easy_init add = options.add_options();
-  add("measure", po::value(&command.task.method));
-  add("file", po::value(&command.task.file));
-  add("on-cores", po::value(&command.task.threads));
-  add("rate", po::value(&command.task.rate));
-  add("with-sweeps", po::value(&command.task.sweeps));
+  Command_options options;
+  options.add_base_mesh(command.mesh);
+  options.add("data", po::value(&command.data)->value_name("FOLDER"),
+              "disks for quality, sequential, sweeps and polish; by default only the one mesh");
+  options.add("parts", value_with_default(command.parts, "PART,PART,..."), "what to measure");
+  options.add("sizes", value_with_default(command.sizes, "N,N,..."),
+              "numbers of triangles for speed; quality takes the second one");
+  options.add("large", value_with_default(command.large_sizes, "N,N,..."), "numbers of triangles for large");
+  options.add("rates", value_with_default(command.rates, "PERCENT,..."), "simplification rates for rates");
+  options.add("sweeps", value_with_default(command.sweeps, "N,N,..."), "sweeps on each level for sweeps");
+  options.add("figure", po::value(&command.figure)->value_name("NAME"),
+              "what rates measures is also written to NAME.csv and drawn to NAME.svg, by gnuplot");
+  options.add("threads", value_with_default(command.threads, "N"),
+              "compared with one thread, in speed and large");
+  options.add_repeat(command.repeat);
+  options.add_limits(command.limits);
+  options.add_output_and_help(command.output, command.help);
+  options.add_hidden("measure", po::value(&command.task.method));
+  options.add_hidden("file", po::value(&command.task.file));
+  options.add_hidden("on-cores", po::value(&command.task.threads));
+  options.add_hidden("rate", po::value(&command.task.rate));
+  options.add_hidden("with-sweeps", po::value(&command.task.sweeps));
   return options;
 }
 
@@ -115,32 +82,19 @@ inline po::options_description all_options(Command_line& command)
 // Throws an exception for wrong usage.
 inline Command_line parse_command_line(const int argc, char* argv[])
 {
-  namespace po = boost::program_options;
   Command_line command;
-  const po::options_description options = internal::all_options(command);
-  po::positional_options_description positional;
-  positional.add("mesh", 1);
-  po::variables_map values;
-  // No guessing: '--rate' is not short for '--rates'.
-  const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-  po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(),
-            values);
-  po::notify(values);
-  if(command.repeat < 1 || command.threads < 1 || command.limits.seconds < 1 ||
-     !(command.limits.gigabytes > 0)) {
-    throw std::runtime_error("--threads, --repeat, --timeout and --memory take numbers above 0");
-  }
+  internal::options_of(command).parse(argc, argv);
+  require_positive("--threads, --repeat, --timeout and --memory", command.threads, command.repeat,
+                   command.limits.seconds, command.limits.gigabytes);
   return command;
 }
 
 inline std::string help_text()
 {
   Command_line command;
-  std::ostringstream text;
-  text << "hierarchical: measures the hierarchical parameterizer against others.\n\n"
-          "usage: hierarchical [FILE] [options]\n"
-       << internal::visible_options(command);
-  return text.str();
+  return internal::options_of(command).help_text(
+      "hierarchical: measures the hierarchical parameterizer against others.\n\n"
+      "usage: hierarchical [FILE] [options]");
 }
 
 } // namespace hierarchical

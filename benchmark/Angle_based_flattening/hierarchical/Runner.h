@@ -11,8 +11,7 @@
 #include "measure.h"
 
 #include "../common/Measurement.h"
-#include "../common/format.h"
-#include "../common/run_child.h"
+#include "../common/measure_in_child.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -55,15 +54,10 @@ public:
 private:
   Measurement run_once(const Task& task) const
   {
-    const Child_result child = run_child(arguments(task), m_command.limits);
-    const std::string failure = child.failure(m_command.limits);
-    const Measurement measurement =
-        failure.empty() ? measurement_from_text(child.output) : failed_measurement(failure);
+    const Measurement measurement = measure_in_child(arguments(task), m_command.limits);
     std::cerr << name_of_file(task.file) << ", " << title(task.method) << ", threads " << task.threads
               << ", rate " << task.rate << ", sweeps " << task.sweeps << ": "
-              << (measurement.succeeded() ? format_seconds(measurement["seconds"]) + " s"
-                                          : measurement.failure)
-              << std::endl;
+              << outcome_text(measurement, measurement["seconds"]) << std::endl;
     return measurement;
   }
 

@@ -23,7 +23,7 @@ inline std::string sequential_part(const Command_line& command)
   Table table({"mesh", "order", "triangles", "coarse triangles", "seconds", "coarsen", "solve", "refine",
                "kernel insertions", "% of vertices", "shear", "stretch", "flips"},
               2);
-  for(const std::string& file : command.mesh_files()) {
+  for(const std::string& file : command.compared_files()) {
     const std::vector<Measurement> results = Runner(command).run({{habf, file}, {sequential, file}});
     for(const Measurement& m : results) {
       const std::string order = &m == &results.front() ? "by levels" : "sequential";
@@ -51,7 +51,7 @@ inline std::string sweeps_part(const Command_line& command)
       {"mesh", "sweeps on each level", "seconds", "refine", "shear", "stretch", "kernel insertions", "flips"},
       1);
   const std::vector<int> sweeps = numbers_of_list<int>(command.sweeps, "--sweeps", 0, 1000);
-  for(const std::string& file : command.mesh_files()) {
+  for(const std::string& file : command.compared_files()) {
     std::vector<Task> tasks;
     for(const int number : sweeps) {
       tasks.emplace_back(habf, file);
@@ -79,7 +79,7 @@ inline std::string polish_part(const Command_line& command)
 {
   Table table(
       {"mesh", "method", "seconds", "polish", "Newton steps", "shear", "stretch", "flips", "replaced"}, 2);
-  for(const std::string& file : command.mesh_files()) {
+  for(const std::string& file : command.compared_files()) {
     const std::vector<Task> tasks = {{direct, file}, {habf, file}, {polished, file}};
     const std::vector<Measurement> results = Runner(command).run(tasks);
     for(std::size_t i = 0; i < tasks.size(); ++i) {

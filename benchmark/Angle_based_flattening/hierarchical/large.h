@@ -65,7 +65,7 @@ struct Large_run
 inline std::vector<Large_run> measure_large(const Command_line& command)
 {
   std::vector<Large_run> runs;
-  for(const std::size_t triangles : Command_line::triangles(command.large_sizes, "--large")) {
+  for(const std::size_t triangles : triangles_of_list(command.large_sizes, "--large")) {
     const Temporary_folder folder;
     const std::string file = resized_mesh(command, folder, triangles, true);
     const std::vector<Task> tasks = {

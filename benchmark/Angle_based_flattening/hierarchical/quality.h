@@ -38,8 +38,8 @@ struct Quality
 inline std::vector<Quality> measure_quality(const Command_line& command)
 {
   const Temporary_folder folder;
-  std::vector<std::string> files = command.mesh_files();
-  const std::vector<std::size_t> sizes = Command_line::triangles(command.sizes, "--sizes");
+  std::vector<std::string> files = command.compared_files();
+  const std::vector<std::size_t> sizes = triangles_of_list(command.sizes, "--sizes");
   if(sizes.size() > 1) {
     files.push_back(resized_mesh(command, folder, sizes[1]));
   }

@@ -39,7 +39,7 @@ inline std::vector<Task> speed_tasks(const std::string& file, const int threads)
 inline std::vector<Speed> measure_speed(const Command_line& command)
 {
   std::vector<Speed> sizes;
-  for(const std::size_t triangles : Command_line::triangles(command.sizes, "--sizes")) {
+  for(const std::size_t triangles : triangles_of_list(command.sizes, "--sizes")) {
     const Temporary_folder folder;
     const std::vector<Measurement> m =
         Runner(command).run(speed_tasks(resized_mesh(command, folder, triangles), command.threads));

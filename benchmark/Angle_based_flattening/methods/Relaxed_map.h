@@ -18,6 +18,16 @@
 
 namespace ABF_benchmark {
 
+// Our ABF++, where relaxations start.
+inline bool flatten_by_abf_plus_plus(const Chart& chart, std::vector<Point_2>& uv, Run_report& report)
+{
+  std::vector<int> flipped;
+  SMP::ABF_plus_plus_report start;
+  const auto no_rounding = [](std::vector<Point_2>&) {};
+  return abf::flatten_chart(chart, SMP::ABF_plus_plus_options(), Solver(), no_rounding, uv, flipped, start) ||
+         fail(report, "no start: " + start.message);
+}
+
 // Minimizes an energy of the map, border and all, from a valid one: by Newton's method with line search, which lets no
 // triangle flip. The authors of these energies moved one vertex at a time; the minima are the same.
 template <typename Energy>
@@ -29,12 +39,7 @@ struct Relaxed_map
   // Starts from our ABF++.
   bool flatten(const Chart& chart, std::vector<Point_2>& uv, Run_report& report) const
   {
-    std::vector<int> flipped;
-    SMP::ABF_plus_plus_report start;
-    const auto no_rounding = [](std::vector<Point_2>&) {};
-    if(!abf::flatten_chart(chart, SMP::ABF_plus_plus_options(), Solver(), no_rounding, uv, flipped, start))
-      return fail(report, "no start: " + start.message);
-    return relax(chart, uv, report);
+    return flatten_by_abf_plus_plus(chart, uv, report) && relax(chart, uv, report);
   }
 
   // Starts from `uv`, which must have no flipped triangle.

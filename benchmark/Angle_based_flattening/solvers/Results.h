@@ -6,7 +6,7 @@
 #ifndef SOLVERS_RESULTS_H
 #define SOLVERS_RESULTS_H
 
-#include "Measurement.h"
+#include "../common/Measurement.h"
 
 #include <array>
 #include <cstddef>
@@ -15,6 +15,19 @@
 #include <vector>
 
 namespace solvers {
+
+using namespace benchmarks;
+
+// Of the first factorization, with its ordering
+inline double first_seconds(const Measurement& m)
+{
+  return m["order"] + m["factor"];
+}
+
+inline double total_seconds(const Measurement& m)
+{
+  return first_seconds(m) + m["solve"];
+}
 
 enum Matrix_kind
 {
@@ -30,11 +43,17 @@ struct Matrix_results
   int order = 0;
   std::map<std::string, std::vector<Measurement>> measurements; // of each solver
 
-  bool has(const std::string& solver) const { return measurements.count(solver) > 0; }
-  Measurement of(const std::string& solver) const { return median(measurements.at(solver)); }
+  Measurement of(const std::string& solver) const
+  {
+    const auto found = measurements.find(solver);
+    return found == measurements.end() ? failed_measurement("not measured") : median(found->second);
+  }
 
   // A solver that failed once is not tried again.
-  bool has_failed(const std::string& solver) const { return has(solver) && !of(solver).failure.empty(); }
+  bool has_failed(const std::string& solver) const
+  {
+    return measurements.count(solver) > 0 && !of(solver).succeeded();
+  }
 };
 
 // All that was measured for one mesh.

@@ -39,6 +39,8 @@ inline void add_measures(Json_object& json, const Flattening& flattening)
   add("symmetric_dirichlet_energy", &Measures::symmetric_dirichlet_energy);
   json.add("flipped_triangles", static_cast<std::size_t>(known ? flattening.measures.flipped_triangles
                                                                : flattening.report.flipped_triangles));
+  const bool simple = known ? flattening.measures.border_is_simple : flattening.report.border_is_simple;
+  json.add("border", std::string(simple ? "simple" : "crosses itself"));
   add("smallest_angle", &Measures::smallest_angle);
 }
 
@@ -62,7 +64,6 @@ inline std::string report_json(const Run_record& record)
   json.add("energy", report.energy);
   json.add("layout", layout_name(report));
   json.add("rung", rung_name(report.rung));
-  json.add("border", std::string(report.border_is_simple ? "simple" : "crosses itself"));
   json.add("scale_range", report.scale_range);
   internal::add_measures(json, record.flattening);
   Json_object seconds;

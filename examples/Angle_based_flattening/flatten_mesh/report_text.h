@@ -57,8 +57,6 @@ inline std::string method_text(const Flattening& flattening)
   if(flattening.method == "direct") {
     text += report_line("layout", layout_name(report));
   }
-  text += report_line("border", report.border_is_simple ? "simple" : "crosses itself",
-                      report.border_is_simple ? "the map is injective" : "parts of the layout overlap");
   return text;
 }
 
@@ -80,6 +78,8 @@ inline std::string quality_text(const SMP::Flattening_measures& measures)
          line("area distortion", measures.l2_area_distortion, "of logarithms of areas; best 0") +
          line("symmetric Dirichlet", measures.symmetric_dirichlet_energy, "energy per area; best 4") +
          report_line("flipped triangles", std::to_string(measures.flipped_triangles), "must be 0") +
+         report_line("border", measures.border_is_simple ? "simple" : "crosses itself",
+                     measures.border_is_simple ? "the map is injective" : "parts of the layout overlap") +
          report_line("smallest angle", degrees_text(measures.smallest_angle));
 }
 

@@ -72,6 +72,9 @@ struct Flattening_face_measures
 /// surface, and extremes. The measures of a triangle are explained with `Flattening_face_measures`. Triangles
 /// without area on the surface count for the angles and the flips only, unless there are no others.
 ///
+/// Whether the map is injective follows from two of them for a disk: it is if no triangle is flipped and the border is
+/// simple. See `border_is_simple` for other surfaces.
+///
 /// All of them are invariant under scaling, translation, and rotation of the plane, but for `l2_shear` and
 /// `l2_equal_stretch_error`, which depend on the direction of the axes.
 struct Flattening_measures
@@ -118,6 +121,13 @@ struct Flattening_measures
 
   /// Number of triangles that are not positively oriented in the plane (exact, for the coordinates as doubles).
   int flipped_triangles = 0;
+
+  /// Whether the borders are simple polygons in the plane that do not touch one another: no two border edges have a
+  /// point in common, other than a vertex of both (exact, for the coordinates as doubles). A map that is locally
+  /// injective, as `is_locally_injective()` tells, is injective as a whole exactly if this holds: no two triangles
+  /// overlap. `crossing_border_edges()` lists the edges where it does not. Edges with a coordinate that is not a finite
+  /// number are left out; their triangles are flipped.
+  bool border_is_simple = false;
 
   /// Smallest angle of a planar triangle, in radians.
   double smallest_angle = 0;

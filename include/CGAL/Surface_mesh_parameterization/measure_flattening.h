@@ -29,7 +29,8 @@ namespace Surface_mesh_parameterization {
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// measures the distortion of the map from the connected component of `bhd` to the plane, whichever
-/// parameterizer computed it, and of each of its triangles. In linear time, but for a sort of the vertices.
+/// parameterizer computed it, and of each of its triangles. In linear time, but for a sort of the vertices and
+/// `O(b log b)` for `b` border edges.
 ///
 /// None of these measures is that of `compute_L2_stretch()` in `measure_distortion.h` of the package
 /// \ref PkgSurfaceMeshParameterization. In spite of its name, that function looks at areas only: it returns the root of

@@ -22,6 +22,21 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
+// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. The
+// connectivity of the copy is lost if that fails.
+inline bool find_valid_map(Chart chart, const ABF_plus_plus_options& options,
+                           std::vector<Chart::Point_2>& valid)
+{
+  Hierarchical_options hierarchical;
+  hierarchical.barrier = options.barrier;
+  hierarchical.angle_sweeps = 10;
+  hierarchical.max_retries = 0;
+  hierarchical.visitor = options.visitor;
+  const auto no_solver = [](const Chart&, std::vector<Chart::Point_2>&) { return false; };
+  Hierarchical_report report;
+  return flatten_hierarchically(chart, hierarchical, no_solver, valid, report);
+}
+
 // The ways to a valid map, one after the other until one leads there. A feasible chart with one border has a valid map,
 // which the last way finds unless the range of numbers is too small for it.
 template <typename SolverTraits, typename Rounding>
@@ -107,7 +122,7 @@ private:
   {
     enter(Report::FROM_VALID_MAP);
     Layout valid;
-    if(!find_valid_map(valid)) {
+    if(!find_valid_map(m_chart, m_options, valid)) {
       fail(m_report, ERROR_NO_1_TO_1_MAPPING, Report::PRECISION_EXCEEDED,
            "double precision does not hold any valid map that was tried");
       return false;
@@ -129,20 +144,6 @@ private:
     m_report.iterations = 0;
     m_report.converged = false;
     return flatten_from_angles(m_chart, m_options, m_traits, m_round, m_beta, alpha, uv, flipped, m_report);
-  }
-
-  // Simplifies the chart to one triangle, and puts all vertices back where their triangles are valid.
-  bool find_valid_map(Layout& valid) const
-  {
-    Hierarchical_options options;
-    options.barrier = m_options.barrier;
-    options.angle_sweeps = 10;
-    options.max_retries = 0;
-    options.visitor = m_options.visitor;
-    const auto no_solver = [](const Chart&, Layout&) { return false; };
-    Hierarchical_report report;
-    Chart chart = m_chart; // its connectivity is lost if it fails
-    return flatten_hierarchically(chart, options, no_solver, valid, report);
   }
 
   bool take_valid_map(const Layout& valid, Layout& uv, std::vector<int>& flipped)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
@@ -131,7 +132,9 @@ Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::P
     totals.add(face);
     visit(t, face);
   }
-  return totals.measures();
+  Flattening_measures measures = totals.measures();
+  measures.border_is_simple = is_border_simple(chart, uv);
+  return measures;
 }
 
 } // namespace internal
