@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
@@ -85,13 +86,13 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, cons
   Triangle_assembly<1> laplacian(chart.vertex, chart.interior, n);
   Eigen::VectorXd rhs_u = Eigen::VectorXd::Zero(n), rhs_v = Eigen::VectorXd::Zero(n), u, v;
   for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    const Eigen::Vector3d weights = cotangents(alpha, t);
     Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
     for(int k = 0; k < 3; ++k) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const double weight = 1 / std::tan(alpha[3 * t + k]);
-      local(i, i) += weight;
-      local(j, j) += weight;
-      local(i, j) = local(j, i) = -weight;
+      local(i, i) += weights[k];
+      local(j, j) += weights[k];
+      local(i, j) = local(j, i) = -weights[k];
     }
     laplacian.add(t, local);
     for(int a = 0; a < 3; ++a)

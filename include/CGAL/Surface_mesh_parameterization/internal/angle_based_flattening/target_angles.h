@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 
 #include <CGAL/number_utils.h>
 
@@ -41,11 +42,13 @@ inline double surface_angle(const Chart& chart, int c)
 inline std::vector<double> target_angles(const Chart& chart)
 {
   std::vector<double> beta(chart.vertex.size());
+  parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
+    for(int c = begin; c < end; ++c)
+      beta[c] = surface_angle(chart, c);
+  });
   std::vector<double> sum(chart.points.size(), 0.);
-  for(int c = 0; c < chart.number_of_corners(); ++c) {
-    beta[c] = surface_angle(chart, c);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
     sum[chart.vertex[c]] += beta[c];
-  }
   for(int c = 0; c < chart.number_of_corners(); ++c) {
     const int v = chart.vertex[c];
     if(chart.interior[v] >= 0 && sum[v] > 0)

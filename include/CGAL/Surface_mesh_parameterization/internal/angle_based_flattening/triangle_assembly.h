@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -39,21 +41,13 @@ public:
       m_unknown[c] = unknown[vertex[c]];
 
     std::vector<int> first(n + 1, 0);
-    for_each_pair([&](std::size_t, int, int, int column) { ++first[column + 1]; });
+    for_each_pair([&](int, int, int column) { ++first[column + 1]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<int> rows(first.back()), end(first.begin(), first.end() - 1);
-    for_each_pair([&](std::size_t, int, int row, int column) { rows[end[column]++] = row; });
-    for(int j = 0; j < n; ++j) {
-      std::sort(rows.begin() + first[j], rows.begin() + end[j]);
-      end[j] = static_cast<int>(std::unique(rows.begin() + first[j], rows.begin() + end[j]) - rows.begin());
-    }
-
+    for_each_pair([&](int, int row, int column) { rows[end[column]++] = row; });
+    remove_duplicates(first, end, rows);
     build_pattern(first, end, rows);
-    for_each_pair([&](std::size_t t, int pair, int row, int column) {
-      const auto begin = rows.begin() + first[column];
-      const auto rank = std::lower_bound(begin, rows.begin() + end[column], row) - begin;
-      m_slots[t][pair] = column_start(column) + BlockSize * static_cast<int>(rank);
-    });
+    find_slots(first, end, rows);
   }
 
   void set_zero() { m_matrix.coeffs().setZero(); }
@@ -83,15 +77,33 @@ public:
 private:
   int column_start(int vertex) const { return m_matrix.outerIndexPtr()[BlockSize * vertex]; }
 
-  // Calls `visit` with a triangle, a number for the pair of two of its corners, and their unknowns.
+  // Calls `visit` with a number for a pair of corners of triangle `t`, and their unknowns.
+  template <typename Visitor>
+  void for_each_pair(int t, const Visitor& visit) const
+  {
+    for(int b = 0; b < 3; ++b)
+      for(int a = 0; a < 3; ++a)
+        if(m_unknown[3 * t + a] >= 0 && m_unknown[3 * t + b] >= 0)
+          visit(3 * b + a, m_unknown[3 * t + a], m_unknown[3 * t + b]);
+  }
+
   template <typename Visitor>
   void for_each_pair(const Visitor& visit) const
   {
-    for(std::size_t t = 0; t < m_slots.size(); ++t)
-      for(int b = 0; b < 3; ++b)
-        for(int a = 0; a < 3; ++a)
-          if(m_unknown[3 * t + a] >= 0 && m_unknown[3 * t + b] >= 0)
-            visit(t, 3 * b + a, m_unknown[3 * t + a], m_unknown[3 * t + b]);
+    for(int t = 0; t < static_cast<int>(m_slots.size()); ++t)
+      for_each_pair(t, visit);
+  }
+
+  // Column j has the rows [first[j], end[j]).
+  static void remove_duplicates(const std::vector<int>& first, std::vector<int>& end, std::vector<int>& rows)
+  {
+    parallel_for_blocks(static_cast<int>(end.size()), [&](int begin_column, int end_column) {
+      for(int j = begin_column; j < end_column; ++j) {
+        const auto begin = rows.begin() + first[j];
+        std::sort(begin, rows.begin() + end[j]);
+        end[j] = static_cast<int>(std::unique(begin, rows.begin() + end[j]) - rows.begin());
+      }
+    });
   }
 
   void build_pattern(const std::vector<int>& first, const std::vector<int>& end, const std::vector<int>& rows)
@@ -103,13 +115,27 @@ private:
       for(int k = 0; k < BlockSize; ++k)
         outer[BlockSize * j + k + 1] = outer[BlockSize * j + k] + BlockSize * (end[j] - first[j]);
     m_matrix.resizeNonZeros(outer[BlockSize * n]);
-    int* inner = m_matrix.innerIndexPtr();
-    for(int j = 0; j < n; ++j)
-      for(int k = 0; k < BlockSize; ++k)
-        for(int r = first[j]; r < end[j]; ++r)
-          for(int i = 0; i < BlockSize; ++i)
-            *inner++ = BlockSize * rows[r] + i;
+    parallel_for_blocks(n, [&](int begin_column, int end_column) {
+      int* inner = m_matrix.innerIndexPtr() + column_start(begin_column);
+      for(int j = begin_column; j < end_column; ++j)
+        for(int k = 0; k < BlockSize; ++k)
+          for(int r = first[j]; r < end[j]; ++r)
+            for(int i = 0; i < BlockSize; ++i)
+              *inner++ = BlockSize * rows[r] + i;
+    });
     set_zero();
+  }
+
+  void find_slots(const std::vector<int>& first, const std::vector<int>& end, const std::vector<int>& rows)
+  {
+    parallel_for_blocks(static_cast<int>(m_slots.size()), [&](int begin_triangle, int end_triangle) {
+      for(int t = begin_triangle; t < end_triangle; ++t)
+        for_each_pair(t, [&](int pair, int row, int column) {
+          const auto begin = rows.begin() + first[column];
+          const auto rank = std::lower_bound(begin, rows.begin() + end[column], row) - begin;
+          m_slots[t][pair] = column_start(column) + BlockSize * static_cast<int>(rank);
+        });
+    });
   }
 
   std::vector<int> m_unknown;              // of each corner
