@@ -11,14 +11,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
-#include <CGAL/SuperLU_solver_traits.h>
-
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -27,28 +24,19 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
-// Whether copies of solver traits hold factorizations of their own. Those of `Eigen_solver_traits` share one solver.
-template <typename SolverTraits>
-struct Has_independent_copies : std::false_type
-{};
-
-template <typename T>
-struct Has_independent_copies<SuperLU_solver_traits<T>> : std::true_type
-{};
-
 // The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones. Of the matrix
 // of Eq. 16 these are the multipliers of planarity and those of reconstruction: two weakly coupled Laplacians. Each of
 // the two has a quarter of the entries of the whole, and can be factored while the other one is, if there can be two
 // solvers; else one solver gets both as one matrix.
-template <typename SolverTraits>
+template <typename System>
 class Block_preconditioner
 {
-  static constexpr int number_of_systems = Has_independent_copies<SolverTraits>::value ? 2 : 1;
+  static constexpr int number_of_systems = Owns_factorization<typename System::Traits>::value ? 2 : 1;
 
 public:
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  explicit Block_preconditioner(const SolverTraits& traits)
+  explicit Block_preconditioner(const typename System::Traits& traits)
   {
     for(int k = 0; k < number_of_systems; ++k)
       m_systems.emplace_back(traits);
@@ -64,7 +52,7 @@ public:
     return done[0] && done[1];
   }
 
-  bool apply(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
+  bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
   {
     const Eigen::Index n = residual.size() / number_of_systems;
     Eigen::VectorXd sorted(residual.size());
@@ -83,7 +71,7 @@ public:
   }
 
   // The solver of one of the blocks, whose pattern is that of the one-rings of the interior vertices
-  const SolverTraits& scalar_solver() const { return m_systems.front().traits(); }
+  const typename System::Traits& scalar_solver() const { return m_systems.front().traits(); }
 
 private:
   template <typename Vector>
@@ -130,7 +118,7 @@ private:
     return block;
   }
 
-  std::vector<Symmetric_system<SolverTraits>> m_systems;
+  std::vector<System> m_systems;
 };
 
 } // namespace internal

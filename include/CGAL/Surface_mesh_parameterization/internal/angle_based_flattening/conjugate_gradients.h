@@ -64,7 +64,7 @@ Iterative_solution conjugate_gradients(const Eigen::SparseMatrix<double>& a, con
   Eigen::VectorXd residual = b, correction, direction, product;
   double previous = 0, goal = 0;
   for(int step = 0;; ++step) {
-    if(!preconditioner.apply(residual, correction))
+    if(!preconditioner.solve(residual, correction))
       return {Iterative_solution::FAILED, step};
     const double norm = residual.dot(correction);
     if(step == 0)

@@ -10,12 +10,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,7 +78,7 @@ inline void lay_out_border(const Chart& chart, const std::vector<double>& alpha,
 // Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
 // vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
 template <typename SolverTraits>
-bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
+bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, SolverTraits traits,
                       Layout& layout)
 {
   const int n = chart.number_of_interior_vertices;
@@ -105,7 +106,7 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, cons
         rhs_v[interior] -= local(a, b) * layout.uv[border].y();
       }
   }
-  Symmetric_system<SolverTraits> system(traits);
+  Definite_system<SolverTraits> system(std::move(traits));
   if(!(system.set_matrix(laplacian.matrix()) && system.solve(rhs_u, u) && system.solve(rhs_v, v)))
     return false;
   for(int w = 0; w < chart.number_of_vertices(); ++w)
@@ -117,12 +118,11 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, cons
 // The layout of a chart with one border whose angles fulfil the constraints. Returns `false` if the linear solver
 // fails.
 template <typename SolverTraits>
-bool exact_layout(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
-                  Layout& layout)
+bool exact_layout(const Chart& chart, const std::vector<double>& alpha, SolverTraits traits, Layout& layout)
 {
   layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
   lay_out_border(chart, alpha, layout);
-  return lay_out_interior(chart, alpha, traits, layout);
+  return lay_out_interior(chart, alpha, std::move(traits), layout);
 }
 
 } // namespace internal

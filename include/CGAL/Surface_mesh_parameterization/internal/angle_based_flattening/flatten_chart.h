@@ -25,6 +25,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,9 +42,10 @@ inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& 
 }
 
 // From angles to coordinates, in the way asked for. Returns `false` with the reason in `report`.
-template <typename SolverTraits>
+template <typename SolverTraits, typename ScalarSolver>
 bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plus_plus_options& options,
-             const SolverTraits& traits, std::vector<Chart::Point_2>& uv, ABF_plus_plus_report& report)
+             const SolverTraits& traits, const ScalarSolver& scalar_solver, std::vector<Chart::Point_2>& uv,
+             ABF_plus_plus_report& report)
 {
   typedef ABF_plus_plus_options Options;
   if(options.layout == Options::EXACT_LAYOUT && chart.borders.size() != 1) {
@@ -56,7 +58,7 @@ bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plu
   bool solved;
   if(exact) {
     Layout layout;
-    solved = exact_layout(chart, alpha, traits, layout);
+    solved = exact_layout(chart, alpha, std::move(scalar_solver), layout);
     uv.swap(layout.uv);
     report.closure = layout.closure;
   } else {
@@ -115,7 +117,7 @@ bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& option
                          ABF_plus_plus_report& report)
 {
   Stopwatch stopwatch;
-  std::optional<SolverTraits> scalar_solver;
+  std::optional<typename Preconditioning<SolverTraits>::System::Traits> scalar_solver;
   visit_stage(options.visitor, Flattening_visitor::ANGLES);
   const bool solved = solve_angles(chart, beta, options, traits, alpha, report, &scalar_solver);
   report.seconds.angles += stopwatch.lap();
@@ -128,7 +130,7 @@ bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& option
 
   visit_stage(options.visitor, Flattening_visitor::LAYOUT);
   uv.clear();
-  if(!lay_out(chart, alpha, options, *scalar_solver, uv, report))
+  if(!lay_out(chart, alpha, options, traits, *std::move(scalar_solver), uv, report))
     return false;
   scale_to_surface_area(chart, uv);
   round(uv);

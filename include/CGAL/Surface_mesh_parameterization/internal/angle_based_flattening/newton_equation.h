@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
 #include <Eigen/Core>
@@ -32,6 +33,8 @@ class Newton_equation
   static constexpr int steps_too_many = 20; // about as long as it takes to factor the preconditioner
 
 public:
+  typedef typename Preconditioning<SolverTraits>::System Scalar_system;
+
   // Traits that do not keep a factorization cannot be used to precondition.
   Newton_equation(const SolverTraits& traits, bool iteratively)
       : m_traits(traits), m_iteratively(iteratively && Has_factor<SolverTraits>::value)
@@ -64,9 +67,10 @@ public:
   int factorizations() const { return m_factorizations; }
 
   // A solver that may know the pattern of the one-rings of the interior vertices already
-  const SolverTraits& scalar_solver() const
+  typename Scalar_system::Traits scalar_solver() const
   {
-    return m_preconditioner ? m_preconditioner->scalar_solver() : m_traits;
+    return m_preconditioner ? m_preconditioner->scalar_solver()
+                            : Preconditioning<SolverTraits>::traits(m_traits);
   }
 
 private:
@@ -92,14 +96,14 @@ private:
   bool factor_preconditioner(const Eigen::SparseMatrix<double>& matrix)
   {
     if(!m_preconditioner)
-      m_preconditioner.emplace(m_traits);
+      m_preconditioner.emplace(Preconditioning<SolverTraits>::traits(m_traits));
     m_factorizations += 2;
     return m_preconditioner->set_matrix(matrix);
   }
 
   const SolverTraits m_traits;
   bool m_iteratively;
-  std::optional<Block_preconditioner<SolverTraits>> m_preconditioner;
+  std::optional<Block_preconditioner<Scalar_system>> m_preconditioner;
   bool m_preconditioner_is_stale = false;
   std::optional<Symmetric_system<SolverTraits>> m_whole_system;
   Iterative_accuracy m_accuracy;

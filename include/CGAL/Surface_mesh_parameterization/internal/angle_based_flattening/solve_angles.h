@@ -148,9 +148,10 @@ inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_p
 // Returns `false` if the linear solver fails. If
 // `scalar_solver` is not null it becomes a copy of the traits that may know the pattern of the layout's system.
 template <typename SolverTraits>
-bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
-                  const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report,
-                  std::optional<SolverTraits>* scalar_solver = nullptr)
+bool solve_angles(
+    const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
+    const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report,
+    std::optional<typename Preconditioning<SolverTraits>::System::Traits>* scalar_solver = nullptr)
 {
   const Angle_energy energy{options.barrier};
   Newton_system<SolverTraits> system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON,

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Eigen_matrix.h>
+#include <CGAL/SuperLU_solver_traits.h>
 
 #include <Eigen/SparseCore>
 
@@ -33,6 +34,16 @@ struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>
                                     std::declval<typename SolverTraits::NT&>()))>> : std::true_type
 {};
 
+// Whether the factorization is each copy's own, and does not refer to the matrix. Copies of `Eigen_solver_traits` share
+// one solver.
+template <typename SolverTraits>
+struct Owns_factorization : std::false_type
+{};
+
+template <typename T>
+struct Owns_factorization<SuperLU_solver_traits<T>> : std::true_type
+{};
+
 // A symmetric linear system, solved for one right-hand side after the other by any model of
 // `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
 template <typename SolverTraits>
@@ -43,15 +54,20 @@ class Symmetric_system
   typedef typename SolverTraits::Vector Vector;
 
 public:
+  typedef SolverTraits Traits;
+
   explicit Symmetric_system(SolverTraits traits) : m_traits(std::move(traits)) {}
 
   // Takes over the system's matrix. Returns `false` if it cannot be factored.
   bool set_matrix(const Eigen::SparseMatrix<double>& matrix)
   {
     m_matrix = copy(matrix);
+    bool done = true;
     if constexpr(Has_factor<SolverTraits>::value)
-      return m_traits.factor(*m_matrix, m_denominator);
-    return true;
+      done = m_traits.factor(*m_matrix, m_denominator);
+    if(Owns_factorization<SolverTraits>::value)
+      m_matrix.reset();
+    return done;
   }
 
   // Returns `false` on failure, also if the solution is not finite.
@@ -60,7 +76,7 @@ public:
     const int n = static_cast<int>(right_hand_side.size());
     Vector b(n), x(n);
     for(int i = 0; i < n; ++i)
-      b[i] = right_hand_side[i];
+      b[i] = static_cast<NT>(right_hand_side[i]);
     if constexpr(Has_factor<SolverTraits>::value) {
       if(!m_traits.linear_solver(b, x))
         return false;
@@ -78,9 +94,9 @@ public:
 private:
   static std::unique_ptr<Matrix> copy(const Eigen::SparseMatrix<double>& matrix)
   {
-    if constexpr(std::is_base_of<Eigen_sparse_matrix<double>, Matrix>::value) {
+    if constexpr(std::is_base_of<Eigen_sparse_matrix<NT>, Matrix>::value) {
       auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
-      result->eigen_object() = matrix;
+      result->eigen_object() = matrix.template cast<NT>();
       return result;
     } else {
       auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));

@@ -40,7 +40,7 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, std:
   ABF_plus_plus_report direct;
   std::vector<Chart::Point_2> polished;
   if(solve_angles(chart, beta, options.polish_options, traits, alpha, direct) && direct.converged &&
-     lay_out(chart, alpha, options.polish_options, traits, polished, direct) &&
+     lay_out(chart, alpha, options.polish_options, traits, traits, polished, direct) &&
      flipped_triangles(chart, polished).empty()) {
     uv.swap(polished);
     report.polished = true;
