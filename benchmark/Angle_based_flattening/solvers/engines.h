@@ -58,7 +58,7 @@ public:
   double seconds_of_order(const Linear_system& system) const
   {
     return seconds_of(
-        [&] { CGAL::internal::SuperLU_factors::analyze(system.columns(), m_traits.symmetric()); });
+        [&] { CGAL::internal::SuperLU_factors<double>::analyze(system.columns(), m_traits.symmetric()); });
   }
 
 private:

@@ -29,10 +29,9 @@ class SuperLU_analysis
 {
 public:
   // `relax` and `max_supernode` are the parameters with which SuperLU will form supernodes.
-  SuperLU_analysis(const SuperLU_matrix& a, bool symmetric, int relax, int max_supernode)
-      : m_symmetric(symmetric), m_n(static_cast<int>(a.cols())),
-        m_outer(a.outerIndexPtr(), a.outerIndexPtr() + m_n + 1),
-        m_inner(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros())
+  SuperLU_analysis(const SuperLU_pattern& a, bool symmetric, int relax, int max_supernode)
+      : m_symmetric(symmetric), m_n(a.size), m_outer(a.outer, a.outer + m_n + 1),
+        m_inner(a.inner, a.inner + a.nonzeros())
   {
     order(a);
     Graph graph = {m_outer.data(), m_inner.data(), {}, {}};
@@ -62,11 +61,11 @@ public:
   // The row subscripts that SuperLU keeps: of each dense block those of its first column, and a copy of them
   std::size_t subscripts() const { return m_subscripts; }
 
-  bool has_pattern_of(const SuperLU_matrix& a) const
+  bool has_pattern_of(const SuperLU_pattern& a) const
   {
-    return a.cols() == m_n && static_cast<std::size_t>(a.nonZeros()) == m_inner.size() &&
-           std::equal(m_outer.begin(), m_outer.end(), a.outerIndexPtr()) &&
-           std::equal(m_inner.begin(), m_inner.end(), a.innerIndexPtr());
+    return a.size == m_n && a.nonzeros() == m_inner.size() &&
+           std::equal(m_outer.begin(), m_outer.end(), a.outer) &&
+           std::equal(m_inner.begin(), m_inner.end(), a.inner);
   }
 
 private:
@@ -78,16 +77,20 @@ private:
     std::vector<int> own_begin, own_neighbor;
   };
 
-  void order(const SuperLU_matrix& a)
+  void order(const SuperLU_pattern& a)
   {
+    // Eigen orders matrices, and copies their values in between: they are as small as possible
+    const std::vector<char> values(a.nonzeros(), 0);
+    const Eigen::Map<const Eigen::SparseMatrix<char>> columns(m_n, m_n, static_cast<int>(a.nonzeros()),
+                                                              a.outer, a.inner, values.data());
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> column_at;
     m_permutation.resize(m_n);
     if(m_symmetric) {
-      Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), column_at);
+      Eigen::AMDOrdering<int>()(columns.selfadjointView<Eigen::Lower>(), column_at);
       for(int k = 0; k < m_n; ++k)
         m_permutation[column_at.indices()[k]] = k;
     } else {
-      Eigen::COLAMDOrdering<int>()(a, column_at);
+      Eigen::COLAMDOrdering<int>()(columns, column_at);
       for(int i = 0; i < m_n; ++i)
         m_permutation[i] = column_at.indices()[i];
     }
@@ -95,7 +98,7 @@ private:
 
   // The columns that meet in a row are a clique in A'A. A star from the first of them to the others has the same
   // factor, as eliminating the first one completes the clique.
-  void build_row_graph(const SuperLU_matrix& a, Graph& graph) const
+  void build_row_graph(const SuperLU_pattern& a, Graph& graph) const
   {
     std::vector<int> first(m_n, -1);
     for_each_entry(a, [&](int row, int column) {
@@ -126,11 +129,11 @@ private:
   }
 
   template <class Function>
-  static void for_each_entry(const SuperLU_matrix& a, const Function& function)
+  static void for_each_entry(const SuperLU_pattern& a, const Function& function)
   {
-    for(int column = 0; column < a.cols(); ++column) {
-      for(int k = a.outerIndexPtr()[column]; k < a.outerIndexPtr()[column + 1]; ++k)
-        function(a.innerIndexPtr()[k], column);
+    for(int column = 0; column < a.size; ++column) {
+      for(int k = a.outer[column]; k < a.outer[column + 1]; ++k)
+        function(a.inner[k], column);
     }
   }
 

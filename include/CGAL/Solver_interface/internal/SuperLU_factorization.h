@@ -8,6 +8,7 @@
 
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
 #include <CGAL/Solver_interface/internal/SuperLU_scaling.h>
+#include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
 
 #include <Eigen/Core>
 
@@ -24,10 +25,16 @@ namespace internal {
 // A factorization that can be trusted: what is singular is refused, what is not definite is not taken for it, and
 // solutions are refined where they need it. Once `factor()` has returned `FACTORED` the object does not change any
 // more, and can be shared by copies of a solver and by threads.
+template <class FT>
 class SuperLU_factorization
 {
+  typedef SuperLU_matrix<FT> Columns;
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> Dense_matrix;
+  typedef SuperLU_tolerances<FT> Tolerances;
+
 public:
-  typedef SuperLU_factors::Block Block;
+  typedef typename SuperLU_factors<FT>::Block Block;
 
   explicit SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis)
       : m_factors(std::move(analysis))
@@ -46,25 +53,9 @@ public:
 
   // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
   // `sign` is that of the pivots in symmetric mode.
-  Result factor(const SuperLU_matrix& a, double sign)
+  Result factor(const Columns& a, FT sign)
   {
-    if(is_symmetric()) {
-      if(!m_factors.factor(a))
-        return NOT_DEFINITE;
-      if(is_singular(a))
-        return FAILED;
-      if(!pivots_have_sign(sign))
-        return NOT_DEFINITE;
-      m_factors.keep_lower_factor_only();
-      return is_accurate(a) ? FACTORED : NOT_DEFINITE;
-    }
-    SuperLU_matrix scaled = a;
-    m_scaling.equilibrate(scaled);
-    const double significant = 64 * std::numeric_limits<double>::epsilon();
-    const bool good = m_factors.factor(scaled) &&
-                      least_relative_pivot(Eigen::VectorXd::Ones(size())) > significant &&
-                      is_accurate(scaled);
-    return good ? FACTORED : FAILED;
+    return is_symmetric() ? factor_definite(a, sign) : factor_scaled(a);
   }
 
   // Replaces the columns of `b` by the solutions, returns false if they are not finite or not accurate.
@@ -78,12 +69,41 @@ public:
   }
 
 private:
-  static constexpr double good_residual = 1e-10;
-  static constexpr double fair_residual = 1e-6;
+  static constexpr FT precision = std::numeric_limits<FT>::epsilon();
   static constexpr int refinement_steps = 5;
 
+  Result factor_definite(const Columns& a, FT sign)
+  {
+    if(!m_factors.factor(a))
+      return NOT_DEFINITE;
+    const bool definite = pivots_have_sign(sign);
+    if constexpr(Tolerances::pivots_show_singularity) {
+      if(has_suspicious_pivot(a) && is_ill_conditioned(a))
+        return FAILED;
+    }
+    if(definite)
+      m_factors.keep_lower_factor_only();
+    if constexpr(!Tolerances::pivots_show_singularity) {
+      if(!(least_scaled_eigenvalue(a) > precision))
+        return FAILED;
+    }
+    return definite && is_accurate(a) ? FACTORED : NOT_DEFINITE;
+  }
+
+  Result factor_scaled(const Columns& a)
+  {
+    Columns scaled = a;
+    m_scaling.equilibrate(scaled);
+    const FT significant = 64 * precision;
+    const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled) &&
+                      least_relative_pivot(Vector::Ones(size())) > significant &&
+                      (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
+                      is_accurate(scaled);
+    return good ? FACTORED : FAILED;
+  }
+
   // Only then are the elimination tree of A + A' and pivots from the diagonal right. Elimination is stable then.
-  bool pivots_have_sign(double sign) const
+  bool pivots_have_sign(FT sign) const
   {
     for(int i = 0; i < size(); ++i)
       if(!m_factors.is_pivot_diagonal(i) || !(sign * m_factors.pivot(i) > 0))
@@ -92,11 +112,11 @@ private:
   }
 
   // The least ratio of a pivot to the `scale` of its column in the matrix, or 0 if one is not a number
-  double least_relative_pivot(const Eigen::VectorXd& scale) const
+  FT least_relative_pivot(const Vector& scale) const
   {
-    double least = (std::numeric_limits<double>::max)();
+    FT least = (std::numeric_limits<FT>::max)();
     for(int i = 0; i < size(); ++i) {
-      const double ratio = std::abs(m_factors.pivot(i)) / scale[i];
+      const FT ratio = std::abs(m_factors.pivot(i)) / scale[i];
       if(!std::isfinite(ratio))
         return 0;
       least = (std::min)(least, ratio);
@@ -104,29 +124,59 @@ private:
     return least;
   }
 
-  // Whether a symmetric matrix differs from a singular one by rounding errors only. A singular matrix has a pivot
+  // Whether a symmetric matrix may differ from a singular one by rounding errors only. A singular matrix has a pivot
   // that is nothing but these, and only where one is small the condition number is worth its estimation.
-  bool is_singular(const SuperLU_matrix& a) const
+  bool has_suspicious_pivot(const Columns& a) const
   {
-    const double suspicious = 1e-8;
-    const double norm = (Eigen::RowVectorXd::Ones(a.rows()) * a.cwiseAbs()).maxCoeff();
-    return !(least_relative_pivot(a.diagonal().cwiseAbs()) > suspicious) &&
-           !(m_factors.reciprocal_condition(norm) > std::numeric_limits<double>::epsilon());
+    return !(least_relative_pivot(a.diagonal().cwiseAbs()) > Tolerances::suspicious_pivot);
+  }
+
+  bool is_ill_conditioned(const Columns& a) const
+  {
+    const FT norm = (Vector::Ones(a.rows()).transpose() * a.cwiseAbs()).maxCoeff();
+    return !(m_factors.reciprocal_condition(norm) > precision);
+  }
+
+  // The least absolute value of an eigenvalue of the symmetric matrix, scaled to a diagonal of ones, of which these are the
+  // factors; 0 if it is not a number. Inverse iteration bounds it from above, and is the nearer the more singular
+  // the matrix is. Bad scales do not mislead it, as they do the condition number.
+  FT least_scaled_eigenvalue(const Columns& a) const
+  {
+    const Vector root = a.diagonal().cwiseAbs().cwiseSqrt();
+    Vector x = root.cwiseProduct(test_vector()).stableNormalized();
+    FT growth = 0;
+    for(int step = 0; step < 3; ++step) {
+      x.array() *= root.array();
+      if(!m_factors.solve(Block(x.data(), x.rows(), 1)))
+        return 0;
+      x.array() *= root.array();
+      growth = x.stableNorm();
+      if(!std::isfinite(growth) || growth == 0)
+        return 0;
+      x /= growth;
+    }
+    return 1 / growth;
+  }
+
+  // Neither orthogonal to a constant vector, which Laplacians nearly map to zero, nor constant
+  Vector test_vector() const
+  {
+    Vector x(size());
+    for(int i = 0; i < size(); ++i)
+      x[i] = static_cast<FT>(1. + (i % 7) / 7.);
+    return x;
   }
 
   // Solves one system to see whether solutions need refinement, and keeps the matrix if they do.
-  bool is_accurate(const SuperLU_matrix& a)
+  bool is_accurate(const Columns& a)
   {
-    Eigen::MatrixXd b(size(), 1);
-    for(int i = 0; i < size(); ++i)
-      b(i, 0) = 1. + (i % 7) / 7.;
-    b = (a * b).eval();
-    Eigen::MatrixXd x = b;
+    const Dense_matrix b = a * test_vector();
+    Dense_matrix x = b;
     if(!m_factors.solve(Block(x.data(), x.rows(), x.cols())))
       return false;
-    if(residual(a, b, x) <= good_residual)
+    if(residual(a, b, x) <= Tolerances::good_residual)
       return true;
-    m_matrix = std::make_unique<const SuperLU_matrix>(a);
+    m_matrix = std::make_unique<const Columns>(a);
     return refine(b, x);
   }
 
@@ -134,11 +184,11 @@ private:
   {
     if(m_matrix == nullptr)
       return m_factors.solve(b);
-    const Eigen::MatrixXd right_side = b;
+    const Dense_matrix right_side = b;
     if(!m_factors.solve(b))
       return false;
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
-      Eigen::MatrixXd x = b.col(k);
+      Dense_matrix x = b.col(k);
       if(!refine(right_side.col(k), x))
         return false;
       b.col(k) = x;
@@ -146,11 +196,12 @@ private:
     return true;
   }
 
-  // The backward error of the solution with respect to the maximum norm; infinite if it is not a number
-  static double residual(const SuperLU_matrix& a, const Eigen::MatrixXd& b, const Eigen::MatrixXd& x)
+  // The backward error of the solution with respect to the maximum norm; infinite if it is not a number. Where scales are
+  // bad, the product of norms exceeds the range of float.
+  static double residual(const Columns& a, const Dense_matrix& b, const Dense_matrix& x)
   {
     const double defect = (a * x - b).cwiseAbs().maxCoeff();
-    const Eigen::VectorXd row_sums = a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols());
+    const Vector row_sums = a.cwiseAbs() * Vector::Ones(a.cols());
     const double norm = row_sums.maxCoeff();
     const double scale = norm * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff();
     if(!x.allFinite() || !std::isfinite(defect) || !std::isfinite(scale))
@@ -158,26 +209,27 @@ private:
     return scale > 0 ? defect / scale : 0.;
   }
 
-  bool refine(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const
+  bool refine(const Dense_matrix& b, Dense_matrix& x) const
   {
     double error = residual(*m_matrix, b, x);
-    for(int step = 0; step < refinement_steps && error > good_residual && std::isfinite(error); ++step) {
-      Eigen::MatrixXd correction = b - *m_matrix * x;
+    for(int step = 0; step < refinement_steps && error > Tolerances::good_residual && std::isfinite(error);
+        ++step) {
+      Dense_matrix correction = b - *m_matrix * x;
       if(!m_factors.solve(Block(correction.data(), correction.rows(), correction.cols())))
         return false;
-      const Eigen::MatrixXd candidate = x + correction;
+      const Dense_matrix candidate = x + correction;
       const double candidate_error = residual(*m_matrix, b, candidate);
       if(!(candidate_error < error))
         break;
       x = candidate;
       error = candidate_error;
     }
-    return error <= fair_residual;
+    return error <= Tolerances::fair_residual;
   }
 
-  SuperLU_factors m_factors;
+  SuperLU_factors<FT> m_factors;
   SuperLU_scaling m_scaling;
-  std::unique_ptr<const SuperLU_matrix> m_matrix; // the scaled matrix, if refinement is needed
+  std::unique_ptr<const Columns> m_matrix; // the scaled matrix, if refinement is needed
 };
 
 } // namespace internal

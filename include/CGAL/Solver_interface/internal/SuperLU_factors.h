@@ -8,6 +8,7 @@
 
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
+#include <CGAL/Solver_interface/internal/SuperLU_functions.h>
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
 #include <CGAL/Solver_interface/internal/SuperLU_symmetric_solution.h>
 
@@ -29,10 +30,14 @@ namespace internal {
 // SuperLU ends the program when one of its small allocations fails, prints when a large one
 // does, and does not notice when an index overflows. So sizes are known, and
 // memory is seen to be there, before it is called.
+template <class FT>
 class SuperLU_factors
 {
+  typedef SuperLU_functions<FT> Functions;
+  typedef SuperLU_matrix<FT> Columns;
+
 public:
-  typedef Eigen::Map<Eigen::MatrixXd> Block;
+  typedef Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>> Block;
 
   explicit SuperLU_factors(std::shared_ptr<const SuperLU_analysis> analysis)
       : m_analysis(analysis), m_row_permutation(analysis->size()), m_lower(), m_upper()
@@ -49,7 +54,7 @@ public:
       superlu::Destroy_CompCol_Matrix(&m_upper);
   }
 
-  static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_matrix& a, bool symmetric)
+  static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_pattern& a, bool symmetric)
   {
     return std::make_shared<SuperLU_analysis>(a, symmetric, superlu::sp_ienv(2), superlu::sp_ienv(3));
   }
@@ -61,7 +66,7 @@ public:
   std::size_t nonzeros() const { return m_nonzeros; }
 
   // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
-  bool factor(const SuperLU_matrix& a)
+  bool factor(const Columns& a)
   {
     const double entries = initial_size(a);
     const double upper_bound = (std::max)(entries, static_cast<double>(m_analysis->factor_size()));
@@ -71,7 +76,8 @@ public:
     // two arrays of reals, two of integers, the work arrays, a dozen of vectors; and a buffer that OpenBLAS takes at its
     // first use, and for which it would wait for ever
     const double blas_buffer = 1.5e8;
-    if(!can_allocate(24 * entries + 2 * work_size(width) + 64. * size() + blas_buffer))
+    if(!can_allocate(2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(width) + 64. * size() +
+                     blas_buffer))
       return false;
 
     superlu::SuperLUStat_t statistics;
@@ -85,27 +91,28 @@ public:
   bool is_pivot_diagonal(int i) const { return m_row_permutation[i] == m_analysis->permutation()[i]; }
 
   // The pivot of column `i` of the matrix: an entry of U on the diagonal, which is kept with the supernodes of L
-  double pivot(int i) const
+  FT pivot(int i) const
   {
     const int j = m_analysis->permutation()[i];
     const superlu::SCformat* lower = static_cast<const superlu::SCformat*>(m_lower.Store);
     const int first = lower->sup_to_col[lower->col_to_sup[j]];
-    return static_cast<const double*>(lower->nzval)[lower->nzval_colptr[j] + (j - first)];
+    return static_cast<const FT*>(lower->nzval)[lower->nzval_colptr[j] + (j - first)];
   }
 
   // An estimate of the reciprocal condition number in the 1-norm, that of the matrix being `norm`; 0 if unknown
-  double reciprocal_condition(double norm) const
+  FT reciprocal_condition(FT norm) const
   {
-    if(!can_allocate(4. * size() * sizeof(double)))
+    if(!can_allocate(4. * size() * sizeof(FT)))
       return 0;
     char one_norm[] = "1";
-    double result = 0;
+    FT result = 0;
     int info = 0;
     superlu::SuperLUStat_t statistics;
     superlu::StatInit(&statistics);
     const SuperLU_one_blas_thread one_thread;
-    superlu::dgscon(one_norm, const_cast<superlu::SuperMatrix*>(&m_lower),
-                    const_cast<superlu::SuperMatrix*>(&m_upper), norm, &result, &statistics, &info);
+    Functions::estimate_condition(one_norm, const_cast<superlu::SuperMatrix*>(&m_lower),
+                                  const_cast<superlu::SuperMatrix*>(&m_upper), norm, &result, &statistics,
+                                  &info);
     superlu::StatFree(&statistics);
     return info == 0 ? result : 0;
   }
@@ -120,13 +127,13 @@ public:
   // Replaces the columns of `b` by the solutions.
   bool solve(Block b) const
   {
-    if(!can_allocate((b.cols() + 2.) * size() * sizeof(double)))
+    if(!can_allocate((b.cols() + 2.) * size() * sizeof(FT)))
       return false;
     if(m_upper.Store != nullptr)
       return solve_with_both_factors(b);
-    const SuperLU_symmetric_solution solution(m_lower);
+    const SuperLU_symmetric_solution<FT> solution(m_lower);
     const auto order = Eigen::Map<const Eigen::VectorXi>(m_analysis->permutation().data(), size());
-    Eigen::VectorXd permuted(size());
+    Eigen::Matrix<FT, Eigen::Dynamic, 1> permuted(size());
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
       permuted(order) = b.col(k);
       solution.solve(permuted);
@@ -162,13 +169,13 @@ private:
     const double n = size();
     const double block = superlu::sp_ienv(3) + superlu::sp_ienv(4);
     const double integers = (2. * width + 8) * n * sizeof(int);
-    const double reals = (width * n + (std::max)(n, block * width)) * sizeof(double);
+    const double reals = (width * n + (std::max)(n, block * width)) * sizeof(FT);
     return (std::max)(integers, reals);
   }
 
   // The number of entries for which SuperLU shall allocate memory initially. More than it will need, if that
   // is known; growing costs copies. Beyond its default, bounds tend to be pessimistic.
-  double initial_size(const SuperLU_matrix& a) const
+  double initial_size(const Columns& a) const
   {
     // It makes room for a quarter as many subscripts. They must not fill that exactly: SuperLU 5.3 then writes the next
     // one beyond the end.
@@ -181,7 +188,7 @@ private:
                       (std::max)(1., double(superlu::sp_ienv(6))) * static_cast<double>(a.nonZeros()));
   }
 
-  bool call_superlu(const SuperLU_matrix& a, double entries, int width, superlu::SuperLUStat_t& statistics)
+  bool call_superlu(const Columns& a, double entries, int width, superlu::SuperLUStat_t& statistics)
   {
     const int n = size();
     std::vector<int> begin(n), end(n);
@@ -194,11 +201,11 @@ private:
     // SuperLU uses the number of entries for a first guess of the size of the factors, and only for that.
     superlu::NCPformat store;
     store.nnz = static_cast<int>(std::ceil(entries / (std::max)(1, superlu::sp_ienv(6))));
-    store.nzval = const_cast<double*>(a.valuePtr());
+    store.nzval = const_cast<FT*>(a.valuePtr());
     store.rowind = const_cast<int*>(a.innerIndexPtr());
     store.colbeg = begin.data();
     store.colend = end.data();
-    superlu::SuperMatrix columns = {superlu::SLU_NCP, superlu::SLU_D, superlu::SLU_GE, n, n, &store};
+    superlu::SuperMatrix columns = {superlu::SLU_NCP, Functions::number_type, superlu::SLU_GE, n, n, &store};
 
     superlu::superlu_options_t options;
     superlu::set_default_options(&options);
@@ -211,9 +218,9 @@ private:
     superlu::GlobalLU_t growing = superlu::GlobalLU_t();
     int info = 0;
     const SuperLU_one_blas_thread one_thread;
-    superlu::dgstrf(&options, &columns, superlu::sp_ienv(2), width, tree.data(), nullptr, 0,
-                    column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing, &statistics,
-                    &info);
+    Functions::factor(&options, &columns, superlu::sp_ienv(2), width, tree.data(), nullptr, 0,
+                      column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing,
+                      &statistics, &info);
     if(m_lower.Store == nullptr) // memory was exhausted, and what was there is left to us
       free_growing(growing);
     if(info != 0)
@@ -238,14 +245,14 @@ private:
     const int n = size();
     superlu::DNformat store = {n, b.data()};
     superlu::SuperMatrix right_side = {
-        superlu::SLU_DN, superlu::SLU_D, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};
+        superlu::SLU_DN, Functions::number_type, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};
     superlu::SuperLUStat_t statistics;
     superlu::StatInit(&statistics);
     int info = 0;
     const SuperLU_one_blas_thread one_thread;
-    superlu::dgstrs(superlu::NOTRANS, const_cast<superlu::SuperMatrix*>(&m_lower),
-                    const_cast<superlu::SuperMatrix*>(&m_upper), column_permutation(),
-                    const_cast<int*>(m_row_permutation.data()), &right_side, &statistics, &info);
+    Functions::solve(superlu::NOTRANS, const_cast<superlu::SuperMatrix*>(&m_lower),
+                     const_cast<superlu::SuperMatrix*>(&m_upper), column_permutation(),
+                     const_cast<int*>(m_row_permutation.data()), &right_side, &statistics, &info);
     superlu::StatFree(&statistics);
     return info == 0;
   }

@@ -6,7 +6,7 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_HEADERS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_HEADERS_H
 
-// SuperLU's C header, enclosed in the namespace `CGAL::internal::superlu`.
+// SuperLU's C headers for `double` and `float`, enclosed in the namespace `CGAL::internal::superlu`.
 //
 // How far this goes:
 // - Types, enumerators (NO, ROW, TRANS, FACT, ...) and functions are visible in that namespace only.
@@ -36,9 +36,11 @@
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-// Let the header be read although somebody may have read it in the global namespace
+// Let the headers be read although somebody may have read them in the global namespace
 #pragma push_macro("__SUPERLU_dSP_DEFS")
 #undef __SUPERLU_dSP_DEFS
+#pragma push_macro("__SUPERLU_sSP_DEFS")
+#undef __SUPERLU_sSP_DEFS
 
 // (the types are shared with the global namespace in that case)
 #ifndef __SUPERLU_UTIL
@@ -148,6 +150,18 @@
 #pragma push_macro("dgemv_")
 #undef dgemv_
 #define dgemv_ cgal_unused_dgemv_
+#pragma push_macro("sgemm_")
+#undef sgemm_
+#define sgemm_ cgal_unused_sgemm_
+#pragma push_macro("strsv_")
+#undef strsv_
+#define strsv_ cgal_unused_strsv_
+#pragma push_macro("strsm_")
+#undef strsm_
+#define strsm_ cgal_unused_strsm_
+#pragma push_macro("sgemv_")
+#undef sgemv_
+#define sgemv_ cgal_unused_sgemv_
 #pragma push_macro("xerbla_")
 #undef xerbla_
 #define xerbla_ cgal_unused_xerbla_
@@ -162,6 +176,15 @@ namespace superlu {
 #include <slu_ddefs.h>
 #endif
 
+// (SuperLU may have been built without single precision, and then has no such header)
+#if __has_include(<superlu/slu_sdefs.h>)
+#include <superlu/slu_sdefs.h>
+#define CGAL_SUPERLU_HAS_SINGLE_PRECISION
+#elif __has_include(<slu_sdefs.h>)
+#include <slu_sdefs.h>
+#define CGAL_SUPERLU_HAS_SINGLE_PRECISION
+#endif
+
 #ifndef CGAL_SUPERLU_HEADERS_HIDE_TYPES
 using ::SuperMatrix;
 using ::NCformat;
@@ -173,6 +196,8 @@ using ::SuperLUStat_t;
 using ::GlobalLU_t;
 using ::SLU_NCP;
 using ::SLU_DN;
+using ::Dtype_t;
+using ::SLU_S;
 using ::SLU_D;
 using ::SLU_GE;
 using ::NO;
@@ -195,6 +220,10 @@ static_assert(sizeof(int_t) == sizeof(int), "SuperLU_solver_traits needs a Super
 } // namespace CGAL
 
 #pragma pop_macro("xerbla_")
+#pragma pop_macro("sgemv_")
+#pragma pop_macro("strsm_")
+#pragma pop_macro("strsv_")
+#pragma pop_macro("sgemm_")
 #pragma pop_macro("dgemv_")
 #pragma pop_macro("dtrsm_")
 #pragma pop_macro("dtrsv_")
@@ -273,6 +302,8 @@ static_assert(sizeof(int_t) == sizeof(int), "SuperLU_solver_traits needs a Super
 #undef __SUPERLU_CNAMES
 #pragma pop_macro("__SUPERLU_CNAMES")
 #endif
+#undef __SUPERLU_sSP_DEFS
+#pragma pop_macro("__SUPERLU_sSP_DEFS")
 #undef __SUPERLU_dSP_DEFS
 #pragma pop_macro("__SUPERLU_dSP_DEFS")
 

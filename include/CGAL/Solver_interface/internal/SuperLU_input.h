@@ -9,18 +9,37 @@
 // What has to be known about a matrix before it may be given to SuperLU, which trusts its input.
 
 #include <CGAL/Eigen_sparse_matrix.h>
+#include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
 
-typedef Eigen::SparseMatrix<double> SuperLU_matrix;
+template <class FT>
+using SuperLU_matrix = Eigen::SparseMatrix<FT>;
+
+// Where a compressed square matrix has entries, whatever they are. It must not outlive the matrix.
+struct SuperLU_pattern
+{
+  template <class FT>
+  SuperLU_pattern(const SuperLU_matrix<FT>& a)
+      : size(static_cast<int>(a.cols())), outer(a.outerIndexPtr()), inner(a.innerIndexPtr())
+  {}
+
+  std::size_t nonzeros() const { return static_cast<std::size_t>(outer[size]); }
+
+  int size;
+  const int* outer;
+  const int* inner;
+};
 
 // Is the matrix square, not empty, are its entries finite, and do the row indices of every column increase?
-inline bool superlu_is_well_formed(const SuperLU_matrix& a)
+template <class FT>
+bool superlu_is_well_formed(const SuperLU_matrix<FT>& a)
 {
   if(a.rows() != a.cols() || a.rows() == 0 || !a.isCompressed())
     return false;
@@ -37,11 +56,12 @@ inline bool superlu_is_well_formed(const SuperLU_matrix& a)
 }
 
 // Is there an off-diagonal entry, and all of them are below the diagonal? Such an entry is returned in `(i, j)`.
-inline bool superlu_is_lower_triangle(const SuperLU_matrix& a, int& i, int& j)
+template <class FT>
+bool superlu_is_lower_triangle(const SuperLU_matrix<FT>& a, int& i, int& j)
 {
   bool found = false;
   for(int column = 0; column < a.cols(); ++column) {
-    for(SuperLU_matrix::InnerIterator it(a, column); it; ++it) {
+    for(typename SuperLU_matrix<FT>::InnerIterator it(a, column); it; ++it) {
       if(it.row() < column)
         return false;
       if(it.row() > column && it.value() != 0) {
@@ -57,30 +77,32 @@ inline bool superlu_is_lower_triangle(const SuperLU_matrix& a, int& i, int& j)
 // `Eigen_sparse_matrix` does not tell whether it was made with `is_symmetric = true`, and then holds
 // one triangle only. It gives itself away by answering for the other triangle; asking
 // may insert an entry into the matrix, hence the copy.
-inline bool superlu_stores_one_triangle(const Eigen_sparse_matrix<double>& matrix)
+template <class FT>
+bool superlu_stores_one_triangle(const Eigen_sparse_matrix<FT>& matrix)
 {
   int i = 0, j = 0;
   if(!superlu_is_lower_triangle(matrix.eigen_object(), i, j))
     return false;
-  Eigen_sparse_matrix<double> copy(matrix);
+  Eigen_sparse_matrix<FT> copy(matrix);
   return copy.get_coef(j, i) != 0;
 }
 
 // The square roots of the absolute values of the diagonal, or nothing if an entry of the diagonal
-// is missing or zero, or if their signs differ. `sign` is their common sign.
-inline std::vector<double> superlu_diagonal_roots(const SuperLU_matrix& a, double& sign)
+// is missing, zero or out of range, or if their signs differ. `sign` is their common sign.
+template <class FT>
+std::vector<FT> superlu_diagonal_roots(const SuperLU_matrix<FT>& a, FT& sign)
 {
-  std::vector<double> roots(a.cols(), 0.);
+  std::vector<FT> roots(a.cols(), FT(0));
   for(int j = 0; j < a.cols(); ++j) {
     const int* begin = a.innerIndexPtr() + a.outerIndexPtr()[j];
     const int* end = a.innerIndexPtr() + a.outerIndexPtr()[j + 1];
     const int* diagonal = std::lower_bound(begin, end, j);
     if(diagonal == end || *diagonal != j)
       return {};
-    const double value = a.valuePtr()[diagonal - a.innerIndexPtr()];
+    const FT value = a.valuePtr()[diagonal - a.innerIndexPtr()];
     if(j == 0)
-      sign = value > 0 ? 1. : -1.;
-    if(!(sign * value > 0))
+      sign = value > 0 ? FT(1) : FT(-1);
+    if(!(sign * value > SuperLU_tolerances<FT>::least_entry))
       return {};
     roots[j] = std::sqrt(sign * value);
   }
@@ -92,15 +114,17 @@ inline std::vector<double> superlu_diagonal_roots(const SuperLU_matrix& a, doubl
 //
 // The columns are visited in their order, so that the entries of row j left of the diagonal
 // must be met one after the other in column j, above the diagonal.
-inline bool superlu_may_be_definite(const SuperLU_matrix& a, double& sign)
+template <class FT>
+bool superlu_may_be_definite(const SuperLU_matrix<FT>& a, FT& sign)
 {
-  const std::vector<double> roots = superlu_diagonal_roots(a, sign);
+  const FT tolerance = SuperLU_tolerances<FT>::asymmetry;
+  const std::vector<FT> roots = superlu_diagonal_roots(a, sign);
   if(roots.empty())
     return false;
 
   const int* outer = a.outerIndexPtr();
   const int* inner = a.innerIndexPtr();
-  const double* value = a.valuePtr();
+  const FT* value = a.valuePtr();
   std::vector<int> next(outer, outer + a.cols());
   for(int j = 0; j < a.cols(); ++j) {
     if(inner[next[j]] != j) // an entry above the diagonal that has no partner
@@ -110,8 +134,9 @@ inline bool superlu_may_be_definite(const SuperLU_matrix& a, double& sign)
       const int mirror = next[i]++;
       if(mirror >= outer[i + 1] || inner[mirror] != j)
         return false;
-      const double scale = roots[i] * roots[j];
-      if(std::abs(value[k] - value[mirror]) > 1e-12 * scale || std::abs(value[k]) > (1 + 1e-12) * scale)
+      const FT scale = roots[i] * roots[j];
+      if(std::abs(value[k] - value[mirror]) > tolerance * scale ||
+         std::abs(value[k]) > (1 + tolerance) * scale)
         return false;
     }
   }
@@ -123,9 +148,9 @@ inline bool superlu_may_be_definite(const SuperLU_matrix& a, double& sign)
 class SuperLU_matching
 {
 public:
-  explicit SuperLU_matching(const SuperLU_matrix& a)
-      : m_outer(a.outerIndexPtr()), m_inner(a.innerIndexPtr()), m_n(static_cast<int>(a.cols())),
-        m_column_of_row(m_n, -1), m_cheap(m_outer, m_outer + m_n), m_next(m_n), m_root(m_n, -1)
+  explicit SuperLU_matching(const SuperLU_pattern& a)
+      : m_outer(a.outer), m_inner(a.inner), m_n(a.size), m_column_of_row(m_n, -1),
+        m_cheap(m_outer, m_outer + m_n), m_next(m_n), m_root(m_n, -1)
   {}
 
   bool is_perfect()

@@ -7,6 +7,7 @@
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H
 
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
+#include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
 
 #include <Eigen/Core>
 
@@ -23,7 +24,8 @@ class SuperLU_scaling
 public:
   // Brings the largest entries of all rows and columns close to one. Each pass of Ruiz's algorithm
   // treats rows and columns alike and halves the range of the exponents of these entries.
-  void equilibrate(SuperLU_matrix& a)
+  template <class FT>
+  void equilibrate(SuperLU_matrix<FT>& a)
   {
     m_row = Eigen::VectorXi::Zero(a.rows());
     m_column = Eigen::VectorXi::Zero(a.cols());
@@ -31,7 +33,7 @@ public:
     for(int pass = 0; pass < 12; ++pass) {
       Eigen::VectorXi row = Eigen::VectorXi::Constant(a.rows(), none);
       Eigen::VectorXi column = Eigen::VectorXi::Constant(a.cols(), none);
-      for_each_entry(a, [&](int i, int j, double& value) {
+      for_each_entry(a, [&](int i, int j, FT& value) {
         if(value != 0) {
           const int exponent = std::ilogb(value);
           row[i] = (std::max)(row[i], exponent);
@@ -44,10 +46,27 @@ public:
         column[j] = column[j] == none ? 0 : -column[j] / 2;
       if(row.isZero() && column.isZero())
         return;
-      for_each_entry(a, [&](int i, int j, double& value) { value = std::ldexp(value, row[i] + column[j]); });
+      for_each_entry(a, [&](int i, int j, FT& value) { value = std::ldexp(value, row[i] + column[j]); });
       m_row += row;
       m_column += column;
     }
+  }
+
+  // Whether the entries of the matrix, before it was scaled, are what they were before they became numbers of this type,
+  // but for errors that are small beside the largest entries of their rows and columns
+  template <class FT>
+  bool keeps_digits(const SuperLU_matrix<FT>& a) const
+  {
+    const FT least = SuperLU_tolerances<FT>::least_entry;
+    if(least == 0)
+      return true;
+    for(int j = 0; j < a.cols(); ++j) {
+      for(typename SuperLU_matrix<FT>::InnerIterator it(a, j); it; ++it) {
+        if(std::abs(it.value()) < least && std::ldexp(least, m_row[it.row()] + m_column[j]) > 1)
+          return false;
+      }
+    }
+    return true;
   }
 
   // From the right-hand sides of the original system to those of the scaled one
@@ -65,8 +84,8 @@ public:
   }
 
 private:
-  template <class Function>
-  static void for_each_entry(SuperLU_matrix& a, const Function& function)
+  template <class FT, class Function>
+  static void for_each_entry(SuperLU_matrix<FT>& a, const Function& function)
   {
     for(int j = 0; j < a.cols(); ++j) {
       for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
