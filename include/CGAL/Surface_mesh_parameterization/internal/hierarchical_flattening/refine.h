@@ -67,7 +67,7 @@ private:
   void sweep(int times)
   {
     for(int i = 0; i < times; ++i)
-      relax_all(Planar_star());
+      relax_all(Relaxation_star());
   }
 
   // What happened to the vertices of a block
