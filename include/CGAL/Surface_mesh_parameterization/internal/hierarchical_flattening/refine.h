@@ -154,8 +154,9 @@ private:
            distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
-  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, take a full turn.
-  // Vertices could come to lie in triangles twice there, with all of them positively oriented.
+  // Whether the triangles around border vertex `v` take a full turn, or whether, by those that it belongs to, those around
+  // one of its neighbours on the border do. Vertices could come to lie in triangles twice there, with all of them
+  // positively oriented. Where a coarse chart overlaps itself without `v`, that is no reason to leave it out.
   bool border_overlaps(int v) const
   {
     const Edge_collapses& mesh = m_coarsening.mesh();
@@ -163,20 +164,25 @@ private:
     int last = first;
     for(int c = first; c >= 0; c = mesh.chart().rotate(c))
       last = c;
-    return takes_full_turn(v) || takes_full_turn(mesh.chart().vertex[previous_corner(first)]) ||
-           takes_full_turn(mesh.chart().vertex[next_corner(last)]);
+    const int before = mesh.chart().vertex[previous_corner(first)],
+              behind = mesh.chart().vertex[next_corner(last)];
+    const auto takes_full_turn = [](double turn) { return turn > 2 * pi - 1e-3; };
+    return takes_full_turn(turn(v)) || (takes_full_turn(turn(before)) && !takes_full_turn(turn(before, v))) ||
+           (takes_full_turn(turn(behind)) && !takes_full_turn(turn(behind, v)));
   }
 
-  bool takes_full_turn(int v) const
+  // The angle of all triangles around `v` together but for those with vertex `left_out`.
+  double turn(int v, int left_out = -1) const
   {
     const Chart& chart = m_coarsening.mesh().chart();
-    double turn = 0;
+    double result = 0;
     m_coarsening.mesh().for_each_corner(v, [&](int c) {
-      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
-                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
-      turn += std::atan2(cross(a, b), a.dot(b));
+      const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
+      const Planar_point a = m_uv[p] - m_uv[v], b = m_uv[q] - m_uv[v];
+      if(p != left_out && q != left_out)
+        result += std::atan2(cross(a, b), a.dot(b));
     });
-    return turn > 2 * pi - 1e-3;
+    return result;
   }
 
   // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices of the border, and those with
