@@ -81,11 +81,13 @@ private:
   // Vertices of a level are not neighbours, so that all can be inserted at once.
   bool insert(const std::vector<int>& vertices)
   {
-    std::vector<Tally> tallies(number_of_blocks);
     const int n = static_cast<int>(vertices.size());
-    parallel_for(number_of_blocks, [&](int b) {
+    const int blocks = number_of_blocks(n);
+    std::vector<Tally> tallies(blocks);
+    parallel_for(blocks, [&](int b) {
       Planar_star star;
-      for(int i = begin_of_block(b, n); tallies[b].complete && i < begin_of_block(b + 1, n); ++i) {
+      const int end = begin_of_block(b + 1, blocks, n);
+      for(int i = begin_of_block(b, blocks, n); tallies[b].complete && i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
         if(star.on_border) { // until then it does not change the border
           m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
@@ -192,10 +194,11 @@ private:
   void relax_all(const Star& empty)
   {
     const std::vector<int>& vertices = m_coarsening.alive();
-    std::vector<Tally> tallies(number_of_blocks);
     const int n = static_cast<int>(vertices.size());
-    parallel_for(number_of_blocks, [&](int b) {
-      const int begin = begin_of_block(b, n), end = begin_of_block(b + 1, n);
+    const int blocks = number_of_blocks(n);
+    std::vector<Tally> tallies(blocks);
+    parallel_for(blocks, [&](int b) {
+      const int begin = begin_of_block(b, blocks, n), end = begin_of_block(b + 1, blocks, n);
       Star star = empty;
       for(int i = begin; i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
@@ -229,9 +232,13 @@ private:
     ++(moved ? tally.moves : tally.rejected_moves);
   }
 
-  static constexpr int number_of_blocks = 16;
+  // Small blocks have many neighbours in others.
+  static int number_of_blocks(int n) { return (std::min)(1 + n / 4096, 16); }
 
-  static int begin_of_block(int b, int n) { return static_cast<int>(std::int64_t(n) * b / number_of_blocks); }
+  static int begin_of_block(int b, int blocks, int n)
+  {
+    return static_cast<int>(std::int64_t(n) * b / blocks);
+  }
 
   Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
