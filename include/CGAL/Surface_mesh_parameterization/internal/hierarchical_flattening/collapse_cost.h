@@ -41,6 +41,37 @@ class Collapse_cost
 {
   typedef Eigen::Vector3d Vector;
 
+  // A quadratic form
+  struct Quadric
+  {
+    double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+    // Adds `factor` times the square of the dot product with `n`.
+    void add(const Vector& n, double factor)
+    {
+      const double x = factor * n.x(), y = factor * n.y();
+      xx += x * n.x();
+      yy += y * n.y();
+      zz += factor * n.z() * n.z();
+      xy += x * n.y();
+      xz += x * n.z();
+      yz += y * n.z();
+    }
+
+    void add_identity(double factor)
+    {
+      xx += factor;
+      yy += factor;
+      zz += factor;
+    }
+
+    double operator()(const Vector& d) const
+    {
+      return d.x() * (xx * d.x() + 2 * (xy * d.y() + xz * d.z())) + d.y() * (yy * d.y() + 2 * yz * d.z()) +
+             zz * d.z() * d.z();
+    }
+  };
+
   // Of the collapses of a vertex of large degree only the cheapest ones are looked at.
   static constexpr std::size_t max_candidates = 32;
 
@@ -59,13 +90,13 @@ public:
   Collapse_candidate best(int v)
   {
     gather_star(v);
-    const double shape = 1e-2 * m_quadric.trace();
+    const double shape = 1e-2 * (m_quadric.xx + m_quadric.yy + m_quadric.zz);
     m_candidates.clear();
     for(std::size_t i = 0; i < m_ring.size(); ++i) {
       if(!is_collapsible(i))
         continue;
       const Vector d = m_points[i] - m_centre;
-      m_candidates.push_back({d.dot(m_quadric * d) + shape * d.squaredNorm(), static_cast<int>(i)});
+      m_candidates.push_back({m_quadric(d) + shape * d.squaredNorm(), static_cast<int>(i)});
     }
     for(std::size_t looked_at = 0; looked_at < max_candidates && !m_candidates.empty(); ++looked_at) {
       const auto next = std::min_element(m_candidates.begin(), m_candidates.end(), is_cheaper);
@@ -122,7 +153,7 @@ private:
   {
     gather_ring(v);
     m_centre = point(v);
-    m_quadric.setZero();
+    Quadric quadric;
     m_points.clear();
     m_normals.clear();
     for(int w : m_ring)
@@ -132,7 +163,7 @@ private:
       const Vector a = m_points[after(i)] - m_centre, b = m_points[i] - m_centre;
       const Vector normal = a.cross(b);
       m_normals.push_back(normal);
-      m_quadric += normal * normal.transpose();
+      quadric.add(normal, 1);
       const double dot = largest_dot_product(a, b);
       if(dot * dot > m_worst_cotangent * normal.squaredNorm())
         m_worst_cotangent = dot * dot / normal.squaredNorm();
@@ -140,8 +171,11 @@ private:
     if(m_on_border)
       for(const Vector& end : {m_points.front(), m_points.back()}) {
         const Vector e = end - m_centre;
-        m_quadric += e.squaredNorm() * (e.squaredNorm() * Eigen::Matrix3d::Identity() - e * e.transpose());
+        const double square = e.squaredNorm();
+        quadric.add(e, -square);
+        quadric.add_identity(square * square);
       }
+    m_quadric = quadric;
   }
 
   // The number of the ring vertex before number i in counterclockwise order, that is the next one clockwise.
@@ -229,7 +263,7 @@ private:
   std::vector<Vector> m_points;  // of the ring
   std::vector<Vector> m_normals; // of the triangles, as long as twice their areas
   std::vector<Collapse_candidate> m_candidates;
-  Eigen::Matrix3d m_quadric;
+  Quadric m_quadric;
   Vector m_centre;
   double m_worst_cotangent = 0;  // squared
   std::uint64_t m_ring_bits = 0; // for each vertex of the ring that of its number, modulo 64
