@@ -201,9 +201,10 @@ private:
       const int begin = begin_of_block(b, blocks, n), end = begin_of_block(b + 1, blocks, n);
       Star star = empty;
       for(int i = begin; i < end; ++i) {
-        star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(star.on_border || star.first_neighbour < vertices[begin] ||
-           star.last_neighbour > vertices[end - 1])
+        const bool on_border = m_coarsening.mesh().chart().interior[vertices[i]] < 0;
+        if(!on_border)
+          star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
+        if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
           tallies[b].put_off.push_back(vertices[i]);
         else
           relax(star, vertices[i], tallies[b]);
