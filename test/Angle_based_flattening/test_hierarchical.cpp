@@ -186,14 +186,14 @@ BOOST_AUTO_TEST_CASE(derivatives_of_the_energy_match_finite_differences)
   Chart chart = bump(6, 7, 1);
   const abf::Edge_collapses mesh(chart);
   const std::vector<Planar_point> uv = planar_points(chart);
-  abf::Planar_star star;
+  abf::Relaxation_star star;
   const double h = 1e-6;
   for(int v = 0; v < chart.number_of_vertices(); ++v) {
     star.gather(mesh, uv, v);
-    const abf::Planar_star::Energy here(star, uv[v], true);
+    const abf::Relaxation_star::Energy here(star, uv[v], true);
     for(int i : {0, 1}) {
-      const abf::Planar_star::Energy more(star, uv[v] + h * Planar_point::Unit(i), true);
-      const abf::Planar_star::Energy less(star, uv[v] - h * Planar_point::Unit(i), true);
+      const abf::Relaxation_star::Energy more(star, uv[v] + h * Planar_point::Unit(i), true);
+      const abf::Relaxation_star::Energy less(star, uv[v] - h * Planar_point::Unit(i), true);
       const double scale = here.hessian.norm();
       BOOST_TEST(std::abs((more.value - less.value) / (2 * h) - here.gradient[i]) < 1e-6 * scale);
       BOOST_TEST(((more.gradient - less.gradient) / (2 * h) - here.hessian.col(i)).norm() < 1e-5 * scale);
@@ -226,14 +226,14 @@ BOOST_AUTO_TEST_CASE(relaxation_keeps_stars_valid_and_lowers_the_energy)
   Chart chart = bump(10, 8, 2);
   const abf::Edge_collapses mesh(chart);
   std::vector<Planar_point> uv = planar_points(chart);
-  abf::Planar_star star;
+  abf::Relaxation_star star;
   for(int sweep = 0; sweep < 5; ++sweep)
     for(int v = 0; v < chart.number_of_vertices(); ++v) {
       star.gather(mesh, uv, v);
-      const double before = abf::Planar_star::Energy(star, uv[v], false).value;
+      const double before = abf::Relaxation_star::Energy(star, uv[v], false).value;
       const Planar_point old = uv[v];
       if(abf::relax_vertex(star, uv[v]))
-        BOOST_TEST(abf::Planar_star::Energy(star, uv[v], false).value < before);
+        BOOST_TEST(abf::Relaxation_star::Energy(star, uv[v], false).value < before);
       else
         BOOST_TEST((uv[v] == old));
       BOOST_TEST(abf::is_valid(star, uv[v]));

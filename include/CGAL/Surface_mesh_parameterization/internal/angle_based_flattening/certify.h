@@ -71,7 +71,7 @@ inline std::vector<int> flipped_triangles(const Chart& chart, const std::vector<
 template <typename Point>
 bool is_in_upper_half(const Point& p, const Point& origin)
 {
-  return CGAL::compare_yx(p, origin) == CGAL::LARGER;
+  return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
 }
 
 // How often the triangles around each vertex sweep over the direction of the x-axis. A triangle takes less than half

@@ -75,7 +75,9 @@ inline double scale_range(const Chart& chart, const std::vector<Chart::Point_2>&
   double shortest = (std::numeric_limits<double>::infinity)(), longest = 0;
   for(int c = 0; c < chart.number_of_corners(); ++c) {
     const auto edge = uv[chart.edge_target(c)] - uv[chart.edge_source(c)];
-    const double length = std::hypot(edge.x(), edge.y());
+    const double square = edge.squared_length();
+    const double length =
+        square > 1e-290 && square < 1e290 ? std::sqrt(square) : std::hypot(edge.x(), edge.y());
     shortest = (std::min)(shortest, length);
     longest = (std::max)(longest, length);
   }

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -53,7 +54,7 @@ struct Angle_star : Planar_star_base
 };
 
 // The energy of the angles of a star as a function of the place of its vertex. The Hessian is that of Gauss and Newton,
-// which is never indefinite.
+// which is never indefinite. Infinite where the star is not valid.
 class Angle_star::Energy
 {
 public:
@@ -66,6 +67,10 @@ public:
     for(const Triangle& t : star.triangles) {
       const Planar_point to_p = t.p - x, to_q = t.q - x, pq = t.q - t.p;
       const double twice_area = cross(to_p, to_q);
+      if(!(twice_area > star.least_area)) {
+        value = (std::numeric_limits<double>::infinity)();
+        return;
+      }
       const double alpha_p = std::atan2(twice_area, -to_p.dot(pq));
       const double alpha_q = std::atan2(twice_area, to_q.dot(pq));
       const double alpha_v = std::atan2(twice_area, to_p.dot(to_q));

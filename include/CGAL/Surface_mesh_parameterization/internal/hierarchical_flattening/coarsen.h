@@ -81,7 +81,10 @@ private:
       if(quota == 0)
         break;
       const int v = m_alive[i];
-      if(locked[v] || !cost.is_still_allowed(v, candidates[i].record))
+      if(locked[v])
+        continue;
+      // only where the stars of both are as they were, there is nothing to look at
+      if(locked[m_mesh.kept_vertex(candidates[i].record)] && !cost.is_still_allowed(v, candidates[i].record))
         continue;
       m_mesh.for_each_corner(v, [&](int c) {
         locked[chart.vertex[next_corner(c)]] = locked[chart.vertex[previous_corner(c)]] = true;

@@ -11,11 +11,14 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/edge_collapses.h>
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -38,6 +41,37 @@ class Collapse_cost
 {
   typedef Eigen::Vector3d Vector;
 
+  // A quadratic form
+  struct Quadric
+  {
+    double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+    // Adds `factor` times the square of the dot product with `n`.
+    void add(const Vector& n, double factor)
+    {
+      const double x = factor * n.x(), y = factor * n.y();
+      xx += x * n.x();
+      yy += y * n.y();
+      zz += factor * n.z() * n.z();
+      xy += x * n.y();
+      xz += x * n.z();
+      yz += y * n.z();
+    }
+
+    void add_identity(double factor)
+    {
+      xx += factor;
+      yy += factor;
+      zz += factor;
+    }
+
+    double operator()(const Vector& d) const
+    {
+      return d.x() * (xx * d.x() + 2 * (xy * d.y() + xz * d.z())) + d.y() * (yy * d.y() + 2 * yz * d.z()) +
+             zz * d.z() * d.z();
+    }
+  };
+
   // Of the collapses of a vertex of large degree only the cheapest ones are looked at.
   static constexpr std::size_t max_candidates = 32;
 
@@ -56,13 +90,13 @@ public:
   Collapse_candidate best(int v)
   {
     gather_star(v);
-    const double shape = 1e-2 * m_quadric.trace();
+    const double shape = 1e-2 * (m_quadric.xx + m_quadric.yy + m_quadric.zz);
     m_candidates.clear();
     for(std::size_t i = 0; i < m_ring.size(); ++i) {
       if(!is_collapsible(i))
         continue;
-      const Vector d = point(m_ring[i]) - m_centre;
-      m_candidates.push_back({d.dot(m_quadric * d) + shape * d.squaredNorm(), static_cast<int>(i)});
+      const Vector d = m_points[i] - m_centre;
+      m_candidates.push_back({m_quadric(d) + shape * d.squaredNorm(), static_cast<int>(i)});
     }
     for(std::size_t looked_at = 0; looked_at < max_candidates && !m_candidates.empty(); ++looked_at) {
       const auto next = std::min_element(m_candidates.begin(), m_candidates.end(), is_cheaper);
@@ -110,33 +144,42 @@ private:
     m_on_border = chart.interior[v] < 0;
     if(m_on_border)
       m_ring.push_back(chart.vertex[next_corner(m_corners.back())]);
+    m_ring_bits = 0;
+    for(int w : m_ring)
+      m_ring_bits |= std::uint64_t(1) << (w % 64);
   }
 
   void gather_star(int v)
   {
     gather_ring(v);
     m_centre = point(v);
-    m_quadric.setZero();
+    Quadric quadric;
+    m_points.clear();
     m_normals.clear();
-    m_areas.clear();
-    m_worst_cotangent = m_least_cotangent;
+    for(int w : m_ring)
+      m_points.push_back(point(w));
+    m_worst_cotangent = CGAL::square(m_least_cotangent);
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
-      const Vector a = point(after(i)) - m_centre, b = point(m_ring[i]) - m_centre;
+      const Vector a = m_points[after(i)] - m_centre, b = m_points[i] - m_centre;
       const Vector normal = a.cross(b);
       m_normals.push_back(normal);
-      m_areas.push_back(normal.norm());
-      m_quadric += normal * normal.transpose();
-      m_worst_cotangent = (std::max)(m_worst_cotangent, largest_dot_product(a, b) / m_areas.back());
+      quadric.add(normal, 1);
+      const double dot = largest_dot_product(a, b);
+      if(dot * dot > m_worst_cotangent * normal.squaredNorm())
+        m_worst_cotangent = dot * dot / normal.squaredNorm();
     }
     if(m_on_border)
-      for(int w : {m_ring.front(), m_ring.back()}) {
-        const Vector e = point(w) - m_centre;
-        m_quadric += e.squaredNorm() * (e.squaredNorm() * Eigen::Matrix3d::Identity() - e * e.transpose());
+      for(const Vector& end : {m_points.front(), m_points.back()}) {
+        const Vector e = end - m_centre;
+        const double square = e.squaredNorm();
+        quadric.add(e, -square);
+        quadric.add_identity(square * square);
       }
+    m_quadric = quadric;
   }
 
-  // The ring vertex before ring vertex i in counterclockwise order, that is the next one clockwise.
-  int after(std::size_t i) const { return m_ring[i + 1 < m_ring.size() ? i + 1 : 0]; }
+  // The number of the ring vertex before number i in counterclockwise order, that is the next one clockwise.
+  std::size_t after(std::size_t i) const { return i + 1 < m_ring.size() ? i + 1 : 0; }
 
   // For the triangle with edges `a` and `b` from a vertex: this divided by twice its area is its largest absolute cotangent.
   static double largest_dot_product(const Vector& a, const Vector& b)
@@ -160,18 +203,17 @@ private:
   }
 
   // Whether the triangles that stay keep their sides and are no worse than allowed once the vertex is at ring vertex i.
-  bool keeps_shape(int i) const
+  bool keeps_shape(std::size_t i) const
   {
-    const Vector target = point(m_ring[i]);
+    const Vector& target = m_points[i];
     for(std::size_t t = 0; t < m_corners.size(); ++t) {
-      const int p = after(t), q = m_ring[t];
-      if(p == m_ring[i] || q == m_ring[i])
+      if(t == i || after(t) == i)
         continue;
-      const Vector a = point(p) - target, b = point(q) - target;
+      const Vector a = m_points[after(t)] - target, b = m_points[t] - target;
       const Vector normal = a.cross(b);
-      const double twice_area = normal.norm();
-      if(!(normal.dot(m_normals[t]) > 0.2 * twice_area * m_areas[t]) ||
-         largest_dot_product(a, b) > m_worst_cotangent * twice_area)
+      const double turn = normal.dot(m_normals[t]), squared_norm = normal.squaredNorm();
+      if(!(turn > 0 && turn * turn > 0.04 * squared_norm * m_normals[t].squaredNorm()) ||
+         CGAL::square(largest_dot_product(a, b)) > m_worst_cotangent * squared_norm)
         return false;
     }
     return true;
@@ -180,21 +222,29 @@ private:
   // The neighbours that the two vertices of the edge have in common are those in the triangles at the edge.
   bool fulfils_link_condition(int i)
   {
+    const Chart& chart = m_mesh.chart();
+    int common = 0;
+    const auto count = [&](int u) { common += is_in_ring(u); };
+    m_mesh.for_each_corner(m_ring[i], [&](int c) {
+      count(chart.vertex[previous_corner(c)]);
+      if(chart.opposite[previous_corner(c)] < 0)
+        count(chart.vertex[next_corner(c)]);
+    });
+    return common == (m_on_border ? 1 : 2);
+  }
+
+  // Nearly always a look at a bit is enough.
+  bool is_in_ring(int u)
+  {
+    if(!(m_ring_bits >> (u % 64) & 1))
+      return false;
+    if(m_ring.size() <= 32)
+      return std::find(m_ring.begin(), m_ring.end(), u) != m_ring.end();
     if(m_sorted_ring.empty()) {
       m_sorted_ring = m_ring;
       std::sort(m_sorted_ring.begin(), m_sorted_ring.end());
     }
-    const Chart& chart = m_mesh.chart();
-    int common = 0;
-    const auto count = [&](int u) {
-      common += std::binary_search(m_sorted_ring.begin(), m_sorted_ring.end(), u);
-    };
-    m_mesh.for_each_corner(m_ring[i], [&](int c) {
-      count(chart.vertex[previous_corner(c)]);
-      if(chart.rotate(c) < 0)
-        count(chart.vertex[next_corner(c)]);
-    });
-    return common == (m_on_border ? 1 : 2);
+    return std::binary_search(m_sorted_ring.begin(), m_sorted_ring.end(), u);
   }
 
   // In clockwise order the triangle before ring vertex i has it next to the vertex's corner.
@@ -210,12 +260,13 @@ private:
   double m_least_cotangent;
 
   std::vector<int> m_corners, m_ring, m_sorted_ring;
-  std::vector<Vector> m_normals; // of the triangles, as long as
-  std::vector<double> m_areas;   // twice their areas
+  std::vector<Vector> m_points;  // of the ring
+  std::vector<Vector> m_normals; // of the triangles, as long as twice their areas
   std::vector<Collapse_candidate> m_candidates;
-  Eigen::Matrix3d m_quadric;
+  Quadric m_quadric;
   Vector m_centre;
-  double m_worst_cotangent = 0;
+  double m_worst_cotangent = 0;  // squared
+  std::uint64_t m_ring_bits = 0; // for each vertex of the ring that of its number, modulo 64
   bool m_on_border = false;
 };
 

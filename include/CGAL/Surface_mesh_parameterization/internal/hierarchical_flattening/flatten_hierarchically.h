@@ -53,7 +53,10 @@ public:
     const bool solved = solve_coarse();
     m_report.seconds.solve = stopwatch.lap();
     visit_stage(m_options.visitor, Flattening_visitor::REFINE);
-    const bool refined = (solved && refine()) || (start_without_solver() && refine());
+    bool refined = solved && refine();
+    // A refinement that fails leaves a finer chart behind than the one before, that is made coarser in another way.
+    for(int attempt = 0; !refined && attempt < 3; ++attempt)
+      refined = start_without_solver() && refine();
     for(const Planar_point& p : m_uv)
       uv.emplace_back(p.x(), p.y());
     m_report.seconds.refine = stopwatch.lap();

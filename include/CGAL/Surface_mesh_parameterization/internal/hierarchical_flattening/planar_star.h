@@ -47,14 +47,24 @@ struct Planar_star_base
     on_border = chart.interior[v] < 0;
     first_neighbour = last_neighbour = v;
     double longest = 0;
+    int q = -1; // each triangle starts where the one before it ended
     mesh.for_each_corner(v, [&](int c) {
-      const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
-      first_neighbour = (std::min)({first_neighbour, p, q});
-      last_neighbour = (std::max)({last_neighbour, p, q});
+      if(q < 0)
+        meet(q = chart.vertex[previous_corner(c)]);
+      const int p = chart.vertex[next_corner(c)];
+      meet(p);
       longest = (std::max)(longest, (uv[p] - uv[q]).squaredNorm());
       visit(c, p, q);
+      q = p;
     });
     least_area = 1e-12 * longest; // far above the rounding errors of areas
+  }
+
+private:
+  void meet(int neighbour)
+  {
+    first_neighbour = (std::min)(first_neighbour, neighbour);
+    last_neighbour = (std::max)(last_neighbour, neighbour);
   }
 };
 
@@ -68,7 +78,8 @@ bool is_valid(const Star& star, const Planar_point& x)
   return true;
 }
 
-// The triangles around one vertex, in space and in the plane: all that its place in the plane depends on.
+// The triangles around one vertex, in space and in the plane: all that the place where it is inserted
+// depends on.
 struct Planar_star : Planar_star_base
 {
   // A triangle (v, p, q), counterclockwise.
@@ -78,8 +89,6 @@ struct Planar_star : Planar_star_base
     double cot_v, cot_p, cot_q; // of the angles on the surface
     double area;                // on the surface
   };
-
-  struct Energy;
 
   std::vector<Triangle> triangles; // clockwise
 

@@ -67,7 +67,7 @@ private:
   void sweep(int times)
   {
     for(int i = 0; i < times; ++i)
-      relax_all(Planar_star());
+      relax_all(Relaxation_star());
   }
 
   // What happened to the vertices of a block
@@ -81,11 +81,13 @@ private:
   // Vertices of a level are not neighbours, so that all can be inserted at once.
   bool insert(const std::vector<int>& vertices)
   {
-    std::vector<Tally> tallies(number_of_blocks);
     const int n = static_cast<int>(vertices.size());
-    parallel_for(number_of_blocks, [&](int b) {
+    const int blocks = number_of_blocks(n);
+    std::vector<Tally> tallies(blocks);
+    parallel_for(blocks, [&](int b) {
       Planar_star star;
-      for(int i = begin_of_block(b, n); tallies[b].complete && i < begin_of_block(b + 1, n); ++i) {
+      const int end = begin_of_block(b + 1, blocks, n);
+      for(int i = begin_of_block(b, blocks, n); tallies[b].complete && i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
         if(star.on_border) { // until then it does not change the border
           m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
@@ -154,8 +156,9 @@ private:
            distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
-  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, take a full turn.
-  // Vertices could come to lie in triangles twice there, with all of them positively oriented.
+  // Whether the triangles around border vertex `v` take a full turn, or whether, by those that it belongs to, those around
+  // one of its neighbours on the border do. Vertices could come to lie in triangles twice there, with all of them
+  // positively oriented. Where a coarse chart overlaps itself without `v`, that is no reason to leave it out.
   bool border_overlaps(int v) const
   {
     const Edge_collapses& mesh = m_coarsening.mesh();
@@ -163,20 +166,25 @@ private:
     int last = first;
     for(int c = first; c >= 0; c = mesh.chart().rotate(c))
       last = c;
-    return takes_full_turn(v) || takes_full_turn(mesh.chart().vertex[previous_corner(first)]) ||
-           takes_full_turn(mesh.chart().vertex[next_corner(last)]);
+    const int before = mesh.chart().vertex[previous_corner(first)],
+              behind = mesh.chart().vertex[next_corner(last)];
+    const auto takes_full_turn = [](double turn) { return turn > 2 * pi - 1e-3; };
+    return takes_full_turn(turn(v)) || (takes_full_turn(turn(before)) && !takes_full_turn(turn(before, v))) ||
+           (takes_full_turn(turn(behind)) && !takes_full_turn(turn(behind, v)));
   }
 
-  bool takes_full_turn(int v) const
+  // The angle of all triangles around `v` together but for those with vertex `left_out`.
+  double turn(int v, int left_out = -1) const
   {
     const Chart& chart = m_coarsening.mesh().chart();
-    double turn = 0;
+    double result = 0;
     m_coarsening.mesh().for_each_corner(v, [&](int c) {
-      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
-                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
-      turn += std::atan2(cross(a, b), a.dot(b));
+      const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
+      const Planar_point a = m_uv[p] - m_uv[v], b = m_uv[q] - m_uv[v];
+      if(p != left_out && q != left_out)
+        result += std::atan2(cross(a, b), a.dot(b));
     });
-    return turn > 2 * pi - 1e-3;
+    return result;
   }
 
   // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices of the border, and those with
@@ -186,15 +194,17 @@ private:
   void relax_all(const Star& empty)
   {
     const std::vector<int>& vertices = m_coarsening.alive();
-    std::vector<Tally> tallies(number_of_blocks);
     const int n = static_cast<int>(vertices.size());
-    parallel_for(number_of_blocks, [&](int b) {
-      const int begin = begin_of_block(b, n), end = begin_of_block(b + 1, n);
+    const int blocks = number_of_blocks(n);
+    std::vector<Tally> tallies(blocks);
+    parallel_for(blocks, [&](int b) {
+      const int begin = begin_of_block(b, blocks, n), end = begin_of_block(b + 1, blocks, n);
       Star star = empty;
       for(int i = begin; i < end; ++i) {
-        star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(star.on_border || star.first_neighbour < vertices[begin] ||
-           star.last_neighbour > vertices[end - 1])
+        const bool on_border = m_coarsening.mesh().chart().interior[vertices[i]] < 0;
+        if(!on_border)
+          star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
+        if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
           tallies[b].put_off.push_back(vertices[i]);
         else
           relax(star, vertices[i], tallies[b]);
@@ -223,9 +233,13 @@ private:
     ++(moved ? tally.moves : tally.rejected_moves);
   }
 
-  static constexpr int number_of_blocks = 16;
+  // Small blocks have many neighbours in others.
+  static int number_of_blocks(int n) { return (std::min)(1 + n / 4096, 16); }
 
-  static int begin_of_block(int b, int n) { return static_cast<int>(std::int64_t(n) * b / number_of_blocks); }
+  static int begin_of_block(int b, int blocks, int n)
+  {
+    return static_cast<int>(std::int64_t(n) * b / blocks);
+  }
 
   Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
