@@ -48,7 +48,6 @@ public:
     if(Chart_defect defect = find_faces(bhd))
       return defect;
     number_vertices(vimap);
-    m_halfedges = {};
     read_points();
     return {};
   }
@@ -67,8 +66,8 @@ public:
   std::vector<face_descriptor> face_descriptors;     // of each triangle of the chart
 
 private:
-  // Sets `face_descriptors`, the halfedges and the chart's corner table up to the vertices. Faces come in the order of a
-  // breadth-first search, whatever that of the mesh is, so that neighbours are near to each other in memory.
+  // Sets `face_descriptors` and the chart's corner table up to the vertices. Faces come in the order of a breadth-first
+  // search, whatever that of the mesh is, so that neighbours are near to each other in memory.
   Chart_defect find_faces(halfedge_descriptor bhd)
   {
     if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
@@ -80,59 +79,66 @@ private:
     Face_ranks ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
     for(face_descriptor f : faces(m_mesh))
       put(ranks, f, -1);
-    face_descriptors.reserve(num_faces(m_mesh));
-    m_halfedges.reserve(3 * num_faces(m_mesh));
-    chart.opposite.reserve(3 * num_faces(m_mesh));
-    add_face(face(inner, m_mesh), ranks);
-    m_first_border = facing_corner(inner, 0);
+    const auto find = [&](face_descriptor f) {
+      if(get(ranks, f) >= 0)
+        return;
+      put(ranks, f, static_cast<int>(face_descriptors.size()));
+      face_descriptors.push_back(f);
+    };
+    find(face(inner, m_mesh));
     for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
-      if(!is_triangle(t))
+      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+        if(const halfedge_descriptor across = opposite(h, m_mesh); !CGAL::is_border(across, m_mesh))
+          find(face(across, m_mesh));
+      if(h != halfedge(face_descriptors[t], m_mesh))
         return {
             ABF_plus_plus_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {static_cast<int>(t)}};
-      for(std::size_t k = 3 * t; k < 3 * t + 3; ++k)
-        link(m_halfedges[k], static_cast<int>(t), ranks);
       if(face_descriptors.size() > static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 9)
         return {ABF_plus_plus_report::TOO_LARGE,
                 "the surface has more triangles than 32-bit numbers allow",
                 {},
                 {}};
     }
+    link_corners(ranks);
+    m_first_border = facing_corner(inner, ranks);
     return {};
   }
 
-  void add_face(face_descriptor f, const Face_ranks& ranks)
+  // The corner of the face of `h` that faces `h`. Corner k of a face is at the target of its halfedge number k, and
+  // so faces halfedge number k + 2.
+  int facing_corner(halfedge_descriptor h, const Face_ranks& ranks) const
   {
-    put(ranks, f, static_cast<int>(face_descriptors.size()));
-    face_descriptors.push_back(f);
-    halfedge_descriptor h = halfedge(f, m_mesh);
-    for(int k = 0; k < 3; ++k, h = next(h, m_mesh)) {
-      m_halfedges.push_back(h);
-      chart.opposite.push_back(-1);
+    const face_descriptor f = face(h, m_mesh);
+    int k = 1;
+    for(halfedge_descriptor g = halfedge(f, m_mesh); g != h; g = next(g, m_mesh))
+      ++k;
+    return 3 * get(ranks, f) + k % 3;
+  }
+
+  void link_corners(const Face_ranks& ranks)
+  {
+    chart.opposite.resize(3 * face_descriptors.size());
+    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
+      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
+      for(int k : {1, 2, 0}) {
+        const halfedge_descriptor across = opposite(h, m_mesh);
+        chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) ? -1 : facing_corner(across, ranks);
+        h = next(h, m_mesh);
+      }
     }
   }
 
-  bool is_triangle(std::size_t t) const { return next(m_halfedges[3 * t + 2], m_mesh) == m_halfedges[3 * t]; }
-
-  // Adds the face across halfedge `h` of triangle `t` unless it is there.
-  void link(halfedge_descriptor h, int t, const Face_ranks& ranks)
+  // Calls `visit` with the halfedge to the vertex of each corner, and the corner.
+  template <typename Visitor>
+  void for_each_corner(const Visitor& visit) const
   {
-    const halfedge_descriptor across = opposite(h, m_mesh);
-    if(CGAL::is_border(across, m_mesh))
-      return;
-    const face_descriptor f = face(across, m_mesh);
-    if(get(ranks, f) < 0)
-      add_face(f, ranks);
-    chart.opposite[facing_corner(h, t)] = facing_corner(across, get(ranks, f));
-  }
-
-  // The corner of triangle `t` that faces its halfedge `h`. Corner k of a face is at the target of its halfedge
-  // number k, and so faces halfedge number k + 2.
-  int facing_corner(halfedge_descriptor h, int t) const
-  {
-    int c = 3 * t;
-    while(c < 3 * t + 2 && m_halfedges[c] != h)
-      ++c;
-    return next_corner(c);
+    int c = 0;
+    for(face_descriptor f : face_descriptors) {
+      halfedge_descriptor h = halfedge(f, m_mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+        visit(h, c++);
+    }
   }
 
   // Sets `vertex_descriptors`, in the order in which the faces come upon them, and the vertex of each corner.
@@ -140,22 +146,20 @@ private:
   void number_vertices(VertexIndexMap vimap)
   {
     typedef typename boost::property_traits<VertexIndexMap>::value_type Index;
-    std::vector<Index> indices;
-    indices.reserve(m_halfedges.size());
-    for(halfedge_descriptor h : m_halfedges)
-      indices.push_back(get(vimap, target(h, m_mesh)));
+    std::vector<Index> indices(3 * face_descriptors.size());
+    for_each_corner([&](halfedge_descriptor h, int c) { indices[c] = get(vimap, target(h, m_mesh)); });
     make_indices_dense(indices);
     std::vector<int> ranks(static_cast<std::size_t>(*std::max_element(indices.begin(), indices.end())) + 1,
                            -1);
-    chart.vertex.reserve(indices.size());
-    for(std::size_t c = 0; c < indices.size(); ++c) {
+    chart.vertex.resize(indices.size());
+    for_each_corner([&](halfedge_descriptor h, int c) {
       int& rank = ranks[static_cast<std::size_t>(indices[c])];
       if(rank < 0) {
         rank = static_cast<int>(vertex_descriptors.size());
-        vertex_descriptors.push_back(target(m_halfedges[c], m_mesh));
+        vertex_descriptors.push_back(target(h, m_mesh));
       }
-      chart.vertex.push_back(rank);
-    }
+      chart.vertex[c] = rank;
+    });
   }
 
   // Replaces indices of vertices that are too far apart for an array.
@@ -190,7 +194,6 @@ private:
   }
 
   const TriangleMesh& m_mesh;
-  std::vector<halfedge_descriptor> m_halfedges; // of each corner: the one to it in its triangle
   int m_first_border = -1;
 };
 
