@@ -85,7 +85,7 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, Solv
   if(n == 0)
     return true;
   Triangle_assembly<1> laplacian(chart.vertex, chart.interior, n);
-  Eigen::VectorXd rhs_u = Eigen::VectorXd::Zero(n), rhs_v = Eigen::VectorXd::Zero(n), u, v;
+  Two_vectors right_hand_sides = {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}, positions;
   for(int t = 0; t < chart.number_of_triangles(); ++t) {
     const Eigen::Vector3d weights = cotangents(alpha, t);
     Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
@@ -102,16 +102,15 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, Solv
         const int border = chart.vertex[3 * t + b];
         if(interior < 0 || chart.interior[border] >= 0)
           continue;
-        rhs_u[interior] -= local(a, b) * layout.uv[border].x();
-        rhs_v[interior] -= local(a, b) * layout.uv[border].y();
+        right_hand_sides[0][interior] -= local(a, b) * layout.uv[border].x();
+        right_hand_sides[1][interior] -= local(a, b) * layout.uv[border].y();
       }
   }
-  Definite_system<SolverTraits> system(std::move(traits));
-  if(!(system.set_matrix(laplacian.matrix()) && system.solve(rhs_u, u) && system.solve(rhs_v, v)))
+  if(!Definite_system<SolverTraits>(std::move(traits)).solve(laplacian.matrix(), right_hand_sides, positions))
     return false;
   for(int w = 0; w < chart.number_of_vertices(); ++w)
     if(const int i = chart.interior[w]; i >= 0)
-      layout.uv[w] = Chart::Point_2(u[i], v[i]);
+      layout.uv[w] = Chart::Point_2(positions[0][i], positions[1][i]);
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
 #include <CGAL/SuperLU_solver_traits.h>
@@ -16,6 +17,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -25,8 +27,8 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
-// A definite system that is factored in single precision if that suffices, else in double. Single precision takes half of
-// the memory and two thirds of the time; its solutions are good enough to precondition.
+// A definite system that is factored in single precision if that suffices, else in double. Single precision takes two
+// thirds of the memory and of the time, or a little more; its solutions are good enough to precondition.
 class Single_precision_system
 {
 public:
@@ -37,27 +39,17 @@ public:
   bool set_matrix(const Eigen::SparseMatrix<double>& matrix)
   {
     m_double.reset();
-    return m_single.set_matrix(matrix) || set_matrix_in_double(matrix);
-  }
-
-  bool set_matrix_in_double(const Eigen::SparseMatrix<double>& matrix)
-  {
+    if(m_single.set_matrix(matrix))
+      return true;
     m_double.emplace(SuperLU_solver_traits<double>());
     return m_double->set_matrix(matrix);
   }
 
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution)
   {
-    if(m_double)
-      return m_double->solve(right_hand_side, solution);
-    const double scale = right_hand_side.cwiseAbs().maxCoeff(); // small residuals must not vanish
-    if(!m_single.solve(right_hand_side / (scale > 0 ? scale : 1), solution))
-      return false;
-    solution *= scale;
-    return true;
+    return m_double ? m_double->solve(right_hand_side, solution) : m_single.solve(right_hand_side, solution);
   }
 
-  bool is_single() const { return !m_double; }
   const Traits& traits() const { return m_single.traits(); }
 
 private:
@@ -82,12 +74,25 @@ struct Preconditioning<SuperLU_solver_traits<double>>
   static System::Traits traits(const SuperLU_solver_traits<double>&) { return System::Traits(); }
 };
 
-// A definite system that is solved in double precision, even with traits of single precision.
+typedef std::array<Eigen::VectorXd, 2> Two_vectors;
+
+// A definite system that is solved in double precision, even with traits of single precision, for two right-hand sides.
 template <typename SolverTraits>
-class Definite_system : public Symmetric_system<SolverTraits>
+class Definite_system
 {
 public:
-  using Symmetric_system<SolverTraits>::Symmetric_system;
+  explicit Definite_system(SolverTraits traits) : m_system(std::move(traits)) {}
+
+  // Returns `false` if the linear solver fails.
+  bool solve(const Eigen::SparseMatrix<double>& matrix, const Two_vectors& right_hand_sides,
+             Two_vectors& solutions)
+  {
+    return m_system.set_matrix(matrix) && m_system.solve(right_hand_sides[0], solutions[0]) &&
+           m_system.solve(right_hand_sides[1], solutions[1]);
+  }
+
+private:
+  Symmetric_system<SolverTraits> m_system;
 };
 
 template <>
@@ -96,31 +101,33 @@ class Definite_system<SuperLU_solver_traits<float>>
   static constexpr int max_steps = 30; // about as long as it takes to factor the matrix in double precision
 
 public:
-  explicit Definite_system(SuperLU_solver_traits<float> traits) : m_system(std::move(traits)) {}
+  explicit Definite_system(SuperLU_solver_traits<float> traits) : m_single(std::move(traits)) {}
 
-  // `matrix` must stay.
-  bool set_matrix(const Eigen::SparseMatrix<double>& matrix)
+  bool solve(const Eigen::SparseMatrix<double>& matrix, const Two_vectors& right_hand_sides,
+             Two_vectors& solutions)
   {
-    m_matrix = &matrix;
-    return m_system.set_matrix(matrix);
-  }
-
-  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution)
-  {
-    const Iterative_accuracy rounding = {1e-15};
-    if(m_system.is_single()) {
-      if(conjugate_gradients(*m_matrix, right_hand_side, m_system, rounding, max_steps, solution).status ==
-         Iterative_solution::SOLVED)
-        return true;
-      if(!m_system.set_matrix_in_double(*m_matrix))
-        return false;
-    }
-    return m_system.solve(right_hand_side, solution);
+    return solve_in_single_precision(matrix, right_hand_sides, solutions) ||
+           Definite_system<SuperLU_solver_traits<double>>(SuperLU_solver_traits<double>())
+               .solve(matrix, right_hand_sides, solutions);
   }
 
 private:
-  const Eigen::SparseMatrix<double>* m_matrix = nullptr;
-  Single_precision_system m_system;
+  bool solve_in_single_precision(const Eigen::SparseMatrix<double>& matrix,
+                                 const Two_vectors& right_hand_sides, Two_vectors& solutions)
+  {
+    if(!m_single.set_matrix(matrix))
+      return false;
+    const Iterative_accuracy rounding = {1e-15};
+    std::array<bool, 2> solved;
+    parallel_for(2, [&](int k) {
+      solved[k] =
+          conjugate_gradients(matrix, right_hand_sides[k], m_single, rounding, max_steps, solutions[k])
+              .status == Iterative_solution::SOLVED;
+    });
+    return solved[0] && solved[1];
+  }
+
+  Symmetric_system<SuperLU_solver_traits<float>> m_single;
 };
 
 } // namespace internal

@@ -75,8 +75,9 @@ public:
   {
     const int n = static_cast<int>(right_hand_side.size());
     Vector b(n), x(n);
+    const double scale = right_hand_side_scale(right_hand_side);
     for(int i = 0; i < n; ++i)
-      b[i] = static_cast<NT>(right_hand_side[i]);
+      b[i] = static_cast<NT>(right_hand_side[i] / scale);
     if constexpr(Has_factor<SolverTraits>::value) {
       if(!m_traits.linear_solver(b, x))
         return false;
@@ -85,13 +86,20 @@ public:
     }
     solution.resize(n);
     for(int i = 0; i < n; ++i)
-      solution[i] = x[i] / m_denominator;
+      solution[i] = x[i] / m_denominator * scale;
     return solution.allFinite();
   }
 
   const SolverTraits& traits() const { return m_traits; }
 
 private:
+  // Right-hand sides of double precision must not vanish in single.
+  static double right_hand_side_scale(const Eigen::VectorXd& right_hand_side)
+  {
+    const double scale = std::is_same<NT, double>::value ? 1 : right_hand_side.cwiseAbs().maxCoeff();
+    return scale > 0 ? scale : 1;
+  }
+
   static std::unique_ptr<Matrix> copy(const Eigen::SparseMatrix<double>& matrix)
   {
     if constexpr(std::is_base_of<Eigen_sparse_matrix<NT>, Matrix>::value) {
