@@ -353,6 +353,61 @@ BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
   BOOST_TEST((chain(40, 2.5, 0) * x - b).cwiseAbs().maxCoeff() < 1e-12);
 }
 
+// A Laplacian of a chain, plus a multiple of the identity
+Eigen::SparseMatrix<double> laplacian(int n, double identity)
+{
+  Eigen::SparseMatrix<double> matrix(n, n);
+  for(int i = 0; i < n; ++i) {
+    for(int j : {i - 1, i + 1})
+      if(j >= 0 && j < n) {
+        matrix.coeffRef(i, i) += 1;
+        matrix.insert(i, j) = -1;
+      }
+    matrix.coeffRef(i, i) += identity;
+  }
+  matrix.makeCompressed();
+  return matrix;
+}
+
+double relative_residual(const Eigen::SparseMatrix<double>& matrix, const Vector& x, const Vector& b)
+{
+  return (matrix * x - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+BOOST_AUTO_TEST_CASE(single_precision_serves_to_precondition)
+{
+  typedef abf::Preconditioning<Solver>::System Single;
+  const Vector b = random_vector(300, 5);
+  Vector x;
+  Single system{Single::Traits()};
+  const auto regular = laplacian(300, 0.1);
+  for(double scale : {1., 1e-60}) {
+    BOOST_REQUIRE(system.set_matrix(regular));
+    BOOST_REQUIRE(system.solve(scale * b, x));
+    BOOST_TEST(relative_residual(regular, x, scale * b) < 1e-4);
+    BOOST_TEST(relative_residual(regular, x, scale * b) > 1e-12);
+  }
+  const auto singular_as_float = laplacian(300, 1e-9);
+  BOOST_REQUIRE(system.set_matrix(singular_as_float));
+  BOOST_REQUIRE(system.solve(b, x));
+  BOOST_TEST(relative_residual(singular_as_float, x, b) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
+{
+  typedef CGAL::SuperLU_solver_traits<float> Single;
+  const abf::Two_vectors b = {random_vector(300, 5), random_vector(300, 6)};
+  for(double identity : {0.1, 1e-9}) {
+    const auto matrix = laplacian(300, identity);
+    abf::Two_vectors x;
+    BOOST_REQUIRE(abf::Definite_system<Single>{Single()}.solve(matrix, b, x));
+    for(int k : {0, 1})
+      BOOST_TEST(relative_residual(matrix, x[k], b[k]) < (identity == 0.1 ? 1e-14 : 1e-6));
+  }
+  abf::Two_vectors x;
+  BOOST_TEST(!abf::Definite_system<Single>{Single()}.solve(0 * laplacian(300, 1), b, x));
+}
+
 BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
 {
   abf::Block_preconditioner<System> preconditioner{Solver()};
