@@ -78,7 +78,8 @@ inline std::vector<int> wound_triangles(const Chart& chart, const std::vector<Ch
   std::vector<int> wound;
   for(int c = 0; c < chart.number_of_corners(); ++c)
     if(const int v = chart.vertex[c]; chart.interior[v] >= 0 && sweeps[v] != 1)
-      wound.push_back(c / 3);
+      if(wound.empty() || wound.back() != c / 3)
+        wound.push_back(c / 3);
   return wound;
 }
 

@@ -53,7 +53,7 @@ inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Poin
   return total;
 }
 
-// The factor that makes a layout as large as the surface. A surface without area is as large as it is long, and squared.
+// The factor that gives a layout the area of the surface, or that of a square as wide as `chart.scale` if the surface has none.
 inline double scale_to_surface(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
   const Total_areas total = total_areas(chart, uv);
