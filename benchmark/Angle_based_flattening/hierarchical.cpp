@@ -10,6 +10,7 @@
 
 #include "hierarchical/Command_line.h"
 #include "hierarchical/comparisons.h"
+#include "hierarchical/direct.h"
 #include "hierarchical/large.h"
 #include "hierarchical/measure.h"
 #include "hierarchical/quality.h"
@@ -43,7 +44,8 @@ const Part& part(const std::string& name)
                                {"sequential", "Level by level, or one vertex at a time", sequential_part},
                                {"large", "Large surfaces", large_part},
                                {"sweeps", "Sweeps", sweeps_part},
-                               {"polish", "Polishing", polish_part}};
+                               {"polish", "Polishing", polish_part},
+                               {"direct", "The direct method", direct_part}};
   for(const Part& part : parts) {
     if(name == part.name) {
       return part;

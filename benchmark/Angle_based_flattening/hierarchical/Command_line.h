@@ -24,7 +24,7 @@ using namespace benchmarks;
 struct Command_line
 {
   std::string mesh = ABF_EXAMPLES_DIR "/shell.off";
-  std::string data, parts = "speed,quality,rates,sequential,large,sweeps,polish";
+  std::string data, parts = "speed,quality,rates,sequential,large,sweeps,polish,direct";
   std::string sizes = "97000,388000,1552000", large_sizes = "388000,605846,698572,4241328";
   std::string rates = "80,85,90,92.5,95,97,98,99,99.5", sweeps = "0,1,2,3,4";
   std::string figure, output;
@@ -58,7 +58,7 @@ inline Command_options options_of(Command_line& command)
               "disks for quality, sequential, sweeps and polish; by default only the one mesh");
   options.add("parts", value_with_default(command.parts, "PART,PART,..."), "what to measure");
   options.add("sizes", value_with_default(command.sizes, "N,N,..."),
-              "numbers of triangles for speed; quality takes the second one");
+              "numbers of triangles for speed and direct; quality takes the second one");
   options.add("large", value_with_default(command.large_sizes, "N,N,..."), "numbers of triangles for large");
   options.add("rates", value_with_default(command.rates, "PERCENT,..."), "simplification rates for rates");
   options.add("sweeps", value_with_default(command.sweeps, "N,N,..."), "sweeps on each level for sweeps");

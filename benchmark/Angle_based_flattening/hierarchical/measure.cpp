@@ -28,6 +28,7 @@ namespace hierarchical {
 namespace {
 
 typedef SMP::Hierarchical_report::Seconds Seconds;
+typedef SMP::ABF_plus_plus_report::Seconds Direct_seconds;
 
 const std::vector<std::pair<std::string, double Seconds::*>>& seconds_of_stages()
 {
@@ -39,6 +40,25 @@ const std::vector<std::pair<std::string, double Seconds::*>>& seconds_of_stages(
 }
 
 // Sets the number of threads, where the options have one.
+const std::vector<std::pair<std::string, double Direct_seconds::*>>& seconds_of_direct_stages()
+{
+  static const std::vector<std::pair<std::string, double Direct_seconds::*>> stages = {
+      {"read", &Direct_seconds::read},       {"targets", &Direct_seconds::targets},
+      {"angles", &Direct_seconds::angles},   {"layout", &Direct_seconds::layout},
+      {"certify", &Direct_seconds::certify}, {"write", &Direct_seconds::write}};
+  return stages;
+}
+
+template <class Stages>
+std::vector<std::string> names_of(const Stages& stages)
+{
+  std::vector<std::string> names;
+  for(const auto& stage : stages) {
+    names.push_back(stage.first);
+  }
+  return names;
+}
+
 template <class Options>
 auto set_threads(Options& options, const int threads, int) -> decltype(void(options.threads = threads))
 {
@@ -92,7 +112,16 @@ void take_report(const SMP::Hierarchical_report& report, Measurement& measuremen
 
 void take_report(const SMP::ABF_plus_plus_report& report, Measurement& measurement)
 {
-  measurement.numbers["newton_steps"] = report.iterations;
+  std::map<std::string, double>& numbers = measurement.numbers;
+  for(const auto& [name, member] : seconds_of_direct_stages()) {
+    numbers[name] = report.seconds.*member;
+  }
+  numbers["newton_steps"] = report.iterations;
+  numbers["cg_steps"] = numbers["factorizations"] = 0;
+  for(const SMP::ABF_plus_plus_step& step : report.steps) {
+    numbers["cg_steps"] += step.linear_iterations;
+    numbers["factorizations"] += step.factorizations;
+  }
 }
 
 // The shear depends on the axes. For small distortions the root mean square over two pairs of axes at 45 degrees is
@@ -114,13 +143,13 @@ void measure_map(const Mesh& mesh, const Halfedge border, UV_map uv, Measurement
 
 const std::vector<std::string>& stages()
 {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> names;
-    for(const auto& stage : seconds_of_stages()) {
-      names.push_back(stage.first);
-    }
-    return names;
-  }();
+  static const std::vector<std::string> names = names_of(seconds_of_stages());
+  return names;
+}
+
+const std::vector<std::string>& direct_stages()
+{
+  static const std::vector<std::string> names = names_of(seconds_of_direct_stages());
   return names;
 }
 

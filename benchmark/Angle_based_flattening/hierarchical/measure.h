@@ -54,6 +54,9 @@ inline std::string title(const std::string& method)
 // The stages of the hierarchical methods, whose seconds are among a measurement's numbers
 const std::vector<std::string>& stages();
 
+// And those of the direct method
+const std::vector<std::string>& direct_stages();
+
 // Runs a method on a mesh, in this process.
 Measurement measure(const Task& task);
 
