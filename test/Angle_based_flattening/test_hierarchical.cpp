@@ -264,9 +264,8 @@ BOOST_AUTO_TEST_CASE(always_valid_start)
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2> UV_map;
 
-Mesh bump_mesh(int n)
+Mesh mesh_of(const Chart& chart)
 {
-  const Chart chart = bump(n, 9, 0.5);
   Mesh mesh;
   for(const Point_3& p : chart.points)
     mesh.add_vertex({p.x(), p.y(), p.z()});
@@ -274,6 +273,32 @@ Mesh bump_mesh(int n)
     mesh.add_face(Mesh::Vertex_index(chart.vertex[3 * t]), Mesh::Vertex_index(chart.vertex[3 * t + 1]),
                   Mesh::Vertex_index(chart.vertex[3 * t + 2]));
   return mesh;
+}
+
+Mesh bump_mesh(int n)
+{
+  return mesh_of(bump(n, 9, 0.5));
+}
+
+// A ramp that winds up around a vertex of its border.
+Chart ramp(int rings, int sectors, double turn)
+{
+  std::vector<Point_3> points{Point_3(0, 0, 0)};
+  for(int r = 1; r <= rings; ++r)
+    for(int i = 0; i <= sectors; ++i) {
+      const double angle = turn * i / sectors;
+      points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.1 * r * angle);
+    }
+  Triangles triangles;
+  for(int i = 1; i <= sectors; ++i) {
+    triangles.push_back({0, i, i + 1});
+    for(int r = 1; r < rings; ++r) {
+      const int inner = (r - 1) * (sectors + 1) + i, outer = inner + sectors + 1;
+      triangles.push_back({inner, outer, outer + 1});
+      triangles.push_back({inner, outer + 1, inner + 1});
+    }
+  }
+  return make_chart(points, triangles);
 }
 
 template <typename Parameterizer>
@@ -301,6 +326,18 @@ BOOST_AUTO_TEST_CASE(is_nearly_as_good_as_the_direct_method)
   BOOST_TEST(report.levels > 5);
   BOOST_TEST(report.coarse_vertices < 0.06 * report.vertices);
   BOOST_TEST(report.seconds.total() > 0);
+}
+
+// A coarse chart that overlaps itself at its border is no reason to refine from another one.
+BOOST_AUTO_TEST_CASE(more_than_a_full_turn_at_the_border)
+{
+  const double pi = 3.14159265358979323846;
+  Mesh mesh = mesh_of(ramp(20, 60, 2.5 * pi));
+  SMP::Hierarchical_parameterizer_3<Mesh> hierarchical;
+  const SMP::Flattening_measures measures = flatten(mesh, hierarchical);
+  BOOST_TEST(measures.flipped_triangles == 0);
+  BOOST_TEST(!measures.border_is_simple);
+  BOOST_TEST(hierarchical.report().start == Report::COARSE_PARAMETERIZER);
 }
 
 BOOST_AUTO_TEST_CASE(angle_sweeps_lower_the_angular_distortion)

@@ -9,7 +9,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/quadric.h>
 
 #include <CGAL/number_utils.h>
 
@@ -41,39 +43,11 @@ class Collapse_cost
 {
   typedef Eigen::Vector3d Vector;
 
-  // A quadratic form
-  struct Quadric
-  {
-    double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-
-    // Adds `factor` times the square of the dot product with `n`.
-    void add(const Vector& n, double factor)
-    {
-      const double x = factor * n.x(), y = factor * n.y();
-      xx += x * n.x();
-      yy += y * n.y();
-      zz += factor * n.z() * n.z();
-      xy += x * n.y();
-      xz += x * n.z();
-      yz += y * n.z();
-    }
-
-    void add_identity(double factor)
-    {
-      xx += factor;
-      yy += factor;
-      zz += factor;
-    }
-
-    double operator()(const Vector& d) const
-    {
-      return d.x() * (xx * d.x() + 2 * (xy * d.y() + xz * d.z())) + d.y() * (yy * d.y() + 2 * yz * d.z()) +
-             zz * d.z() * d.z();
-    }
-  };
-
   // Of the collapses of a vertex of large degree only the cheapest ones are looked at.
   static constexpr std::size_t max_candidates = 32;
+
+  // A border vertex with more stays: where the plane has about a full turn as well, it could not be inserted again.
+  static constexpr double largest_border_turn = 1.9 * pi;
 
 public:
   // No angle shall be smaller than `extreme_angle` (in radians), or larger than pi less that, unless there is one as
@@ -90,7 +64,9 @@ public:
   Collapse_candidate best(int v)
   {
     gather_star(v);
-    const double shape = 1e-2 * (m_quadric.xx + m_quadric.yy + m_quadric.zz);
+    if(m_on_border && !m_any_shape && surface_turn() > largest_border_turn)
+      return {};
+    const double shape = 1e-2 * m_quadric.trace();
     m_candidates.clear();
     for(std::size_t i = 0; i < m_ring.size(); ++i) {
       if(!is_collapsible(i))
@@ -176,6 +152,15 @@ private:
         quadric.add_identity(square * square);
       }
     m_quadric = quadric;
+  }
+
+  // The sum of the angles at the vertex
+  double surface_turn() const
+  {
+    double turn = 0;
+    for(std::size_t i = 0; i < m_corners.size(); ++i)
+      turn += std::atan2(m_normals[i].norm(), (m_points[after(i)] - m_centre).dot(m_points[i] - m_centre));
+    return turn;
   }
 
   // The number of the ring vertex before number i in counterclockwise order, that is the next one clockwise.

@@ -89,7 +89,7 @@ private:
       const int end = begin_of_block(b + 1, blocks, n);
       for(int i = begin_of_block(b, blocks, n); tallies[b].complete && i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(star.on_border) { // until then it does not change the border
+        if(star.on_border) { // until then it is where it does not change the border
           m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
           tallies[b].put_off.push_back(vertices[i]);
         } else {
@@ -112,9 +112,10 @@ private:
 
   void insert(const Planar_star& star, int v, Tally& tally)
   {
+    const Planar_point before = m_uv[v];
     Insertion insertion = insert_vertex(star, m_uv[v]);
-    if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v))
-      insertion = insert_cautiously(star, v);
+    if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v, before))
+      insertion = insert_cautiously(star, v, before);
     tally.kernel_insertions += insertion == INSERTED_IN_KERNEL;
     tally.complete = insertion != NOT_INSERTED;
   }
@@ -122,7 +123,7 @@ private:
   // Where the border stays as it is, or nearly: the tip of an ear a little outside of the edge between its neighbours, any
   // other vertex next to one of them, in the middle of what it takes over of its triangles. With the one that it had
   // been merged into, that is valid.
-  Insertion insert_cautiously(const Planar_star& star, int v)
+  Insertion insert_cautiously(const Planar_star& star, int v, const Planar_point& before)
   {
     const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
     const Planar_point outwards(b.y() - a.y(), a.x() - b.x());
@@ -131,7 +132,7 @@ private:
           {Planar_point((a + b) / 2 + distance * outwards), next_to_end(star, true, distance),
            next_to_end(star, false, distance)}) {
         m_uv[v] = place;
-        if(is_valid(star, place) && !border_overlaps(v))
+        if(is_valid(star, place) && !border_overlaps(v, before))
           return INSERTED_IN_KERNEL;
       }
     return NOT_INSERTED;
@@ -156,33 +157,44 @@ private:
            distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
-  // Whether the triangles around border vertex `v` take a full turn, or whether, by those that it belongs to, those around
-  // one of its neighbours on the border do. Vertices could come to lie in triangles twice there, with all of them
-  // positively oriented. Where a coarse chart overlaps itself without `v`, that is no reason to leave it out.
-  bool border_overlaps(int v) const
+  // Whether the triangles around border vertex `v` or a neighbour of it on the border take a full turn, but do not with `v` at
+  // `before`. Vertices could come to lie in triangles twice there, with all of them positively oriented. Where a chart
+  // overlaps itself anyway, that is no reason to refuse a place.
+  bool border_overlaps(int v, const Planar_point& before)
+  {
+    const unsigned now = full_turns(v);
+    if(now == 0)
+      return false;
+    const Planar_point place = m_uv[v];
+    m_uv[v] = before;
+    const unsigned then = full_turns(v);
+    m_uv[v] = place;
+    return (now & ~then) != 0;
+  }
+
+  // One bit for border vertex `v` and one for each of its neighbours on the border
+  unsigned full_turns(int v) const
   {
     const Edge_collapses& mesh = m_coarsening.mesh();
     const int first = mesh.first_corner(v);
     int last = first;
     for(int c = first; c >= 0; c = mesh.chart().rotate(c))
       last = c;
-    const int before = mesh.chart().vertex[previous_corner(first)],
-              behind = mesh.chart().vertex[next_corner(last)];
-    const auto takes_full_turn = [](double turn) { return turn > 2 * pi - 1e-3; };
-    return takes_full_turn(turn(v)) || (takes_full_turn(turn(before)) && !takes_full_turn(turn(before, v))) ||
-           (takes_full_turn(turn(behind)) && !takes_full_turn(turn(behind, v)));
+    unsigned bits = 0;
+    for(int w : {v, mesh.chart().vertex[previous_corner(first)], mesh.chart().vertex[next_corner(last)]})
+      bits = 2 * bits + (turn(w) > 2 * pi - 1e-3);
+    return bits;
   }
 
-  // The angle of all triangles around `v` together but for those with vertex `left_out`.
-  double turn(int v, int left_out = -1) const
+  // The angle of all triangles around `v` together
+  double turn(int v) const
   {
     const Chart& chart = m_coarsening.mesh().chart();
     double result = 0;
     m_coarsening.mesh().for_each_corner(v, [&](int c) {
-      const int p = chart.vertex[next_corner(c)], q = chart.vertex[previous_corner(c)];
-      const Planar_point a = m_uv[p] - m_uv[v], b = m_uv[q] - m_uv[v];
-      if(p != left_out && q != left_out)
-        result += std::atan2(cross(a, b), a.dot(b));
+      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
+                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
+      result += std::atan2(cross(a, b), a.dot(b));
     });
     return result;
   }
@@ -226,7 +238,7 @@ private:
   {
     const Planar_point place = m_uv[v];
     bool moved = relax_vertex(star, m_uv[v]);
-    if(moved && star.on_border && border_overlaps(v)) {
+    if(moved && star.on_border && border_overlaps(v, place)) {
       m_uv[v] = place;
       moved = false;
     }

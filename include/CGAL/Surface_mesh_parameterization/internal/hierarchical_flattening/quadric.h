@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_QUADRIC_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_QUADRIC_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <Eigen/Core>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// A quadratic form in space. Its six numbers are apart, so that they stay in registers while it is added up.
+struct Quadric
+{
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+  // Adds `factor` times the square of the dot product with `n`.
+  void add(const Eigen::Vector3d& n, double factor)
+  {
+    const double x = factor * n.x(), y = factor * n.y();
+    xx += x * n.x();
+    yy += y * n.y();
+    zz += factor * n.z() * n.z();
+    xy += x * n.y();
+    xz += x * n.z();
+    yz += y * n.z();
+  }
+
+  void add_identity(double factor)
+  {
+    xx += factor;
+    yy += factor;
+    zz += factor;
+  }
+
+  double trace() const { return xx + yy + zz; }
+
+  double operator()(const Eigen::Vector3d& d) const
+  {
+    return d.x() * (xx * d.x() + 2 * (xy * d.y() + xz * d.z())) + d.y() * (yy * d.y() + 2 * yz * d.z()) +
+           zz * d.z() * d.z();
+  }
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_QUADRIC_H
