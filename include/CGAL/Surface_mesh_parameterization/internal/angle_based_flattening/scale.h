@@ -53,7 +53,8 @@ inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Poin
   return total;
 }
 
-// The factor that gives a layout the area of the surface, or that of a square as wide as `chart.scale` if the surface has none.
+// The factor that gives a layout the area of the surface, or that of a square as wide as `chart.scale` if the surface
+// has none.
 inline double scale_to_surface(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
   const Total_areas total = total_areas(chart, uv);

@@ -27,6 +27,38 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
+// The system with which those of `SolverTraits` are preconditioned
+template <typename SolverTraits>
+struct Preconditioning
+{
+  typedef Symmetric_system<SolverTraits> System;
+
+  static const SolverTraits& traits(const SolverTraits& traits) { return traits; }
+};
+
+typedef std::array<Eigen::VectorXd, 2> Two_vectors;
+
+// A definite system that is solved in double precision, even with traits of single precision, for two right-hand sides.
+template <typename SolverTraits>
+class Definite_system
+{
+public:
+  explicit Definite_system(SolverTraits traits) : m_system(std::move(traits)) {}
+
+  // Returns `false` if the linear solver fails.
+  bool solve(const Eigen::SparseMatrix<double>& matrix, const Two_vectors& right_hand_sides,
+             Two_vectors& solutions)
+  {
+    return m_system.set_matrix(matrix) && m_system.solve(right_hand_sides[0], solutions[0]) &&
+           m_system.solve(right_hand_sides[1], solutions[1]);
+  }
+
+private:
+  Symmetric_system<SolverTraits> m_system;
+};
+
+#ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
+
 // A definite system that is factored in single precision if that suffices, else in double. Single precision takes two
 // thirds of the memory and of the time, or a little more; its solutions are good enough to precondition.
 class Single_precision_system
@@ -57,42 +89,12 @@ private:
   std::optional<Symmetric_system<SuperLU_solver_traits<double>>> m_double;
 };
 
-// The system with which those of `SolverTraits` are preconditioned
-template <typename SolverTraits>
-struct Preconditioning
-{
-  typedef Symmetric_system<SolverTraits> System;
-
-  static const SolverTraits& traits(const SolverTraits& traits) { return traits; }
-};
-
 template <>
 struct Preconditioning<SuperLU_solver_traits<double>>
 {
   typedef Single_precision_system System;
 
   static System::Traits traits(const SuperLU_solver_traits<double>&) { return System::Traits(); }
-};
-
-typedef std::array<Eigen::VectorXd, 2> Two_vectors;
-
-// A definite system that is solved in double precision, even with traits of single precision, for two right-hand sides.
-template <typename SolverTraits>
-class Definite_system
-{
-public:
-  explicit Definite_system(SolverTraits traits) : m_system(std::move(traits)) {}
-
-  // Returns `false` if the linear solver fails.
-  bool solve(const Eigen::SparseMatrix<double>& matrix, const Two_vectors& right_hand_sides,
-             Two_vectors& solutions)
-  {
-    return m_system.set_matrix(matrix) && m_system.solve(right_hand_sides[0], solutions[0]) &&
-           m_system.solve(right_hand_sides[1], solutions[1]);
-  }
-
-private:
-  Symmetric_system<SolverTraits> m_system;
 };
 
 template <>
@@ -129,6 +131,8 @@ private:
 
   Symmetric_system<SuperLU_solver_traits<float>> m_single;
 };
+
+#endif // CGAL_SUPERLU_HAS_SINGLE_PRECISION
 
 } // namespace internal
 
