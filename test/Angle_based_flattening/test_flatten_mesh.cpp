@@ -362,6 +362,12 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
       BOOST_TEST(std::isfinite(tree.get<double>(key)));
     }
   }
+#ifdef __linux__
+  const double coordinates_mb = tree.get<double>("vertices") * 5 * sizeof(double) / (1024. * 1024.);
+  BOOST_TEST(tree.get<double>("peak_memory_mb") > coordinates_mb);
+  BOOST_TEST(tree.get<double>("peak_memory_mb") < 1024); // megabytes indeed
+  BOOST_TEST((standard_output.find("peak memory") != std::string::npos));
+#endif
   BOOST_TEST(tree.get<int>("borders") == 1);
   BOOST_TEST(tree.get<std::string>("border") == "simple");
   BOOST_TEST(tree.get<int>("triangles") > 5000);

@@ -326,6 +326,9 @@ BOOST_AUTO_TEST_CASE(is_nearly_as_good_as_the_direct_method)
   BOOST_TEST(report.levels > 5);
   BOOST_TEST(report.coarse_vertices < 0.06 * report.vertices);
   BOOST_TEST(report.seconds.total() > 0);
+#ifdef __linux__
+  BOOST_TEST(report.peak_memory > num_vertices(mesh) * sizeof(UV_map::value_type));
+#endif
 }
 
 // A coarse chart that overlaps itself at its border is no reason to refine from another one.

@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
 #include "reference_measures.h"
@@ -26,6 +27,7 @@
 #include <ostream>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -343,6 +345,41 @@ BOOST_AUTO_TEST_CASE(principal_shear_is_the_largest)
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+// Enough triangles for several batches, and a last block that is not full. Without TBB there is one thread only.
+BOOST_AUTO_TEST_CASE(same_bits_whatever_the_number_of_threads)
+{
+  const Chart chart = bump(190, 7);
+  std::vector<Point_2> uv = projected(chart);
+  uv[1000] = uv[5000]; // flips some
+  std::vector<Measured> measured;
+  for(int threads : {1, 2, 3, 0})
+    abf::with_threads(threads, [&]() { measured.push_back(measure(chart, uv)); });
+  BOOST_TEST(chart.number_of_triangles() > 64 * abf::block_size);
+  BOOST_TEST(measured[0].map.flipped_triangles > 0);
+  for(const Measured& other : measured) {
+    for(double Measures::*total : {&Measures::l2_shear, &Measures::l2_equal_stretch_error})
+      BOOST_TEST((other.map.*total) == (measured[0].map.*total));
+    for(double Measures::*total : invariants)
+      BOOST_TEST((other.map.*total) == (measured[0].map.*total));
+    BOOST_TEST(other.map.flipped_triangles == measured[0].map.flipped_triangles);
+    BOOST_TEST((std::equal(other.faces.begin(), other.faces.end(), measured[0].faces.begin(),
+                           [](const Face_measures& a, const Face_measures& b) {
+                             return a.area == b.area && a.angular_distortion == b.angular_distortion &&
+                                    a.l2_stretch == b.l2_stretch && a.flipped == b.flipped;
+                           })));
+  }
+}
+
+// By the caller's thread, whose property maps need not stand others.
+BOOST_AUTO_TEST_CASE(faces_are_visited_by_one_thread)
+{
+  const Chart chart = bump(190, 7);
+  std::set<std::thread::id> threads;
+  abf::measure_chart(chart, projected(chart),
+                     [&](int, const Face_measures&) { threads.insert(std::this_thread::get_id()); });
+  BOOST_TEST((threads == std::set<std::thread::id>{std::this_thread::get_id()}));
+}
 
 BOOST_AUTO_TEST_SUITE(borders)
 

@@ -11,6 +11,7 @@
 // First, so that they are seen to need nothing before them.
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/peak_memory.h>
 
 #include "test_meshes.h"
 
@@ -25,6 +26,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -64,6 +66,15 @@ struct Flattening
   std::map<vertex_descriptor, Point_2> uv;
 };
 
+void check_peak_memory(const Report& report)
+{
+#ifdef __linux__
+  BOOST_TEST(report.peak_memory > (report.vertices + 1) * sizeof(Point_2));
+#else
+  (void)report;
+#endif
+}
+
 template <typename Mesh>
 void check_valid(Mesh& mesh)
 {
@@ -81,6 +92,7 @@ void check_valid(Mesh& mesh)
   BOOST_TEST(report.flipped_triangles == 0);
   BOOST_TEST(report.layout == Report::EXACT);
   BOOST_TEST(report.seconds.total() > 0);
+  check_peak_memory(report);
 
   const auto measures = SMP::measure_flattening(mesh, bhd, flattening.uvmap());
   BOOST_TEST(measures.flipped_triangles == 0);
@@ -103,9 +115,22 @@ void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Erro
   BOOST_TEST(report.status == code);
   BOOST_TEST(report.diagnosis == diagnosis);
   BOOST_TEST(!report.message.empty());
+  check_peak_memory(report);
 }
 
 } // namespace
+
+#ifdef __linux__
+// Memory that was returned counts, in bytes.
+BOOST_AUTO_TEST_CASE(peak_memory_is_that_of_the_process)
+{
+  const std::size_t before = SMP::internal::peak_resident_size(), size = before + (std::size_t(64) << 20);
+  BOOST_TEST(std::vector<char>(size, 'x').back() == 'x');
+  const std::size_t after = SMP::internal::peak_resident_size();
+  BOOST_TEST(after > size);
+  BOOST_TEST(after < before + 2 * size);
+}
+#endif
 
 BOOST_AUTO_TEST_CASE(surface_mesh)
 {

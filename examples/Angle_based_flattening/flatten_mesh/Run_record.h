@@ -13,10 +13,6 @@
 #include <utility>
 #include <vector>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#endif
-
 namespace flatten_mesh {
 
 // Everything that the reports for people and for programs tell.
@@ -126,21 +122,10 @@ inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_r
   return result;
 }
 
-// The largest memory that this process has taken so far, in megabytes; negative where unknown.
-inline double peak_memory_mb()
+// The largest memory that this process took until the map was there, in megabytes; 0 where unknown.
+inline double peak_memory_mb(const SMP::ABF_plus_plus_report& report)
 {
-#if defined(__APPLE__)
-  const double megabyte = 1024. * 1024.; // counted in bytes
-#else
-  const double megabyte = 1024.; // counted in kilobytes
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-  rusage usage;
-  if(getrusage(RUSAGE_SELF, &usage) == 0) {
-    return static_cast<double>(usage.ru_maxrss) / megabyte;
-  }
-#endif
-  return -megabyte;
+  return static_cast<double>(report.peak_memory) / (1024. * 1024.);
 }
 
 } // namespace flatten_mesh

@@ -81,6 +81,7 @@ inline void take_report(const SMP::Hierarchical_report& report, Flattening& flat
   flattening.report.smallest_angle = report.smallest_angle;
   flattening.report.border_is_simple = report.border_is_simple;
   flattening.report.scale_range = report.scale_range;
+  flattening.report.peak_memory = report.peak_memory;
   flattening.levels = report.levels;
   flattening.coarse_triangles = report.coarse_triangles;
   flattening.stages = {{"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.solve},

@@ -71,8 +71,7 @@ inline std::string report_json(const Run_record& record)
     seconds.add(stage.first, stage.second);
   }
   json.add("seconds", seconds);
-  const double memory = peak_memory_mb();
-  if(memory >= 0) {
+  if(const double memory = peak_memory_mb(report); memory > 0) {
     json.add("peak_memory_mb", memory);
   } else {
     json.add_null("peak_memory_mb");

@@ -114,8 +114,8 @@ inline std::string report_text(const Run_record& record)
   text += internal::method_text(record.flattening);
   text += internal::quality_text(record.flattening.measures);
   text += internal::time_text(record);
-  if(peak_memory_mb() >= 0) {
-    text += report_line("peak memory", format_number("%.0f MB", peak_memory_mb()));
+  if(const double memory = peak_memory_mb(record.flattening.report); memory > 0) {
+    text += report_line("peak memory", format_number("%.0f MB", memory));
   }
   for(const std::string& name : record.written) {
     text += report_line("written", name);

@@ -124,7 +124,7 @@ public:
   {
     Error_code result = OK;
     internal::with_threads(m_options.threads, [&]() {
-      result = m_outcome->unless_cancelled([&]() { return run(mesh, bhd, uvmap, vimap); });
+      result = m_outcome->of_run([&]() { return run(mesh, bhd, uvmap, vimap); });
     });
     return result;
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,9 @@ struct ABF_plus_plus_report
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 
   Seconds seconds; ///< Time of each stage.
+
+  /// Largest resident size of the process until the end of the run, in bytes; 0 where the system does not tell.
+  std::size_t peak_memory = 0;
 };
 
 } // namespace Surface_mesh_parameterization

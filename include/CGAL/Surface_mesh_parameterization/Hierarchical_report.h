@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -73,6 +74,9 @@ struct Hierarchical_report
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 
   Seconds seconds; ///< Time of each stage.
+
+  /// Largest resident size of the process until the end of the run, in bytes; 0 where the system does not tell.
+  std::size_t peak_memory = 0;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -30,7 +30,7 @@ namespace Surface_mesh_parameterization {
 ///
 /// measures the distortion of the map from the connected component of `bhd` to the plane, whichever
 /// parameterizer computed it, and of each of its triangles. In linear time, but for a sort of the vertices and
-/// `O(b log b)` for `b` border edges.
+/// `O(b log b)` for `b` border edges; parallel where \tbb is there, with the same bits on any number of threads.
 ///
 /// None of these measures is that of `compute_L2_stretch()` in `measure_distortion.h` of the package
 /// \ref PkgSurfaceMeshParameterization. In spite of its name, that function looks at areas only: it returns the root of
@@ -49,7 +49,7 @@ namespace Surface_mesh_parameterization {
 /// \param mesh a triangulated surface.
 /// \param bhd a halfedge on the border of `mesh`.
 /// \param uvmap the map to be measured.
-/// \param visitor is called once for each face of the component, with its measures.
+/// \param visitor is called once for each face of the component, with its measures, by the calling thread.
 ///
 /// \exception std::invalid_argument if `bhd` is not a border halfedge of a triangulated component, or a point of
 ///            the component has a coordinate that is not finite.

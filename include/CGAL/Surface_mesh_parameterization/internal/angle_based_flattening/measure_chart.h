@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -112,25 +112,40 @@ private:
   Flattening_measures m_totals; // squares where roots are to be drawn
 };
 
-// Calls `visit(t, measures)` for each triangle `t`.
+// `scale` enlarges the plane to the area of the surface.
+inline Flattening_face_measures measure_triangle(const Chart& chart, const std::vector<double>& beta,
+                                                 const std::vector<Chart::Point_2>& uv, double scale, int t)
+{
+  const int* v = &chart.vertex[3 * t];
+  Flattening_face_measures face;
+  face.area = surface_area(chart, t);
+  face.flipped = !is_positively_oriented(uv[v[0]], uv[v[1]], uv[v[2]]);
+  measure_angles(chart, beta, uv, t, face);
+  measure_differential(Triangle_differential(chart, uv, t), scale, face);
+  return face;
+}
+
+// Calls `visit(t, measures)` for each triangle `t`, in their order and one after the other. Measured are several at
+// once, so many of them before they are visited that their measures take a few megabytes.
 template <typename Visitor>
 Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::Point_2>& uv, Visitor&& visit)
 {
   const Total_areas areas = total_areas(chart, uv);
   const double scale = std::sqrt(areas.surface / areas.plane);
   const std::vector<double> beta = target_angles(chart);
-  const std::vector<int> flipped = flipped_triangles(chart, uv);
-  std::size_t flips = 0;
-  Measure_totals totals(chart.number_of_triangles(), areas.surface);
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    Flattening_face_measures face;
-    face.area = surface_area(chart, t);
-    face.flipped = flips < flipped.size() && flipped[flips] == t;
-    flips += face.flipped;
-    measure_angles(chart, beta, uv, t, face);
-    measure_differential(Triangle_differential(chart, uv, t), scale, face);
-    totals.add(face);
-    visit(t, face);
+  const int triangles = chart.number_of_triangles(), batch = 64 * block_size;
+  Measure_totals totals(triangles, areas.surface);
+  std::vector<Flattening_face_measures> faces((std::min)(triangles, batch));
+  for(int first = 0; first < triangles; first += batch) {
+    const int size = (std::min)(batch, triangles - first);
+    parallel_for_blocks(size, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        faces[i] = measure_triangle(chart, beta, uv, scale, first + i);
+    });
+    for(int i = 0; i < size; ++i) {
+      totals.add(faces[i]);
+      visit(first + i, faces[i]);
+    }
   }
   Flattening_measures measures = totals.measures();
   measures.border_is_simple = is_border_simple(chart, uv);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/peak_memory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
@@ -45,17 +46,21 @@ struct Outcome
       offending_faces.push_back(reader.face_descriptors[t]);
   }
 
-  // Calls `run`, which returns an error code, and turns the end that a visitor put to it into another one.
+  // Calls `run`, which returns an error code, turns the end that a visitor put to it into another one, and notes how
+  // much memory it took.
   template <typename Run>
-  Error_code unless_cancelled(const Run& run)
+  Error_code of_run(const Run& run)
   {
+    Error_code result = OK;
     try {
-      return run();
+      result = run();
     } catch(const Cancelled&) {
       fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::CANCELLED,
            "a visitor stopped the computation");
-      return report.status;
+      result = report.status;
     }
+    report.peak_memory = peak_resident_size();
+    return result;
   }
 
   // Reads the chart of `bhd`. Returns `false`, with the reason in the report, if it cannot be flattened.

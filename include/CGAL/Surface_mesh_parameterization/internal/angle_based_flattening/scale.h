@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 
 #include <CGAL/bounding_box.h>
 
@@ -44,12 +45,13 @@ struct Total_areas
 // Areas of flipped triangles count positively, those that are not finite not at all.
 inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
+  const int triangles = chart.number_of_triangles();
   Total_areas total;
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    const double plane = std::abs(planar_area(chart, uv, t));
-    total.surface += surface_area(chart, t);
-    total.plane += std::isfinite(plane) ? plane : 0;
-  }
+  total.surface = parallel_sum(triangles, [&](int t) { return surface_area(chart, t); });
+  total.plane = parallel_sum(triangles, [&](int t) {
+    const double area = std::abs(planar_area(chart, uv, t));
+    return std::isfinite(area) ? area : 0;
+  });
   return total;
 }
 

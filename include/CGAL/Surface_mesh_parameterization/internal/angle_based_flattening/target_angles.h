@@ -49,12 +49,14 @@ inline std::vector<double> target_angles(const Chart& chart)
   std::vector<double> sum(chart.points.size(), 0.);
   for(int c = 0; c < chart.number_of_corners(); ++c)
     sum[chart.vertex[c]] += beta[c];
-  for(int c = 0; c < chart.number_of_corners(); ++c) {
-    const int v = chart.vertex[c];
-    if(chart.interior[v] >= 0 && sum[v] > 0)
-      beta[c] *= 2 * pi / sum[v];
-    beta[c] = (std::min)((std::max)(beta[c], least_target_angle), pi - least_target_angle);
-  }
+  parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
+    for(int c = begin; c < end; ++c) {
+      const int v = chart.vertex[c];
+      if(chart.interior[v] >= 0 && sum[v] > 0)
+        beta[c] *= 2 * pi / sum[v];
+      beta[c] = (std::min)((std::max)(beta[c], least_target_angle), pi - least_target_angle);
+    }
+  });
   return beta;
 }
 
