@@ -7,6 +7,7 @@
     <filename>Manual/packages.html</filename>
     <docanchor file="Manual/packages.html" title="Triangulated Surface Mesh Parameterization">PkgSurfaceMeshParameterization</docanchor>
     <docanchor file="Manual/packages.html" title="CGAL and Solvers">PkgSolverInterface</docanchor>
+    <docanchor file="Manual/packages.html" title="Polygon Mesh Processing">PkgPolygonMeshProcessing</docanchor>
   </compound>
   <compound kind="page">
     <name>license</name>
@@ -90,5 +91,15 @@
     <name>CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3</name>
     <filename>Surface_mesh_parameterization/classCGAL_1_1Surface__mesh__parameterization_1_1ARAP__parameterizer__3.html</filename>
     <templarg>class TriangleMesh_</templarg>
+  </compound>
+  <compound kind="class">
+    <name>CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3</name>
+    <filename>Heat_method_3/classCGAL_1_1Heat__method__3_1_1Surface__mesh__geodesic__distances__3.html</filename>
+    <templarg>typename TriangleMesh</templarg>
+  </compound>
+  <compound kind="class">
+    <name>CGAL::Surface_mesh_deformation</name>
+    <filename>Surface_mesh_deformation/classCGAL_1_1Surface__mesh__deformation.html</filename>
+    <templarg>class TM</templarg>
   </compound>
 </tagfile>

@@ -15,6 +15,13 @@ if(page MATCHES ">(fig__[A-Za-z0-9_]+)</a>")
 endif()
 file(WRITE ${HTML}/index.html "${page}")
 
+# Names are shown without what all of them have in common, for which the navigation has no room.
+foreach(tree group__PkgAngleBasedFlatteningRef.js examples.js)
+  file(READ ${HTML}/${tree} text)
+  string(REGEX REPLACE "\\[ \"(CGAL::Surface_mesh_parameterization::|Angle_based_flattening/)" "[ \"" text "${text}")
+  file(WRITE ${HTML}/${tree} "${text}")
+endforeach()
+
 foreach(part MathJax.js extensions jax/element jax/input/TeX jax/output/SVG localization/en)
   get_filename_component(folder mathjax/${part} DIRECTORY)
   file(COPY ${MATHJAX_DIR}/${part} DESTINATION ${HTML}/${folder} FOLLOW_SYMLINK_CHAIN

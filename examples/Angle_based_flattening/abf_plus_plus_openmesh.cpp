@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -29,8 +30,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 int main(int argc, char* argv[])
 {
   Mesh mesh; // OpenMesh's own reader knows no comments in files
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh)) {
-    std::cerr << "Cannot read the mesh.\n";
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh) || CGAL::is_closed(mesh)) {
+    std::cerr << "Cannot read the mesh, or it has no border.\n";
     return 1;
   }
   const Mesh::HalfedgeHandle border = PMP::longest_border(mesh).first;

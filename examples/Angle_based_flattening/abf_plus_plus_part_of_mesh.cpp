@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/selection.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
@@ -39,6 +40,10 @@ int main(int argc, char* argv[])
   CGAL::expand_face_selection(std::vector<Surface::Face_index>(faces), surface, 10, selected,
                               std::back_inserter(faces));
   Part part(surface, faces);
+  if(CGAL::is_closed(part)) {
+    std::cerr << "The part is the whole of a closed surface.\n";
+    return 1;
+  }
   const Halfedge border = PMP::longest_border(part).first;
 
   // The coordinates belong to the vertices of the surface; those elsewhere keep what they have.

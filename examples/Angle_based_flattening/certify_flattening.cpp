@@ -5,6 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
@@ -47,8 +48,8 @@ void certify(const std::string& name, const Mesh& mesh, const VertexUVMap& uv)
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh)) {
-    std::cerr << "Cannot read the mesh.\n";
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh) || CGAL::is_closed(mesh)) {
+    std::cerr << "Cannot read the mesh, or it has no border.\n";
     return 1;
   }
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;

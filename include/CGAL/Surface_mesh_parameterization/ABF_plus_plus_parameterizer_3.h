@@ -38,8 +38,9 @@ namespace Surface_mesh_parameterization {
 /// \cgalCite{cgal:slmb-abf-05}: a free-border parameterization that finds the planar angles nearest to the
 /// angles of the surface, and then the planar triangulation with these angles.
 ///
-/// It is nearly conformal, with less stretch than linear conformal maps, and its result is never flipped: the
-/// orientation of every triangle is checked with an exact predicate on the very coordinates that are written.
+/// It is nearly conformal, and its result is never flipped: the orientation of every triangle is checked with an exact
+/// predicate on the very coordinates that are written. On surfaces that are hard to flatten it stretches much less than
+/// linear conformal maps.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
@@ -81,7 +82,8 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems.
+  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems, of both of which it keeps
+  /// copies. A visitor in the options has to outlive the calls of `parameterize()`.
   explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
                                          Solver_traits sparse_la = Solver_traits())
       : m_options(options), m_linear_algebra(std::move(sparse_la)), m_outcome(std::make_shared<Outcome>())
@@ -90,7 +92,9 @@ public:
   /// flattens the connected component of `bhd`.
   ///
   /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
-  /// On any error `uvmap` is left as it was.
+  /// On any error `uvmap` is left as it was. `mesh` is only read.
+  ///
+  /// Computations are in `double`: points are converted to it, and the coordinates to the number type of `VertexUVmap`.
   ///
   /// For \f$n\f$ vertices the time is that of a few sparse factorizations, \cgalBigO{n^{3/2}} operations each: of two
   /// matrices of order \f$n\f$ if `ABF_plus_plus_options::linear_solver` is `ABF_plus_plus_options::ITERATIVE`, and of one
@@ -106,8 +110,9 @@ public:
   /// \tparam VertexParameterizedMap is not used: no vertex is fixed beforehand.
   ///
   /// \param mesh a surface whose component at `bhd` is a triangulated disk. All that it takes to be one is checked.
-  /// \param bhd a halfedge on the border of `mesh`.
-  /// \param uvmap receives the coordinates of the component's vertices.
+  /// \param bhd a halfedge on the border of `mesh`: one without a face.
+  /// \param uvmap receives the coordinates of the component's vertices. Nothing is read from it, and other vertices keep
+  ///        what they have.
   /// \param vimap the indices of the vertices.
   ///
   /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`:
@@ -115,9 +120,13 @@ public:
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border
   ///    where `ABF_plus_plus_options::allow_holes` is not set;
-  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), or none was found;
+  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a visitor
+  ///    stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
-  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, or an option does not apply.
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 238 million
+  ///    triangles, or an option does not apply.
+  ///
+  /// \exception std::bad_alloc if the memory does not suffice. Exceptions that a visitor or a property map throws pass, too.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
@@ -129,19 +138,21 @@ public:
     return result;
   }
 
-  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
+  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call changes it.
   const ABF_plus_plus_report& report() const
   {
     return m_outcome->report;
   }
 
-  /// returns the vertices that the last call's diagnosis is about.
+  /// returns the vertices that the last call's diagnosis is about: one that is pinched, on a second border, or has a coordinate
+  /// that is not finite; or the two that parallel edges join. It is empty for other diagnoses.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome->offending_vertices;
   }
 
-  /// returns the faces that the last call's diagnosis is about, among them all that would be flipped.
+  /// returns the faces that the last call's diagnosis is about: one that is not a triangle, or is at a parallel edge; or all that would
+  /// be flipped, or wind around a vertex more than once. It is empty for other diagnoses.
   const std::vector<face_descriptor>& offending_faces() const
   {
     return m_outcome->offending_faces;

@@ -23,9 +23,10 @@ namespace Surface_mesh_parameterization {
 /// positively.
 ///
 /// The measures of a flipped triangle are those of its mirror image: flips are counted apart, and do not hide how good
-/// a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) A triangle without area, in space or in the plane, has the worst value of every
-/// measure that is made from derivatives: 1 of shear, principal shear and equal-stretch error, else infinity. One whose
-/// area in the plane is not a finite number counts as collapsed to a point: its angles are 0.
+/// a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) A triangle without area, in
+/// space or in the plane, has the worst value of every measure that is made from derivatives: 1 of shear, principal
+/// shear and equal-stretch error, else infinity. One whose area in the plane is not a finite number counts as collapsed
+/// to a point: its angles are 0.
 struct Flattening_face_measures
 {
   /// Area on the surface: the weight of the triangle in all means but that of the angular distortion.

@@ -21,16 +21,18 @@ namespace Surface_mesh_parameterization {
 /// the diagnosis `ABF_plus_plus_report::CANCELLED`, and leaves the caller's property maps as they were. Exceptions
 /// that a function throws pass through `parameterize()` in the same manner.
 ///
-/// All functions are called by the thread that computes, one after the other. Those of the base class do nothing.
+/// All functions are called one after the other, never by two threads at once; with \tbb and a number of threads in the options,
+/// this may be another thread than the caller of `parameterize()`. Those of the base class do nothing.
 class Flattening_visitor
 {
 public:
-  /// What is about to be done.
+  /// What is about to be done. The same may be done again where the ladder of the direct method tries another way; its
+  /// third way simplifies the chart and refines it, as the hierarchical method does.
   enum Stage
   {
     READ,          ///< From the mesh to flat arrays, and the check of the input.
     TARGET_ANGLES, ///< From the surface to target angles.
-    ANGLES,        ///< The nonlinear solver; once for each rung of the ladder.
+    ANGLES,        ///< The nonlinear solver.
     LAYOUT,        ///< From angles to coordinates.
     COARSEN,       ///< Collapses of the hierarchical method.
     COARSE_CHART,  ///< The coarse parameterizer.
@@ -42,14 +44,14 @@ public:
 
   virtual ~Flattening_visitor() {}
 
-  /// is called at the beginning of a stage.
+  /// is called at the beginning of a stage. Returns whether to go on.
   virtual bool start(Stage) { return true; }
 
-  /// is called after each Newton step.
+  /// is called after each Newton step, with what the report will have of it. Returns whether to go on.
   virtual bool step(const ABF_plus_plus_step&) { return true; }
 
   /// is called when the hierarchical method has added or undone a level of collapses, with the number of vertices that
-  /// are there, and that of the whole chart.
+  /// are there, and that of the whole chart. Returns whether to go on.
   virtual bool level(int /* vertices */, int /* all_vertices */) { return true; }
 };
 

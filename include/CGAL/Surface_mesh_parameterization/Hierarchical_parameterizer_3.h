@@ -39,6 +39,8 @@ namespace Surface_mesh_parameterization {
 ///
 /// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer: a
 /// `Surface_mesh` with points of `Exact_predicates_inexact_constructions_kernel`.
+///
+/// Other coarse parameterizers are made for this type of mesh, as `LSCM_parameterizer_3<Hierarchical_coarse_mesh>`.
 typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -56,9 +58,10 @@ typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
 ///
 /// \cgalModels{Parameterizer_3}
 ///
-/// \tparam TriangleMesh_ must be a model of `FaceGraph`.
+/// \tparam TriangleMesh_ must be a model of `FaceGraph`. Edges may be the border of a seam (`Seam_mesh`).
 ///
-/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`. It may return
+/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`, with the nested types
+///         `Triangle_mesh` and `Solver_traits` that the parameterizers of \cgal have. It may return
 ///         flipped triangles or an error: then a finer chart is tried. With `LSCM_parameterizer_3` this is hierarchical
 ///         LSCM.<br>
 ///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
@@ -96,7 +99,7 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart.
+  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart, of which it keeps copies.
   explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options(),
                                         Coarse_parameterizer coarse_parameterizer = Coarse_parameterizer())
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
@@ -106,9 +109,14 @@ public:
   /// flattens the connected component of `bhd`.
   ///
   /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
-  /// On any error `uvmap` is left as it was. Time and memory are linear in the size of the surface, but for sorting.
+  /// On any error `uvmap` is left as it was. Time and memory are linear in the size of the surface, but for sorting and
+  /// the coarse parameterizer.
   ///
-  /// Parameters, requirements and return values are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
+  /// Parameters, requirements and exceptions are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
+  ///
+  /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`, an error code for the
+  /// input as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING` if there is no valid map, none was
+  /// found, or a visitor stopped the computation. The errors of the coarse parameterizer are not errors of this function.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
@@ -126,19 +134,19 @@ public:
     return m_outcome->report;
   }
 
-  /// returns the parameterizer of the coarse chart.
+  /// returns the parameterizer of the coarse chart: with the default one, its report is that of the last coarse chart.
   const Coarse_parameterizer& coarse_parameterizer() const
   {
     return m_coarse_parameterizer;
   }
 
-  /// returns the vertices that the last call's diagnosis is about.
+  /// returns the vertices that the last call's diagnosis is about; see `ABF_plus_plus_parameterizer_3::offending_vertices()`.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome->offending_vertices;
   }
 
-  /// returns the faces that the last call's diagnosis is about, among them all that would be flipped.
+  /// returns the faces that the last call's diagnosis is about; see `ABF_plus_plus_parameterizer_3::offending_faces()`.
   const std::vector<face_descriptor>& offending_faces() const
   {
     return m_outcome->offending_faces;
@@ -220,6 +228,8 @@ private:
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// Hierarchical ABF++: `Hierarchical_parameterizer_3` with `ABF_plus_plus_parameterizer_3` for the coarse chart.
+///
+/// \tparam TriangleMesh must be a model of `FaceGraph`.
 template <typename TriangleMesh>
 using Hierarchical_ABF_plus_plus_parameterizer_3 = Hierarchical_parameterizer_3<TriangleMesh, Default>;
 

@@ -95,8 +95,8 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh, VertexUVMap uvmap, Fa
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces that are not positively oriented, as above, but looks at the connected component of `h` only:
-/// for maps of one of several components.
+/// writes the faces that are not positively oriented, as above, but looks at the connected component of `h` only, which may be
+/// any halfedge: for maps of one of several components.
 template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
@@ -146,7 +146,7 @@ bool is_locally_injective(const TriangleMesh& mesh,
 /// \f$\chi\f$, and as each of them turns once, to the left or to the right, just one turns left: the component has no
 /// handles, this border surrounds all others, and every point is covered at most once.
 ///
-/// Holes of a component may contain other components. The time is `O(n + b log b)` for `n` faces and `b` border edges,
+/// Holes of a component may contain other components. The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges,
 /// and, if there are several components, for each of them the number of edges that a ray from it meets.
 /// Parameters, requirements and exceptions are those of `flipped_faces()`.
 template <typename TriangleMesh, typename VertexUVMap>
@@ -171,7 +171,7 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 /// `out`. There is none exactly if the borders are simple polygons that do not touch one another. Edges with a
 /// coordinate that is infinite or not a number are left out; their faces are in `flipped_faces()`.
 ///
-/// If there is no such pair, the time is `O(n + b log b)` for `n` faces and `b` border edges. Otherwise it depends on the
+/// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise it depends on the
 /// number of pairs of edges whose bounding boxes intersect.
 ///
 /// \tparam HalfedgePairOutputIterator a model of `OutputIterator` that accepts pairs (`std::pair`) of

@@ -30,7 +30,7 @@ namespace Surface_mesh_parameterization {
 ///
 /// measures the distortion of the map from the connected component of `bhd` to the plane, whichever
 /// parameterizer computed it, and of each of its triangles. In linear time, but for a sort of the vertices and
-/// `O(b log b)` for `b` border edges; parallel where \tbb is there, with the same bits on any number of threads.
+/// \cgalBigO{b \log b} for \f$b\f$ border edges; parallel where \tbb is there, with the same bits on any number of threads.
 ///
 /// None of these measures is that of `compute_L2_stretch()` in `measure_distortion.h` of the package
 /// \ref PkgSurfaceMeshParameterization. In spite of its name, that function looks at areas only: it returns the root of
@@ -42,14 +42,16 @@ namespace Surface_mesh_parameterization {
 /// \tparam TriangleMesh a model of `FaceGraph`.
 /// \tparam VertexUVMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
-///         value type.
+///         value type. Coordinates are converted to `double`.
 /// \tparam FaceVisitor a function object that can be called with a
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor` and a `const Flattening_face_measures&`.
 ///
 /// \param mesh a triangulated surface.
-/// \param bhd a halfedge on the border of `mesh`.
-/// \param uvmap the map to be measured.
+/// \param bhd a halfedge on the border of `mesh`: one without a face.
+/// \param uvmap the map to be measured. It may be of any size, and have flipped triangles.
 /// \param visitor is called once for each face of the component, with its measures, by the calling thread.
+///
+/// \return the measures of the whole component.
 ///
 /// \exception std::invalid_argument if `bhd` is not a border halfedge of a triangulated component, or a point of
 ///            the component has a coordinate that is not finite.
