@@ -37,7 +37,7 @@ namespace internal {
 // Whether the angles fit together so well that the exact layout reproduces them.
 inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& report)
 {
-  const double largest_residual = 1e-7;
+  const double largest_residual = 1e-4;
   return chart.borders.size() == 1 && report.constraint_residual <= largest_residual;
 }
 
