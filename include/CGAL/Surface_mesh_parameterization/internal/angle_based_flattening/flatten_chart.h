@@ -61,6 +61,7 @@ bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plu
     solved = exact_layout(chart, alpha, std::move(scalar_solver), layout);
     uv.swap(layout.uv);
     report.closure = layout.closure;
+    report.layout_repeated_in_double = layout.is_repeated_in_double;
   } else {
     solved = Least_squares_layout(chart, alpha).solve(traits, uv);
   }
