@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(assemble_the_matrix_of_equation_16)
   const Matrix lambda_star = all.topLeftCorner(n_f, n_f), j_star = all.bottomLeftCorner(n, n_f),
                j_star_star = all.bottomRightCorner(n, n);
   const Matrix equation_16 = j_star * lambda_star.inverse() * j_star.transpose() - j_star_star;
-  BOOST_TEST((Matrix(system.matrix()) + equation_16).cwiseAbs().maxCoeff() <
+  BOOST_TEST((Matrix(abf::eigen_matrix<double>(system.matrix())) + equation_16).cwiseAbs().maxCoeff() <
              1e-12 * equation_16.cwiseAbs().maxCoeff());
 }
 
@@ -313,12 +313,13 @@ BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
   BOOST_REQUIRE(direct.compute(alpha, zero, residual, exact));
   BOOST_TEST(direct.equation().factorizations() == 1);
   BOOST_TEST(direct.equation().steps() == 0);
+  const auto matrix = abf::eigen_matrix<double>(direct.matrix());
   int last_steps = 0;
   for(double accuracy : {1e-1, 1e-3, 1e-10}) {
     BOOST_REQUIRE(iterative.compute(alpha, zero, residual, step, {accuracy}));
     const Vector error = step.multipliers - exact.multipliers;
-    const double energy_norm = std::sqrt(error.dot(direct.matrix() * error)),
-                 whole = std::sqrt(exact.multipliers.dot(direct.matrix() * exact.multipliers));
+    const double energy_norm = std::sqrt(error.dot(matrix * error)),
+                 whole = std::sqrt(exact.multipliers.dot(matrix * exact.multipliers));
     BOOST_TEST(energy_norm < 2 * accuracy * whole);
     BOOST_TEST(iterative.equation().steps() > last_steps);
     BOOST_TEST(iterative.equation().factorizations() == (last_steps == 0 ? 2 : 0));
@@ -330,17 +331,59 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(conjugate_gradients)
 
-// A symmetric matrix of 2x2 blocks with the pattern of a chain
-Eigen::SparseMatrix<double> chain(int n, double diagonal, double coupling)
+// A matrix with the pattern of a chain. `entry(i, j)` is one of its blocks.
+template <int BlockSize, typename Entry>
+abf::Block_matrix<BlockSize> chain_of_blocks(int n, Entry entry)
 {
-  Eigen::SparseMatrix<double> matrix(2 * n, 2 * n);
-  for(int i = 0; i < n; ++i)
-    for(int j = (std::max)(0, i - 1); j <= (std::min)(n - 1, i + 1); ++j)
-      for(int k : {0, 1})
-        for(int l : {0, 1})
-          matrix.insert(2 * i + k, 2 * j + l) = k != l ? coupling : i == j ? diagonal + k : -1;
-  matrix.makeCompressed();
+  abf::Block_matrix<BlockSize> matrix;
+  for(int j = 0; j < n; ++j) {
+    for(int i = (std::max)(0, j - 1); i <= (std::min)(n - 1, j + 1); ++i) {
+      matrix.row.push_back(i);
+      matrix.block.push_back(entry(i, j));
+    }
+    matrix.begin.push_back(static_cast<int>(matrix.row.size()));
+  }
   return matrix;
+}
+
+abf::Block_matrix<2> chain(int n, double diagonal, double coupling)
+{
+  return chain_of_blocks<2>(n, [&](int i, int j) {
+    Eigen::Matrix2d block;
+    block << (i == j ? diagonal : -1), coupling, coupling, (i == j ? diagonal + 1 : -1);
+    return block;
+  });
+}
+
+template <int BlockSize>
+Vector product(const abf::Block_matrix<BlockSize>& matrix, const Vector& x)
+{
+  return abf::eigen_matrix<double>(matrix) * x;
+}
+
+BOOST_AUTO_TEST_CASE(blocks_are_multiplied_and_taken_apart)
+{
+  const auto blocks = chain_of_blocks<2>(50, [](int i, int j) {
+    Eigen::Matrix2d block;
+    block << 1 + i + j, i - j, j - i, 2 * i * j;
+    return block;
+  });
+  const Matrix whole = abf::eigen_matrix<double>(blocks);
+  BOOST_TEST(whole.isApprox(whole.transpose()));
+  const Vector x = random_vector(100, 12);
+  Vector y;
+  blocks.multiply(x, y);
+  BOOST_TEST((y - whole * x).cwiseAbs().maxCoeff() < 1e-10);
+
+  const Matrix parts = abf::eigen_matrix<double>(abf::Diagonal_parts<2>{blocks}),
+               second = abf::eigen_matrix<float>(abf::Diagonal_parts<2>{blocks, 1, 2}).cast<double>();
+  for(int i = 0; i < 50; ++i)
+    for(int j = 0; j < 50; ++j) {
+      BOOST_TEST(whole(2 * i, 2 * j) == parts(i, j));
+      BOOST_TEST(whole(2 * i + 1, 2 * j + 1) == parts(50 + i, 50 + j));
+      BOOST_TEST(second(i, j) == parts(50 + i, 50 + j));
+      BOOST_TEST(parts(i, 50 + j) == 0);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
@@ -350,28 +393,21 @@ BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
   const Vector b = random_vector(80, 4);
   Vector x;
   BOOST_REQUIRE(preconditioner.solve(b, x));
-  BOOST_TEST((chain(40, 2.5, 0) * x - b).cwiseAbs().maxCoeff() < 1e-12);
+  BOOST_TEST((product(chain(40, 2.5, 0), x) - b).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 // A Laplacian of a chain, plus a multiple of the identity
-Eigen::SparseMatrix<double> laplacian(int n, double identity)
+abf::Block_matrix<1> laplacian(int n, double identity)
 {
-  Eigen::SparseMatrix<double> matrix(n, n);
-  for(int i = 0; i < n; ++i) {
-    for(int j : {i - 1, i + 1})
-      if(j >= 0 && j < n) {
-        matrix.coeffRef(i, i) += 1;
-        matrix.insert(i, j) = -1;
-      }
-    matrix.coeffRef(i, i) += identity;
-  }
-  matrix.makeCompressed();
-  return matrix;
+  return chain_of_blocks<1>(n, [&](int i, int j) {
+    const int neighbours = i == 0 || i == n - 1 ? 1 : 2;
+    return abf::Block_matrix<1>::Block(i == j ? neighbours + identity : -1.);
+  });
 }
 
-double relative_residual(const Eigen::SparseMatrix<double>& matrix, const Vector& x, const Vector& b)
+double relative_residual(const abf::Block_matrix<1>& matrix, const Vector& x, const Vector& b)
 {
-  return (matrix * x - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+  return (product(matrix, x) - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
 BOOST_AUTO_TEST_CASE(single_precision_serves_to_precondition)
@@ -384,13 +420,33 @@ BOOST_AUTO_TEST_CASE(single_precision_serves_to_precondition)
   for(double scale : {1., 1e-60}) {
     BOOST_REQUIRE(system.set_matrix(regular));
     BOOST_REQUIRE(system.solve(scale * b, x));
+    BOOST_TEST(!system.is_repeated_in_double());
     BOOST_TEST(relative_residual(regular, x, scale * b) < 1e-4);
     BOOST_TEST(relative_residual(regular, x, scale * b) > 1e-12);
   }
   const auto singular_as_float = laplacian(300, 1e-9);
   BOOST_REQUIRE(system.set_matrix(singular_as_float));
   BOOST_REQUIRE(system.solve(b, x));
+  BOOST_TEST(system.is_repeated_in_double());
   BOOST_TEST(relative_residual(singular_as_float, x, b) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
+{
+  const auto regular = laplacian(300, 0.1), singular_as_float = laplacian(300, 1e-9);
+  const auto both = chain_of_blocks<2>(300, [&, entry = 0](int, int) mutable {
+    Eigen::Matrix2d block;
+    block << regular.block[entry](0), 0, 0, singular_as_float.block[entry](0);
+    ++entry;
+    return block;
+  });
+  abf::Newton_equation<Solver> equation(Solver(), true);
+  Vector x;
+  BOOST_REQUIRE(equation.solve(both, random_vector(600, 5), {1e-6}, x));
+  BOOST_TEST(equation.factorizations() == 2);
+  BOOST_TEST(equation.repeated_in_double() == 1);
+  BOOST_REQUIRE(equation.solve(both, random_vector(600, 6), {1e-6}, x));
+  BOOST_TEST(equation.repeated_in_double() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
@@ -400,12 +456,16 @@ BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
   for(double identity : {0.1, 1e-9}) {
     const auto matrix = laplacian(300, identity);
     abf::Two_vectors x;
-    BOOST_REQUIRE(abf::Definite_system<Single>{Single()}.solve(matrix, b, x));
+    abf::Definite_system<Single> system{Single()};
+    BOOST_REQUIRE(system.solve(matrix, b, x));
+    BOOST_TEST(system.is_repeated_in_double() == (identity != 0.1));
     for(int k : {0, 1})
       BOOST_TEST(relative_residual(matrix, x[k], b[k]) < (identity == 0.1 ? 1e-14 : 1e-6));
   }
   abf::Two_vectors x;
-  BOOST_TEST(!abf::Definite_system<Single>{Single()}.solve(0 * laplacian(300, 1), b, x));
+  auto zero = laplacian(300, 1);
+  std::fill(zero.block.begin(), zero.block.end(), abf::Block_matrix<1>::Block::Zero());
+  BOOST_TEST(!abf::Definite_system<Single>{Single()}.solve(zero, b, x));
 }
 
 BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
@@ -416,19 +476,18 @@ BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
   Vector x;
   const auto definite = chain(40, 2.5, 0.1), indefinite = chain(40, 2.5, 3);
   abf::Iterative_accuracy accuracy{1e-12};
-  const auto solve = [&](const Eigen::SparseMatrix<double>& matrix, const Vector& right_hand_side,
-                         int max_steps) {
+  const auto solve = [&](const abf::Block_matrix<2>& matrix, const Vector& right_hand_side, int max_steps) {
     return abf::conjugate_gradients(matrix, right_hand_side, preconditioner, accuracy, max_steps, x);
   };
   typedef abf::Iterative_solution Solution;
   const Solution solution = solve(definite, b, 80);
   BOOST_TEST(solution.status == Solution::SOLVED);
   BOOST_TEST(solution.steps > 3);
-  BOOST_TEST((definite * x - b).cwiseAbs().maxCoeff() < 1e-10);
+  BOOST_TEST((product(definite, x) - b).cwiseAbs().maxCoeff() < 1e-10);
   BOOST_TEST(solve(definite, b, 3).status == Solution::NOT_SOLVED);
   accuracy = {0.9, 1e-12};
   BOOST_TEST(solve(definite, b, 80).steps > 3);
-  BOOST_TEST((definite * x - b).cwiseAbs().maxCoeff() < 2e-12);
+  BOOST_TEST((product(definite, x) - b).cwiseAbs().maxCoeff() < 2e-12);
   BOOST_TEST(solve(definite, b, 3).status == Solution::SOLVED); // as a whole it is
   accuracy = {1e-12};
   BOOST_TEST(solve(indefinite, b, 1000).status == Solution::NOT_SOLVED);
@@ -445,21 +504,25 @@ BOOST_AUTO_TEST_CASE(adds_up_local_matrices)
   const Chart chart = bump(4, 11);
   const int n = chart.number_of_interior_vertices;
   abf::Triangle_assembly<2> assembly(chart.vertex, chart.interior, n);
-  Matrix dense = Matrix::Zero(2 * n, 2 * n);
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    const Eigen::Matrix<double, 6, 6> local = Eigen::Matrix<double, 6, 6>::Random();
-    assembly.add(t, local);
-    for(int a = 0; a < 3; ++a)
-      for(int b = 0; b < 3; ++b) {
-        const int i = chart.interior[chart.vertex[3 * t + a]], j = chart.interior[chart.vertex[3 * t + b]];
-        if(i >= 0 && j >= 0)
-          dense.block<2, 2>(2 * i, 2 * j) += local.block<2, 2>(2 * a, 2 * b);
-      }
+  for(unsigned seed : {3, 4}) { // nothing of the first remains
+    std::vector<Eigen::Matrix<double, 6, 6>> local(chart.number_of_triangles());
+    Matrix dense = Matrix::Zero(2 * n, 2 * n);
+    for(int t = 0; t < chart.number_of_triangles(); ++t) {
+      local[t] = Eigen::Map<const Eigen::Matrix<double, 6, 6>>(random_vector(36, seed + 10 * t).data());
+      for(int a = 0; a < 3; ++a)
+        for(int b = 0; b < 3; ++b) {
+          const int i = chart.interior[chart.vertex[3 * t + a]], j = chart.interior[chart.vertex[3 * t + b]];
+          if(i >= 0 && j >= 0)
+            dense.block<2, 2>(2 * i, 2 * j) += local[t].block<2, 2>(2 * a, 2 * b);
+        }
+    }
+    assembly.assemble([&](int c) -> abf::Triangle_assembly<2>::Local_columns {
+      return local[c / 3].middleCols<2>(2 * (c % 3));
+    });
+    const auto matrix = abf::eigen_matrix<double>(assembly.matrix());
+    BOOST_TEST((Matrix(matrix) - dense).cwiseAbs().maxCoeff() < 1e-14);
+    BOOST_TEST(matrix.isCompressed());
   }
-  BOOST_TEST((Matrix(assembly.matrix()) - dense).cwiseAbs().maxCoeff() < 1e-15);
-  BOOST_TEST(assembly.matrix().isCompressed());
-  assembly.set_zero();
-  BOOST_TEST(Matrix(assembly.matrix()).cwiseAbs().maxCoeff() == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -85,6 +85,8 @@ void check_same_angles(Surface_mesh mesh, const SolverTraits& traits = SolverTra
   for(Options::Layout_type layout : {Options::EXACT_LAYOUT, Options::LEAST_SQUARES_LAYOUT}) {
     Options options;
     options.layout = layout;
+    options.tolerance = 1e-8;
+    options.energy_tolerance = 1e-6;
     const double difference = relative_difference(
         planar_angles(mesh, options, traits), planar_angles<CGAL::SuperLU_solver_traits<>>(mesh, options));
     BOOST_TEST(difference < 1e-8);

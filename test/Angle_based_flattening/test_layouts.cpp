@@ -268,6 +268,7 @@ BOOST_AUTO_TEST_CASE(angular_distortion_is_the_energy)
   const Chart chart = bump(8, 8, 1);
   Options options;
   options.barrier = 0;
+  options.tolerance = 1e-10;
   std::vector<Point_2> uv;
   const Report report = flatten(chart, options, uv);
   BOOST_REQUIRE(report.status == SMP::OK);

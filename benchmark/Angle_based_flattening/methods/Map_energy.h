@@ -60,7 +60,8 @@ class Map_energy
 {
 public:
   explicit Map_energy(const Chart& chart)
-      : m_chart(chart), m_hessian(chart.vertex, all_vertices(chart), chart.number_of_vertices())
+      : m_chart(chart), m_all_vertices(all_vertices(chart)), m_local_hessian(chart.number_of_triangles()),
+        m_hessian(chart.vertex, m_all_vertices, chart.number_of_vertices())
   {
     m_area_hessian.setZero();
     for(int k = 0; k < 3; ++k) { // A = sum of x_k cross x_{k+1}, halved
@@ -86,10 +87,9 @@ public:
   }
 
   // The gradient, and a positive semidefinite Hessian: that of each triangle without its negative eigenvalues.
-  const Eigen::SparseMatrix<double>& derivatives(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)
+  Eigen::SparseMatrix<double> derivatives(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)
   {
     gradient = Eigen::VectorXd::Zero(x.size());
-    m_hessian.set_zero();
     for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
       const Vector_6 local = gather(t, x);
       const Matrix_6 h_d = dirichlet_hessian(t);
@@ -99,11 +99,14 @@ public:
       for(int k = 0; k < 3; ++k)
         gradient.segment<2>(2 * m_chart.vertex[3 * t + k]) += local_gradient.segment<2>(2 * k);
       const Matrix_6 mixed = d * a.transpose();
-      m_hessian.add(t, semidefinite(e.by_d * h_d + e.by_a * m_area_hessian +
-                                    e.by_d_and_a * (mixed + mixed.transpose()) +
-                                    e.by_a_twice * a * a.transpose()));
+      m_local_hessian[t] =
+          semidefinite(e.by_d * h_d + e.by_a * m_area_hessian + e.by_d_and_a * (mixed + mixed.transpose()) +
+                       e.by_a_twice * a * a.transpose());
     }
-    return m_hessian.matrix();
+    m_hessian.assemble([&](int c) -> typename abf::Triangle_assembly<2>::Local_columns {
+      return m_local_hessian[c / 3].template middleCols<2>(2 * (c % 3));
+    });
+    return abf::eigen_matrix<double>(m_hessian.matrix());
   }
 
   // The part of `step` at which the first triangle loses its area.
@@ -183,6 +186,8 @@ private:
   const Chart& m_chart;
   std::vector<Surface_triangle> m_surface;
   Matrix_6 m_area_hessian;
+  std::vector<int> m_all_vertices; // ranks as unknowns
+  std::vector<Matrix_6> m_local_hessian;
   abf::Triangle_assembly<2> m_hessian;
 };
 

@@ -66,7 +66,7 @@ inline Linear_system first_newton_system(const Mesh& mesh)
                                                          true, CGAL::Eigen_solver_traits<>());
   Linear_system system;
   system.right_side.eigen_object() = newton.assemble(alpha, no_multipliers, residuals);
-  system.columns() = newton.matrix();
+  system.columns() = abf::eigen_matrix<double>(newton.matrix());
   return system;
 }
 

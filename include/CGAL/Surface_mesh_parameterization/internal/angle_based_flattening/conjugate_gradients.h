@@ -8,10 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
-
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <limits>
 
@@ -20,17 +17,6 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 
 namespace internal {
-
-// The product of a symmetric matrix, stored as a whole, with a vector
-inline void multiply(const Eigen::SparseMatrix<double>& symmetric, const Eigen::VectorXd& x,
-                     Eigen::VectorXd& product)
-{
-  product.resize(x.size());
-  parallel_for_blocks(static_cast<int>(x.size()), [&](int begin, int end) {
-    for(int j = begin; j < end; ++j)
-      product[j] = symmetric.col(j).dot(x);
-  });
-}
 
 // When to stop: at this part of the solution, in the energy norm, and at this largest entry of the residual. That is
 // given up when the steps are used up.
@@ -55,8 +41,8 @@ struct Iterative_solution
 // Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, starting at zero, until the
 // preconditioned norm of the residual, sqrt(r' M r), has become a small part of that at the start. (Eigen's own looks at
 // the plain norm, in which large multipliers at slivers hide all others.)
-template <typename Preconditioner>
-Iterative_solution conjugate_gradients(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b,
+template <typename Matrix, typename Preconditioner>
+Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b,
                                        Preconditioner& preconditioner, const Iterative_accuracy& accuracy,
                                        int max_steps, Eigen::VectorXd& x)
 {
@@ -79,7 +65,7 @@ Iterative_solution conjugate_gradients(const Eigen::SparseMatrix<double>& a, con
       direction = correction + norm / previous * direction;
     previous = norm;
 
-    multiply(a, direction, product);
+    a.multiply(direction, product);
     const double curvature = direction.dot(product);
     if(!(curvature > 0))
       return {Iterative_solution::NOT_SOLVED, step};

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
@@ -30,6 +30,7 @@ struct Layout
 {
   std::vector<Chart::Point_2> uv;
   double closure = 0; // gap at the end of the border walk, relative to its length
+  bool is_repeated_in_double = false;
 };
 
 // The directed edges of the planar border, that the angles alone determine up to a similarity: at a vertex the
@@ -75,6 +76,38 @@ inline void lay_out_border(const Chart& chart, const std::vector<double>& alpha,
   }
 }
 
+inline std::vector<double> cotangents(const std::vector<double>& alpha)
+{
+  std::vector<double> result(alpha.size());
+  parallel_for_blocks(static_cast<int>(alpha.size()), [&](int begin, int end) {
+    for(int c = begin; c < end; ++c)
+      result[c] = std::cos(alpha[c]) / std::sin(alpha[c]);
+  });
+  return result;
+}
+
+// The right-hand sides, of both coordinates: what the border vertices contribute to the Laplacian
+inline Two_vectors pull_of_border(const Chart& chart, const std::vector<double>& weights,
+                                  const Layout& layout)
+{
+  const int n = chart.number_of_interior_vertices;
+  Two_vectors pull = {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  for(int c = 0; c < chart.number_of_corners(); ++c) {
+    if(chart.interior[chart.vertex[c]] >= 0)
+      continue;
+    const Chart::Point_2& border = layout.uv[chart.vertex[c]];
+    const auto add = [&](int neighbour, int facing) {
+      if(const int i = chart.interior[chart.vertex[neighbour]]; i >= 0) {
+        pull[0][i] += weights[facing] * border.x();
+        pull[1][i] += weights[facing] * border.y();
+      }
+    };
+    add(next_corner(c), previous_corner(c));
+    add(previous_corner(c), next_corner(c));
+  }
+  return pull;
+}
+
 // Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
 // vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
 template <typename SolverTraits>
@@ -85,29 +118,22 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, Solv
   if(n == 0)
     return true;
   Triangle_assembly<1> laplacian(chart.vertex, chart.interior, n);
-  Two_vectors right_hand_sides = {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}, positions;
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    const Eigen::Vector3d weights = cotangents(alpha, t);
-    Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
-    for(int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      local(i, i) += weights[k];
-      local(j, j) += weights[k];
-      local(i, j) = local(j, i) = -weights[k];
-    }
-    laplacian.add(t, local);
-    for(int a = 0; a < 3; ++a)
-      for(int b = 0; b < 3; ++b) {
-        const int interior = chart.interior[chart.vertex[3 * t + a]];
-        const int border = chart.vertex[3 * t + b];
-        if(interior < 0 || chart.interior[border] >= 0)
-          continue;
-        right_hand_sides[0][interior] -= local(a, b) * layout.uv[border].x();
-        right_hand_sides[1][interior] -= local(a, b) * layout.uv[border].y();
-      }
+  Two_vectors right_hand_sides, positions;
+  {
+    const std::vector<double> weights = cotangents(alpha);
+    laplacian.assemble([&](int c) {
+      Eigen::Vector3d column;
+      column[c % 3] = weights[next_corner(c)] + weights[previous_corner(c)];
+      column[next_corner(c) % 3] = -weights[previous_corner(c)];
+      column[previous_corner(c) % 3] = -weights[next_corner(c)];
+      return column;
+    });
+    right_hand_sides = pull_of_border(chart, weights, layout);
   }
-  if(!Definite_system<SolverTraits>(std::move(traits)).solve(laplacian.matrix(), right_hand_sides, positions))
+  Definite_system<SolverTraits> system(std::move(traits));
+  if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
     return false;
+  layout.is_repeated_in_double = system.is_repeated_in_double();
   for(int w = 0; w < chart.number_of_vertices(); ++w)
     if(const int i = chart.interior[w]; i >= 0)
       layout.uv[w] = Chart::Point_2(positions[0][i], positions[1][i]);

@@ -37,7 +37,7 @@ namespace internal {
 // Whether the angles fit together so well that the exact layout reproduces them.
 inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& report)
 {
-  const double largest_residual = 1e-7;
+  const double largest_residual = 1e-4;
   return chart.borders.size() == 1 && report.constraint_residual <= largest_residual;
 }
 
@@ -61,6 +61,7 @@ bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plu
     solved = exact_layout(chart, alpha, std::move(scalar_solver), layout);
     uv.swap(layout.uv);
     report.closure = layout.closure;
+    report.layout_repeated_in_double = layout.is_repeated_in_double;
   } else {
     solved = Least_squares_layout(chart, alpha).solve(traits, uv);
   }

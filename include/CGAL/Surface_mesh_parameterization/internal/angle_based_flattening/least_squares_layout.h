@@ -77,10 +77,10 @@ public:
   {
     const int n = m_chart.number_of_vertices() - 2;
     Triangle_assembly<2> normal_matrix(m_chart.vertex, m_unknown, n);
-    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
-      const Eigen::Matrix<double, 2, 6> row = real_row(t);
-      normal_matrix.add(t, row.transpose() * row);
-    }
+    normal_matrix.assemble([&](int c) -> typename Triangle_assembly<2>::Local_columns {
+      const Eigen::Matrix<double, 2, 6> row = real_row(c / 3);
+      return row.transpose() * row.middleCols<2>(2 * (c % 3));
+    });
     Symmetric_system<SolverTraits> system(traits);
     if(!system.set_matrix(normal_matrix.matrix()))
       return false;

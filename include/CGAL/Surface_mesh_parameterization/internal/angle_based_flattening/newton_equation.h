@@ -8,13 +8,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <optional>
 
@@ -40,11 +40,11 @@ public:
       : m_traits(traits), m_iteratively(iteratively && Has_factor<SolverTraits>::value)
   {}
 
-  bool solve(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right_hand_side,
+  bool solve(const Block_matrix<2>& matrix, const Eigen::VectorXd& right_hand_side,
              const Iterative_accuracy& accuracy, Eigen::VectorXd& solution)
   {
     m_accuracy = accuracy;
-    m_steps = m_factorizations = 0;
+    m_steps = m_factorizations = m_repeated_in_double = 0;
     if(right_hand_side.size() == 0) {
       solution = right_hand_side;
       return true;
@@ -62,9 +62,11 @@ public:
     return m_whole_system->set_matrix(matrix) && m_whole_system->solve(right_hand_side, solution);
   }
 
-  // Of the last solution: steps of conjugate gradients, and matrices that were factored.
+  // Of the last solution: steps of conjugate gradients, matrices that were factored, and those of them for which single
+  // precision was not enough.
   int steps() const { return m_steps; }
   int factorizations() const { return m_factorizations; }
+  int repeated_in_double() const { return m_repeated_in_double; }
 
   // A solver that may know the pattern of the one-rings of the interior vertices already
   typename Scalar_system::Traits scalar_solver() const
@@ -74,7 +76,7 @@ public:
   }
 
 private:
-  Iterative_solution::Status solve_iteratively(const Eigen::SparseMatrix<double>& matrix,
+  Iterative_solution::Status solve_iteratively(const Block_matrix<2>& matrix,
                                                const Eigen::VectorXd& right_hand_side,
                                                Eigen::VectorXd& solution)
   {
@@ -93,12 +95,14 @@ private:
     }
   }
 
-  bool factor_preconditioner(const Eigen::SparseMatrix<double>& matrix)
+  bool factor_preconditioner(const Block_matrix<2>& matrix)
   {
     if(!m_preconditioner)
       m_preconditioner.emplace(Preconditioning<SolverTraits>::traits(m_traits));
     m_factorizations += 2;
-    return m_preconditioner->set_matrix(matrix);
+    const bool done = m_preconditioner->set_matrix(matrix);
+    m_repeated_in_double += m_preconditioner->repeated_in_double();
+    return done;
   }
 
   const SolverTraits m_traits;
@@ -107,7 +111,7 @@ private:
   bool m_preconditioner_is_stale = false;
   std::optional<Symmetric_system<SolverTraits>> m_whole_system;
   Iterative_accuracy m_accuracy;
-  int m_steps = 0, m_factorizations = 0;
+  int m_steps = 0, m_factorizations = 0, m_repeated_in_double = 0;
 };
 
 } // namespace internal

@@ -34,7 +34,7 @@ struct Newton_step
   double predicted_decrease = 0; // of the quadratic model of the Lagrangian
 };
 
-// Computes steps by solving Eq. 16, whose matrix is assembled triangle by triangle:
+// Computes steps by solving Eq. 16, whose matrix is a sum over triangles:
 //   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
 // with P = T (T' H T)^-1 T', as `split()` says, and r minus the gradient of the Lagrangian. This S is positive
 // definite.
@@ -71,19 +71,25 @@ public:
       for(int t = begin; t < end; ++t)
         m_local[t] = local_system(t, alpha, multipliers);
     });
+    m_assembly.assemble([&](int c) -> typename Triangle_assembly<2>::Local_columns {
+      const Local_system& local = m_local[c / 3];
+      const Plane_jacobian jacobian = plane_jacobian(local.cotangents);
+      return jacobian * (jacobian.template middleRows<2>(2 * (c % 3)) * local.inverse).transpose();
+    });
     Eigen::VectorXd right_hand_side = residual;
-    m_assembly.set_zero();
-    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
-      const Local_system& local = m_local[t];
-      const Plane_jacobian jacobian = plane_jacobian(t, local.cotangents);
-      const Plane_jacobian scaled = jacobian * local.inverse;
-      m_assembly.add(t, scaled * jacobian.transpose());
-      add(t, scaled * local.force, right_hand_side);
-    }
+    parallel_for_blocks(m_chart.number_of_interior_vertices, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        for(const int c : m_assembly.corners(i)) {
+          const Local_system& local = m_local[c / 3];
+          right_hand_side.segment<2>(2 * i) +=
+              plane_jacobian(local.cotangents).template middleRows<2>(2 * (c % 3)) *
+              (local.inverse * local.force);
+        }
+    });
     return right_hand_side;
   }
 
-  const Eigen::SparseMatrix<double>& matrix() const { return m_assembly.matrix(); }
+  const Block_matrix<2>& matrix() const { return m_assembly.matrix(); }
   const Newton_equation<SolverTraits>& equation() const { return m_equation; }
 
 private:
@@ -98,10 +104,18 @@ private:
     Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
   };
 
-  // B T
-  Plane_jacobian plane_jacobian(int t, const Eigen::Vector3d& cotangents) const
+  // B T, also of the border vertices, which nobody asks for
+  static Plane_jacobian plane_jacobian(const Eigen::Vector3d& cotangents)
   {
-    return local_jacobian(m_chart, t, cotangents) * basis_of_sum_preserving_steps();
+    const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
+    Plane_jacobian jacobian;
+    for(int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3, previous = (k + 2) % 3;
+      jacobian.row(2 * k) = basis.row(k);
+      jacobian.row(2 * k + 1) =
+          cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
+    }
+    return jacobian;
   }
 
   Local_system local_system(int t, const std::vector<double>& alpha,
@@ -118,7 +132,7 @@ private:
         curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
     }
     local.force = -basis_of_sum_preserving_steps().transpose() * energy_gradient -
-                  plane_jacobian(t, local.cotangents).transpose() * gather(t, multipliers);
+                  plane_jacobian(local.cotangents).transpose() * gather(t, multipliers);
     local.inverse = split(energy_curvature, curvature);
     return local;
   }
@@ -130,7 +144,7 @@ private:
     step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const Local_system& local = m_local[t];
       const Eigen::Vector2d force =
-          local.force - plane_jacobian(t, local.cotangents).transpose() * gather(t, step.multipliers);
+          local.force - plane_jacobian(local.cotangents).transpose() * gather(t, step.multipliers);
       const Eigen::Vector2d d = local.inverse * force;
       Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
       return d.dot(force) / 2;
@@ -147,15 +161,6 @@ private:
         local.segment<2>(2 * k) = vector.segment<2>(2 * i);
     }
     return local;
-  }
-
-  void add(int t, const Local_constraints& local, Eigen::VectorXd& vector) const
-  {
-    for(int k = 0; k < 3; ++k) {
-      const int i = m_chart.interior[m_chart.vertex[3 * t + k]];
-      if(i >= 0)
-        vector.segment<2>(2 * i) += local.segment<2>(2 * k);
-    }
   }
 
   const Chart& m_chart;

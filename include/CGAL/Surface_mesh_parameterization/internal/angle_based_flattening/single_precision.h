@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
@@ -15,7 +16,6 @@
 #include <CGAL/SuperLU_solver_traits.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <array>
 #include <optional>
@@ -46,12 +46,13 @@ public:
   explicit Definite_system(SolverTraits traits) : m_system(std::move(traits)) {}
 
   // Returns `false` if the linear solver fails.
-  bool solve(const Eigen::SparseMatrix<double>& matrix, const Two_vectors& right_hand_sides,
-             Two_vectors& solutions)
+  bool solve(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides, Two_vectors& solutions)
   {
     return m_system.set_matrix(matrix) && m_system.solve(right_hand_sides[0], solutions[0]) &&
            m_system.solve(right_hand_sides[1], solutions[1]);
   }
+
+  bool is_repeated_in_double() const { return false; }
 
 private:
   Symmetric_system<SolverTraits> m_system;
@@ -68,7 +69,8 @@ public:
 
   explicit Single_precision_system(Traits traits) : m_single(std::move(traits)) {}
 
-  bool set_matrix(const Eigen::SparseMatrix<double>& matrix)
+  template <typename Source>
+  bool set_matrix(const Source& matrix)
   {
     m_double.reset();
     if(m_single.set_matrix(matrix))
@@ -83,6 +85,9 @@ public:
   }
 
   const Traits& traits() const { return m_single.traits(); }
+
+  // Whether single precision was not enough for the matrix
+  bool is_repeated_in_double() const { return m_double.has_value(); }
 
 private:
   Symmetric_system<Traits> m_single;
@@ -105,17 +110,18 @@ class Definite_system<SuperLU_solver_traits<float>>
 public:
   explicit Definite_system(SuperLU_solver_traits<float> traits) : m_single(std::move(traits)) {}
 
-  bool solve(const Eigen::SparseMatrix<double>& matrix, const Two_vectors& right_hand_sides,
-             Two_vectors& solutions)
+  bool solve(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides, Two_vectors& solutions)
   {
-    return solve_in_single_precision(matrix, right_hand_sides, solutions) ||
-           Definite_system<SuperLU_solver_traits<double>>(SuperLU_solver_traits<double>())
-               .solve(matrix, right_hand_sides, solutions);
+    m_is_repeated = !solve_in_single_precision(matrix, right_hand_sides, solutions);
+    return !m_is_repeated || Definite_system<SuperLU_solver_traits<double>>(SuperLU_solver_traits<double>())
+                                 .solve(matrix, right_hand_sides, solutions);
   }
 
+  bool is_repeated_in_double() const { return m_is_repeated; }
+
 private:
-  bool solve_in_single_precision(const Eigen::SparseMatrix<double>& matrix,
-                                 const Two_vectors& right_hand_sides, Two_vectors& solutions)
+  bool solve_in_single_precision(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides,
+                                 Two_vectors& solutions)
   {
     if(!m_single.set_matrix(matrix))
       return false;
@@ -130,6 +136,7 @@ private:
   }
 
   Symmetric_system<SuperLU_solver_traits<float>> m_single;
+  bool m_is_repeated = false;
 };
 
 #endif // CGAL_SUPERLU_HAS_SINGLE_PRECISION

@@ -178,7 +178,7 @@ bool solve_angles(
       break;
     report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
                             step.predicted_decrease, length, system.equation().steps(),
-                            system.equation().factorizations()});
+                            system.equation().factorizations(), system.equation().repeated_in_double()});
     visit_step(options.visitor, report.steps.back());
     report.converged = has_converged(options, report.steps.back(), beta.size());
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 
 #include <Eigen/SparseCore>
 
@@ -58,10 +59,16 @@ public:
 
   explicit Symmetric_system(SolverTraits traits) : m_traits(std::move(traits)) {}
 
-  // Takes over the system's matrix. Returns `false` if it cannot be factored.
-  bool set_matrix(const Eigen::SparseMatrix<double>& matrix)
+  // Takes over a matrix of which `eigen_matrix()` makes one of Eigen's. Returns `false` if it cannot be factored.
+  template <typename Source>
+  bool set_matrix(const Source& matrix)
   {
-    m_matrix = copy(matrix);
+    return set_matrix(eigen_matrix<NT>(matrix));
+  }
+
+  bool set_matrix(Eigen::SparseMatrix<NT> matrix)
+  {
+    m_matrix = own(std::move(matrix));
     bool done = true;
     if constexpr(Has_factor<SolverTraits>::value)
       done = m_traits.factor(*m_matrix, m_denominator);
@@ -92,6 +99,8 @@ public:
 
   const SolverTraits& traits() const { return m_traits; }
 
+  bool is_repeated_in_double() const { return false; }
+
 private:
   // Right-hand sides of double precision must not vanish in single.
   static double right_hand_side_scale(const Eigen::VectorXd& right_hand_side)
@@ -100,16 +109,16 @@ private:
     return scale > 0 ? scale : 1;
   }
 
-  static std::unique_ptr<Matrix> copy(const Eigen::SparseMatrix<double>& matrix)
+  static std::unique_ptr<Matrix> own(Eigen::SparseMatrix<NT> matrix)
   {
     if constexpr(std::is_base_of<Eigen_sparse_matrix<NT>, Matrix>::value) {
       auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
-      result->eigen_object() = matrix.template cast<NT>();
+      result->eigen_object().swap(matrix);
       return result;
     } else {
       auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
       for(int j = 0; j < matrix.outerSize(); ++j)
-        for(Eigen::SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
+        for(typename Eigen::SparseMatrix<NT>::InnerIterator it(matrix, j); it; ++it)
           result->set_coef(it.row(), it.col(), it.value(), true);
       return result;
     }

@@ -8,12 +8,15 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
+
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -24,123 +27,112 @@ namespace Surface_mesh_parameterization {
 namespace internal {
 
 // A symmetric sparse matrix that is the sum of a small matrix for each triangle, as a finite element stiffness
-// matrix is. A vertex has `BlockSize` unknowns or none. The pattern, that of the one-rings, is found once.
+// matrix is. A vertex has `BlockSize` unknowns or none. The pattern, that of the one-rings, is found once. Each column is
+// summed up by itself, in the order of the triangles.
 template <int BlockSize>
 class Triangle_assembly
 {
 public:
-  typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Eigen::Matrix<double, 3 * BlockSize, 3 * BlockSize> Local_matrix;
+  typedef Eigen::Matrix<double, 3 * BlockSize, BlockSize> Local_columns;
 
   // `vertex` is the vertex of each corner; `unknown` of each vertex its rank among the `n` that have unknowns, or
-  // -1.
+  // -1. Both are referred to later.
   Triangle_assembly(const std::vector<int>& vertex, const std::vector<int>& unknown, int n)
-      : m_unknown(vertex.size()), m_slots(vertex.size() / 3)
+      : m_vertex(vertex), m_unknown(unknown)
   {
-    for(std::size_t c = 0; c < vertex.size(); ++c)
-      m_unknown[c] = unknown[vertex[c]];
-
-    std::vector<int> first(n + 1, 0);
-    for_each_pair([&](int, int, int column) { ++first[column + 1]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<int> rows(first.back()), end(first.begin(), first.end() - 1);
-    for_each_pair([&](int, int row, int column) { rows[end[column]++] = row; });
-    remove_duplicates(first, end, rows);
-    build_pattern(first, end, rows);
-    find_slots(first, end, rows);
+    find_corners(n);
+    find_pattern(n);
   }
 
-  void set_zero() { m_matrix.coeffs().setZero(); }
-
-  // Adds the matrix of triangle `t`, without the rows and columns of vertices that have no unknowns.
-  void add(std::size_t t, const Local_matrix& local)
+  // The corners at the vertex with rank `j`, ascending
+  boost::iterator_range<const int*> corners(int j) const
   {
-    double* values = m_matrix.valuePtr();
-    for(int b = 0; b < 3; ++b) {
-      const int column = m_unknown[3 * t + b];
-      if(column < 0)
-        continue;
-      const int column_length = (column_start(column + 1) - column_start(column)) / BlockSize;
-      for(int a = 0; a < 3; ++a) {
-        if(m_unknown[3 * t + a] < 0)
-          continue;
-        double* block = values + m_slots[t][3 * b + a];
-        for(int j = 0; j < BlockSize; ++j)
-          for(int i = 0; i < BlockSize; ++i)
-            block[j * column_length + i] += local(BlockSize * a + i, BlockSize * b + j);
+    return {m_corner.data() + m_first[j], m_corner.data() + m_first[j + 1]};
+  }
+
+  // Sets the matrix to the sum of those of all triangles. `columns(c)` returns the columns that belong to corner `c` of
+  // its triangle's matrix; several threads call it at once.
+  template <typename Columns>
+  void assemble(const Columns& columns)
+  {
+    m_matrix.block.resize(m_matrix.row.size());
+    parallel_for_blocks(m_matrix.columns_of_blocks(), [&](int first, int last) {
+      for(int j = first; j < last; ++j) {
+        std::fill(m_matrix.block.begin() + m_matrix.begin[j], m_matrix.block.begin() + m_matrix.begin[j + 1],
+                  Block_matrix<BlockSize>::Block::Zero());
+        for(const int c : corners(j))
+          add(j, c, columns(c));
       }
-    }
+    });
   }
 
-  const Matrix& matrix() const { return m_matrix; }
+  const Block_matrix<BlockSize>& matrix() const { return m_matrix; }
 
 private:
-  int column_start(int vertex) const { return m_matrix.outerIndexPtr()[BlockSize * vertex]; }
+  int unknown(int corner) const { return m_unknown[m_vertex[corner]]; }
 
-  // Calls `visit` with a number for a pair of corners of triangle `t`, and their unknowns.
-  template <typename Visitor>
-  void for_each_pair(int t, const Visitor& visit) const
+  void add(int column, int corner, const Local_columns& local)
   {
-    for(int b = 0; b < 3; ++b)
-      for(int a = 0; a < 3; ++a)
-        if(m_unknown[3 * t + a] >= 0 && m_unknown[3 * t + b] >= 0)
-          visit(3 * b + a, m_unknown[3 * t + a], m_unknown[3 * t + b]);
+    for(int a = 0; a < 3; ++a)
+      if(const int row = unknown(corner / 3 * 3 + a); row >= 0) {
+        int entry = m_matrix.begin[column];
+        while(m_matrix.row[entry] != row)
+          ++entry;
+        m_matrix.block[entry] += local.template middleRows<BlockSize>(BlockSize * a);
+      }
   }
 
-  template <typename Visitor>
-  void for_each_pair(const Visitor& visit) const
+  void find_corners(int n)
   {
-    for(int t = 0; t < static_cast<int>(m_slots.size()); ++t)
-      for_each_pair(t, visit);
+    const int corners = static_cast<int>(m_vertex.size());
+    m_first.assign(n + 1, 0);
+    for(int c = 0; c < corners; ++c)
+      if(const int j = unknown(c); j >= 0)
+        ++m_first[j + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_corner.resize(m_first.back());
+    std::vector<int> end(m_first.begin(), m_first.end() - 1);
+    for(int c = 0; c < corners; ++c)
+      if(const int j = unknown(c); j >= 0)
+        m_corner[end[j]++] = c;
   }
 
-  // Column j has the rows [first[j], end[j]).
-  static void remove_duplicates(const std::vector<int>& first, std::vector<int>& end, std::vector<int>& rows)
+  void find_pattern(int n)
   {
-    parallel_for_blocks(static_cast<int>(end.size()), [&](int begin_column, int end_column) {
-      for(int j = begin_column; j < end_column; ++j) {
-        const auto begin = rows.begin() + first[j];
-        std::sort(begin, rows.begin() + end[j]);
-        end[j] = static_cast<int>(std::unique(begin, rows.begin() + end[j]) - rows.begin());
+    std::vector<int>& begin = m_matrix.begin;
+    begin.assign(n + 1, 0);
+    for_each_ring(n,
+                  [&](int j, const std::vector<int>& ring) { begin[j + 1] = static_cast<int>(ring.size()); });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    m_matrix.row.resize(begin.back());
+    for_each_ring(n, [&](int j, const std::vector<int>& ring) {
+      std::copy(ring.begin(), ring.end(), m_matrix.row.begin() + begin[j]);
+    });
+  }
+
+  // Calls `visit` with each column and its rows, ascending, several at once.
+  template <typename Visitor>
+  void for_each_ring(int n, const Visitor& visit) const
+  {
+    parallel_for_blocks(n, [&](int first, int last) {
+      std::vector<int> ring;
+      for(int j = first; j < last; ++j) {
+        ring.clear();
+        for(const int corner : corners(j))
+          for(int c = corner / 3 * 3; c < corner / 3 * 3 + 3; ++c)
+            if(unknown(c) >= 0)
+              ring.push_back(unknown(c));
+        std::sort(ring.begin(), ring.end());
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        visit(j, ring);
       }
     });
   }
 
-  void build_pattern(const std::vector<int>& first, const std::vector<int>& end, const std::vector<int>& rows)
-  {
-    const int n = static_cast<int>(end.size());
-    m_matrix.resize(BlockSize * n, BlockSize * n);
-    int* outer = m_matrix.outerIndexPtr();
-    for(int j = 0; j < n; ++j)
-      for(int k = 0; k < BlockSize; ++k)
-        outer[BlockSize * j + k + 1] = outer[BlockSize * j + k] + BlockSize * (end[j] - first[j]);
-    m_matrix.resizeNonZeros(outer[BlockSize * n]);
-    parallel_for_blocks(n, [&](int begin_column, int end_column) {
-      int* inner = m_matrix.innerIndexPtr() + column_start(begin_column);
-      for(int j = begin_column; j < end_column; ++j)
-        for(int k = 0; k < BlockSize; ++k)
-          for(int r = first[j]; r < end[j]; ++r)
-            for(int i = 0; i < BlockSize; ++i)
-              *inner++ = BlockSize * rows[r] + i;
-    });
-    set_zero();
-  }
-
-  void find_slots(const std::vector<int>& first, const std::vector<int>& end, const std::vector<int>& rows)
-  {
-    parallel_for_blocks(static_cast<int>(m_slots.size()), [&](int begin_triangle, int end_triangle) {
-      for(int t = begin_triangle; t < end_triangle; ++t)
-        for_each_pair(t, [&](int pair, int row, int column) {
-          const auto begin = rows.begin() + first[column];
-          const auto rank = std::lower_bound(begin, rows.begin() + end[column], row) - begin;
-          m_slots[t][pair] = column_start(column) + BlockSize * static_cast<int>(rank);
-        });
-    });
-  }
-
-  std::vector<int> m_unknown;              // of each corner
-  std::vector<std::array<int, 9>> m_slots; // of each triangle: where the block of a pair of corners starts
-  Matrix m_matrix;
+  const std::vector<int>& m_vertex;
+  const std::vector<int>& m_unknown;
+  std::vector<int> m_first, m_corner; // the corners at each vertex
+  Block_matrix<BlockSize> m_matrix;
 };
 
 } // namespace internal
