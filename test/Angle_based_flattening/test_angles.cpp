@@ -14,6 +14,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -410,6 +415,47 @@ double relative_residual(const abf::Block_matrix<1>& matrix, const Vector& x, co
   return (product(matrix, x) - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
+// Of a mesh, with supernodes of many sizes, and without a zero, with supernodes as large as can be
+BOOST_AUTO_TEST_CASE(single_precision_solves)
+{
+  const Chart chart = bump(25, 7);
+  const std::vector<double> beta = abf::target_angles(chart), alpha = abf::starting_angles(beta);
+  const Vector residual = abf::constraint_residuals(chart, alpha);
+  abf::Newton_system<Solver> newton(chart, beta, abf::Angle_energy{0.1}, true, Solver());
+  newton.assemble(alpha, 0 * residual, residual);
+  const auto of_mesh = abf::eigen_matrix<float>(abf::Diagonal_parts<2>{newton.matrix()});
+  Eigen::MatrixXf dense = Eigen::MatrixXf::Constant(70, 70, 1);
+  dense.diagonal().array() += Eigen::VectorXf::LinSpaced(70, 1, 5).array();
+  for(const Eigen::SparseMatrix<float>& matrix : {of_mesh, Eigen::SparseMatrix<float>(dense.sparseView())}) {
+    const int n = static_cast<int>(matrix.rows());
+    abf::Single_precision_solver solver;
+    abf::Single_precision_solver::Matrix copy(n);
+    abf::Single_precision_solver::Vector b(n), x(n);
+    copy.eigen_object() = matrix;
+    b.eigen_object() = random_vector(n, 5).cast<float>();
+    float denominator;
+    BOOST_REQUIRE(solver.factor(std::move(copy), denominator));
+    BOOST_REQUIRE(solver.linear_solver(b, x));
+    BOOST_TEST((matrix * x.eigen_object() - b.eigen_object()).norm() < 1e-4 * b.eigen_object().norm());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(single_precision_refuses_what_is_not_definite)
+{
+  Eigen::SparseMatrix<float> matrix(3, 3);
+  matrix.setIdentity();
+  for(float pivot : {0.f, -1.f, 1e-8f, std::numeric_limits<float>::quiet_NaN()}) {
+    matrix.coeffRef(1, 1) = 1;
+    matrix.coeffRef(0, 1) = matrix.coeffRef(1, 0) = 1;
+    matrix.coeffRef(0, 0) = 1 + pivot;
+    matrix.makeCompressed();
+    abf::Single_precision_solver::Matrix copy(3);
+    copy.eigen_object() = matrix;
+    float denominator;
+    BOOST_TEST(!abf::Single_precision_solver().factor(std::move(copy), denominator));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(single_precision_serves_to_precondition)
 {
   typedef abf::Preconditioning<Solver>::System Single;
@@ -451,7 +497,7 @@ BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
 
 BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
 {
-  typedef CGAL::SuperLU_solver_traits<float> Single;
+  typedef abf::Single_precision_solver Single;
   const abf::Two_vectors b = {random_vector(300, 5), random_vector(300, 6)};
   for(double identity : {0.1, 1e-9}) {
     const auto matrix = laplacian(300, identity);

@@ -10,7 +10,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
 #include <CGAL/Solver_interface/internal/SuperLU_functions.h>
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
-#include <CGAL/Solver_interface/internal/SuperLU_symmetric_solution.h>
+#include <CGAL/Solver_interface/internal/Supernodal_solution.h>
 
 #include <Eigen/Core>
 
@@ -131,7 +131,7 @@ public:
       return false;
     if(m_upper.Store != nullptr)
       return solve_with_both_factors(b);
-    const SuperLU_symmetric_solution<FT> solution(m_lower);
+    const Supernodal_solution<FT, SuperLU_factors> solution(*this);
     const auto order = Eigen::Map<const Eigen::VectorXi>(m_analysis->permutation().data(), size());
     Eigen::Matrix<FT, Eigen::Dynamic, 1> permuted(size());
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
@@ -142,7 +142,21 @@ public:
     return true;
   }
 
+  // The supernodes of L, with the pivots on their diagonals. (SuperLU's own solution reads both factors.)
+  int number_of_supernodes() const { return lower().nsuper + 1; }
+
+  Supernode<FT> supernode(int s) const
+  {
+    const superlu::SCformat& l = lower();
+    const int first = l.sup_to_col[s], columns = l.sup_to_col[s + 1] - first;
+    const auto row_begin = l.rowind_colptr[first];
+    return {first, columns, static_cast<int>(l.rowind_colptr[first + 1] - row_begin),
+            l.rowind + row_begin + columns, static_cast<const FT*>(l.nzval) + l.nzval_colptr[first]};
+  }
+
 private:
+  const superlu::SCformat& lower() const { return *static_cast<const superlu::SCformat*>(m_lower.Store); }
+
   static bool can_allocate(double bytes)
   {
     if(bytes >= static_cast<double>((std::numeric_limits<std::ptrdiff_t>::max)()))

@@ -44,7 +44,7 @@ inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& 
 // From angles to coordinates, in the way asked for. Returns `false` with the reason in `report`.
 template <typename SolverTraits, typename ScalarSolver>
 bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plus_plus_options& options,
-             const SolverTraits& traits, const ScalarSolver& scalar_solver, std::vector<Chart::Point_2>& uv,
+             const SolverTraits& traits, ScalarSolver scalar_solver, std::vector<Chart::Point_2>& uv,
              ABF_plus_plus_report& report)
 {
   typedef ABF_plus_plus_options Options;

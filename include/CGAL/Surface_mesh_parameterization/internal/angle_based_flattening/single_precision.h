@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
 #include <CGAL/SuperLU_solver_traits.h>
@@ -58,14 +59,12 @@ private:
   Symmetric_system<SolverTraits> m_system;
 };
 
-#ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
-
-// A definite system that is factored in single precision if that suffices, else in double. Single precision takes two
-// thirds of the memory and of the time, or a little more; its solutions are good enough to precondition.
+// A definite system that is factored in single precision if that suffices, else in double: solutions are good enough to
+// precondition.
 class Single_precision_system
 {
 public:
-  typedef SuperLU_solver_traits<float> Traits;
+  typedef Single_precision_solver Traits;
 
   explicit Single_precision_system(Traits traits) : m_single(std::move(traits)) {}
 
@@ -103,12 +102,12 @@ struct Preconditioning<SuperLU_solver_traits<double>>
 };
 
 template <>
-class Definite_system<SuperLU_solver_traits<float>>
+class Definite_system<Single_precision_solver>
 {
   static constexpr int max_steps = 30; // about as long as it takes to factor the matrix in double precision
 
 public:
-  explicit Definite_system(SuperLU_solver_traits<float> traits) : m_single(std::move(traits)) {}
+  explicit Definite_system(Single_precision_solver traits) : m_single(std::move(traits)) {}
 
   bool solve(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides, Two_vectors& solutions)
   {
@@ -135,11 +134,9 @@ private:
     return solved[0] && solved[1];
   }
 
-  Symmetric_system<SuperLU_solver_traits<float>> m_single;
+  Symmetric_system<Single_precision_solver> m_single;
   bool m_is_repeated = false;
 };
-
-#endif // CGAL_SUPERLU_HAS_SINGLE_PRECISION
 
 } // namespace internal
 

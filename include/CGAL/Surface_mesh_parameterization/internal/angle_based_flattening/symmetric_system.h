@@ -31,7 +31,7 @@ struct Has_factor : std::false_type
 
 template <typename SolverTraits>
 struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().factor(
-                                    std::declval<const typename SolverTraits::Matrix&>(),
+                                    std::declval<typename SolverTraits::Matrix>(),
                                     std::declval<typename SolverTraits::NT&>()))>> : std::true_type
 {};
 
@@ -71,7 +71,7 @@ public:
     m_matrix = own(std::move(matrix));
     bool done = true;
     if constexpr(Has_factor<SolverTraits>::value)
-      done = m_traits.factor(*m_matrix, m_denominator);
+      done = m_traits.factor(std::move(*m_matrix), m_denominator);
     if(Owns_factorization<SolverTraits>::value)
       m_matrix.reset();
     return done;
