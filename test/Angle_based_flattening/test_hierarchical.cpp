@@ -415,6 +415,11 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   mesh.point(Mesh::Vertex_index(8)) = {0, 0, std::numeric_limits<double>::infinity()};
   BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
   BOOST_TEST(hierarchical.offending_vertices().front() == Mesh::Vertex_index(8));
+  Options wrong;
+  wrong.simplification_rate = 1;
+  hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);
+  BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
+  BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::WRONG_OPTION);
   BOOST_TEST(uv.empty());
 }
 

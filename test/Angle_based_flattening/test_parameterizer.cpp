@@ -362,6 +362,30 @@ BOOST_AUTO_TEST_CASE(wrong_input)
               Report::NOT_TRIANGULATED);
 }
 
+BOOST_AUTO_TEST_CASE(wrong_options)
+{
+  Surface_mesh mesh;
+  test_meshes::make_bump(4, mesh);
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  std::vector<Options> wrong;
+  const auto set = [&](auto member, auto value) { wrong.emplace_back().*member = value; };
+  for(double value : {-0.1, nan, infinity})
+    set(&Options::barrier, value);
+  for(double value : {0., -1e-5, nan}) {
+    set(&Options::tolerance, value);
+    set(&Options::energy_tolerance, value);
+  }
+  set(&Options::max_iterations, -1);
+  set(&Options::threads, -1);
+  for(const Options& options : wrong) {
+    Flattening<Surface_mesh> flattening(options);
+    BOOST_TEST(flattening.run(mesh) == SMP::ERROR_WRONG_PARAMETER);
+    BOOST_TEST(flattening.parameterizer.report().diagnosis == Report::WRONG_OPTION);
+    BOOST_TEST(!flattening.parameterizer.report().message.empty());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_topology)
 {
   Surface_mesh punctured;

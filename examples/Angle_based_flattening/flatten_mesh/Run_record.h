@@ -58,6 +58,8 @@ inline std::string status_name(const SMP::ABF_plus_plus_report& report)
     return "LINEAR_SYSTEM_FAILED";
   case Report::NO_CONVERGENCE:
     return "NO_CONVERGENCE";
+  case Report::WRONG_OPTION:
+    return "WRONG_OPTION";
   case Report::WRONG_LAYOUT:
     return "WRONG_LAYOUT";
   case Report::FLIPPED_TRIANGLES:

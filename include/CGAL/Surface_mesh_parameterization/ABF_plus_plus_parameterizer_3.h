@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/wrong_option.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/SuperLU_solver_traits.h>
@@ -124,7 +125,7 @@ public:
   ///    stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 238 million
-  ///    triangles, or an option does not apply.
+  ///    triangles, or an option is out of its range or does not apply.
   ///
   /// \exception std::bad_alloc if the memory does not suffice. Exceptions that a visitor or a property map throws pass, too.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
@@ -166,6 +167,8 @@ private:
   {
     *m_outcome = Outcome();
     ABF_plus_plus_report& report = m_outcome->report;
+    if(!m_outcome->accept(internal::wrong_option(m_options)))
+      return report.status;
     internal::Stopwatch stopwatch;
     internal::visit_stage(m_options.visitor, Flattening_visitor::READ);
     internal::Chart_reader<Triangle_mesh> reader(mesh);

@@ -46,13 +46,14 @@ struct ABF_plus_plus_report
     NOT_ON_BORDER,    ///< The given halfedge is null or not on a border.
     NOT_TRIANGULATED, ///< A face is not a triangle.
     NON_FINITE_POINT, ///< A coordinate is infinite or not a number.
-    TOO_LARGE,        ///< More corners than an `int` can count.
+    TOO_LARGE,        ///< More than 238 million triangles.
     PINCHED_VERTEX,   ///< The surface is not a manifold at a vertex.
     SEVERAL_BORDERS,  ///< The chart has holes, and `ABF_plus_plus_options::allow_holes` is `false`.
     HANDLES,          ///< The chart has handles: no cutting along the border makes it a disk.
     PARALLEL_EDGES,   ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
     LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
     NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
+    WRONG_OPTION,      ///< An option is out of its range.
     WRONG_LAYOUT,      ///< The exact layout was asked for and does not apply.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are right.
     PRECISION_EXCEEDED, ///< There is a valid map, but the coordinates' number type does not hold the one found.

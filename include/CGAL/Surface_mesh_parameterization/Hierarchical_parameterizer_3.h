@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/polish.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/wrong_option.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh.h>
@@ -162,6 +163,8 @@ private:
   {
     *m_outcome = Outcome();
     Hierarchical_report& report = m_outcome->report;
+    if(!m_outcome->accept(internal::wrong_option(m_options)))
+      return report.status;
     internal::Stopwatch stopwatch;
     internal::visit_stage(m_options.visitor, Flattening_visitor::READ);
     internal::Chart_reader<Triangle_mesh> reader(mesh);
@@ -189,8 +192,13 @@ private:
     Hierarchical_report& report = m_outcome->report;
     const internal::Coarse_solver<Coarse_parameterizer> solve(m_coarse_parameterizer);
     if(!internal::flatten_hierarchically(chart, m_options, solve, uv, report)) {
-      internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::PRECISION_EXCEEDED,
-                     "double precision does not hold any valid map that was tried");
+      if(chart.borders.size() > 1)
+        internal::fail(
+            report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
+            "no coarse chart could be flattened, and with several borders there is no other start");
+      else
+        internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::PRECISION_EXCEEDED,
+                       "double precision does not hold any valid map that was tried");
       return false;
     }
     if(m_options.polish) {

@@ -21,6 +21,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -61,6 +62,15 @@ struct Outcome
     }
     report.peak_memory = peak_resident_size();
     return result;
+  }
+
+  // Returns `false`, with the reason in the report, if the options make no sense.
+  bool accept(const std::string& wrong_option)
+  {
+    if(wrong_option.empty())
+      return true;
+    fail(report, ERROR_WRONG_PARAMETER, ABF_plus_plus_report::WRONG_OPTION, wrong_option);
+    return false;
   }
 
   // Reads the chart of `bhd`. Returns `false`, with the reason in the report, if it cannot be flattened.
