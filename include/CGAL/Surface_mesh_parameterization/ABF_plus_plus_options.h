@@ -52,7 +52,7 @@ struct ABF_plus_plus_options
 
   /// Largest violation of a constraint at a vertex that is accepted, in radians; positive. That of the reconstruction
   /// constraint is the logarithm of a ratio of lengths. The layout closes what is left: with the default value, measures
-  /// of distortion have five or more right digits.
+  /// of distortion have four or more right digits.
   double tolerance = 1e-5;
 
   /// The solver goes on until it takes a step that promised to lower the energy by less than this part of it; positive. As

@@ -20,6 +20,7 @@
 
 #include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
 
 namespace CGAL {
@@ -35,16 +36,40 @@ class Single_precision_solver
   typedef Eigen::SparseMatrix<float> Columns;
   typedef Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> Permutation;
 
+  // Eigen counts the factor's entries with an `int`, and does not notice when that is too small: 214 for an unknown. There
+  // are 50 at a million unknowns, and they become more with the logarithm.
+  static constexpr int largest = 10000000;
+
 public:
   typedef float NT;
   typedef Eigen_sparse_matrix<float> Matrix;
   typedef Eigen_vector<float> Vector;
 
-  // Uses up the matrix. Returns `false` if it is not definite, or not in single precision.
+  // Uses up the matrix. Returns `false` if it is not definite, or not in single precision, or the factors are too large.
   bool factor(Matrix&& a, NT& denominator)
   {
     denominator = 1;
     m_factors.reset();
+    try {
+      return factor(a);
+    } catch(const std::bad_alloc&) {
+      return false;
+    }
+  }
+
+  bool linear_solver(const Vector& b, Vector& x) const
+  {
+    Eigen::VectorXf permuted = *m_permutation * b.eigen_object();
+    CGAL::internal::Supernodal_solution<float, Supernodal_factors>(*m_factors).solve(permuted);
+    x.eigen_object() = m_permutation->transpose() * permuted;
+    return x.eigen_object().allFinite();
+  }
+
+private:
+  bool factor(Matrix& a)
+  {
+    if(a.row_dimension() > largest)
+      return false;
     order(a.eigen_object());
     Columns permuted(a.row_dimension(), a.row_dimension());
     permuted.selfadjointView<Eigen::Lower>() =
@@ -58,15 +83,6 @@ public:
     return true;
   }
 
-  bool linear_solver(const Vector& b, Vector& x) const
-  {
-    Eigen::VectorXf permuted = *m_permutation * b.eigen_object();
-    CGAL::internal::Supernodal_solution<float, Supernodal_factors>(*m_factors).solve(permuted);
-    x.eigen_object() = m_permutation->transpose() * permuted;
-    return x.eigen_object().allFinite();
-  }
-
-private:
   void order(const Columns& a)
   {
     if(m_permutation != nullptr && m_permutation->size() == a.rows())
