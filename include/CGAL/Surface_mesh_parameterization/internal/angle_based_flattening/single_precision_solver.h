@@ -10,6 +10,7 @@
 
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/Solver_interface/internal/Supernodal_solution.h>
+#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/supernodal_factors.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
@@ -29,16 +30,17 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
-// Solves definite systems in single precision. (SuperLU would compute U as well, with twice the operations.) Copies share
-// the factors and the ordering; all matrices that an object and its copies factor have one pattern.
+// Solves definite systems in single precision: with Eigen's Cholesky factors, which take half the operations and a fraction
+// of the memory of SuperLU's L and U, as long as these are not so large that SuperLU's blocks make up for that. Copies
+// share the factors and the ordering; all matrices that an object and its copies factor have one pattern.
 class Single_precision_solver
 {
   typedef Eigen::SparseMatrix<float> Columns;
   typedef Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> Permutation;
 
-  // Eigen counts the factor's entries with an `int`, and does not notice when that is too small: 214 for an unknown. There
-  // are 50 at a million unknowns, and they become more with the logarithm.
-  static constexpr int largest = 10000000;
+  // In the number of unknowns. (Eigen counts the entries of a factor with an `int`, and would not notice if that were too
+  // small; there are about 50 for an unknown here.)
+  static constexpr int largest_without_blocks = 1000000;
 
 public:
   typedef float NT;
@@ -50,6 +52,8 @@ public:
   {
     denominator = 1;
     m_factors.reset();
+    if(a.row_dimension() > largest_without_blocks)
+      return m_blocks.factor(a, denominator);
     try {
       return factor(a);
     } catch(const std::bad_alloc&) {
@@ -59,6 +63,8 @@ public:
 
   bool linear_solver(const Vector& b, Vector& x) const
   {
+    if(m_factors == nullptr)
+      return m_blocks.linear_solver(b, x);
     Eigen::VectorXf permuted = *m_permutation * b.eigen_object();
     CGAL::internal::Supernodal_solution<float, Supernodal_factors>(*m_factors).solve(permuted);
     x.eigen_object() = m_permutation->transpose() * permuted;
@@ -68,8 +74,6 @@ public:
 private:
   bool factor(Matrix& a)
   {
-    if(a.row_dimension() > largest)
-      return false;
     order(a.eigen_object());
     Columns permuted(a.row_dimension(), a.row_dimension());
     permuted.selfadjointView<Eigen::Lower>() =
@@ -99,6 +103,16 @@ private:
     return (pivots.array() > significant * diagonal.array()).all();
   }
 
+#ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
+  SuperLU_solver_traits<float> m_blocks;
+#else
+  struct Without_blocks
+  {
+    bool factor(const Matrix&, NT&) { return false; }
+    bool linear_solver(const Vector&, Vector&) const { return false; }
+  };
+  Without_blocks m_blocks;
+#endif
   std::shared_ptr<const Permutation> m_permutation;
   std::shared_ptr<const Supernodal_factors> m_factors;
 };
