@@ -440,6 +440,21 @@ BOOST_AUTO_TEST_CASE(single_precision_solves)
   }
 }
 
+BOOST_AUTO_TEST_CASE(large_systems_are_solved_in_single_precision)
+{
+  const int n = 1000001;
+  const auto matrix = laplacian(n, 0.1);
+  const Vector b = random_vector(n, 5);
+  Vector x;
+  abf::Single_precision_system system{abf::Single_precision_solver()};
+  BOOST_REQUIRE(system.set_matrix(matrix));
+  BOOST_REQUIRE(system.solve(b, x));
+#ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
+  BOOST_TEST(!system.is_repeated_in_double());
+#endif
+  BOOST_TEST(relative_residual(matrix, x, b) < 1e-4);
+}
+
 BOOST_AUTO_TEST_CASE(single_precision_refuses_what_is_not_definite)
 {
   Eigen::SparseMatrix<float> matrix(3, 3);
