@@ -50,12 +50,13 @@ Vector random_vector(Eigen::Index n, unsigned int seed)
 Matrix constraint_jacobian(const Chart& chart, const std::vector<double>& alpha)
 {
   Matrix jacobian = Matrix::Zero(2 * chart.number_of_interior_vertices, alpha.size());
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    const abf::Local_jacobian local = abf::local_jacobian(chart, t, abf::cotangents(alpha, t));
-    for(int k = 0; k < 3; ++k)
-      if(const int i = chart.interior[chart.vertex[3 * t + k]]; i >= 0)
-        jacobian.block<2, 3>(2 * i, 3 * t) += local.block<2, 3>(2 * k, 0);
-  }
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(const int i = chart.interior[chart.vertex[c]]; i >= 0) {
+      const int next = abf::next_corner(c), previous = abf::previous_corner(c);
+      jacobian(2 * i, c) = 1;
+      jacobian(2 * i + 1, next) = 1 / std::tan(alpha[next]);
+      jacobian(2 * i + 1, previous) = -1 / std::tan(alpha[previous]);
+    }
   return jacobian;
 }
 

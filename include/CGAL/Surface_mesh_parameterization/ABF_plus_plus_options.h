@@ -59,8 +59,8 @@ struct ABF_plus_plus_options
   /// Newton's method converges quadratically, what is left then is far less.
   double energy_tolerance = 1e-4;
 
-  /// Largest number of Newton steps on each rung of the ladder. A run that needs more is laid out as far as it came, and accepted only if no
-  /// triangle is flipped.
+  /// Largest number of Newton steps on each rung of the ladder. What needs more is laid out as far as it came, and accepted
+  /// only if no triangle is flipped.
   int max_iterations = 100;
 
   Step_type step = NEWTON; ///< Treatment of the constraints' second derivatives.

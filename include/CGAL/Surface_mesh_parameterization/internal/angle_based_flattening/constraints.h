@@ -55,30 +55,12 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
   return residual;
 }
 
-// The derivatives of the six constraints at the vertices of one triangle, border vertices' rows being zero,
-// with respect to its three angles. Rows 2k and 2k + 1 belong to the vertex of corner k.
 inline Eigen::Vector3d cotangents(const std::vector<double>& alpha, int triangle)
 {
   Eigen::Vector3d result;
   for(int k = 0; k < 3; ++k)
     result[k] = std::cos(alpha[3 * triangle + k]) / std::sin(alpha[3 * triangle + k]);
   return result;
-}
-
-typedef Eigen::Matrix<double, 6, 3> Local_jacobian;
-
-inline Local_jacobian local_jacobian(const Chart& chart, int triangle, const Eigen::Vector3d& cotangents)
-{
-  Local_jacobian jacobian = Local_jacobian::Zero();
-  for(int k = 0; k < 3; ++k) {
-    if(chart.interior[chart.vertex[3 * triangle + k]] < 0)
-      continue;
-    const int next = (k + 1) % 3, previous = (k + 2) % 3;
-    jacobian(2 * k, k) = 1;
-    jacobian(2 * k + 1, next) = cotangents[next];
-    jacobian(2 * k + 1, previous) = -cotangents[previous];
-  }
-  return jacobian;
 }
 
 // The second derivative of the sum of all constraints times their multipliers with respect to the angle at

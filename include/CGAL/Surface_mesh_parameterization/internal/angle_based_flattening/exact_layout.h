@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
@@ -79,9 +80,9 @@ inline void lay_out_border(const Chart& chart, const std::vector<double>& alpha,
 inline std::vector<double> cotangents(const std::vector<double>& alpha)
 {
   std::vector<double> result(alpha.size());
-  parallel_for_blocks(static_cast<int>(alpha.size()), [&](int begin, int end) {
-    for(int c = begin; c < end; ++c)
-      result[c] = std::cos(alpha[c]) / std::sin(alpha[c]);
+  parallel_for_blocks(static_cast<int>(alpha.size()) / 3, [&](int begin, int end) {
+    for(int t = begin; t < end; ++t)
+      Eigen::Map<Eigen::Vector3d>(result.data() + 3 * t) = cotangents(alpha, t);
   });
   return result;
 }

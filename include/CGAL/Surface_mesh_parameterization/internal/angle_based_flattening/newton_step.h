@@ -104,7 +104,8 @@ private:
     Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
   };
 
-  // B T, also of the border vertices, which nobody asks for
+  // B T: rows 2k and 2k + 1 are those of the constraints at the vertex of corner k, also where that is on the border, which
+  // nobody asks for.
   static Plane_jacobian plane_jacobian(const Eigen::Vector3d& cotangents)
   {
     const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();

@@ -22,8 +22,8 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
-// The factors L D L' of a symmetric matrix by supernodes: fewer subscripts, and twice as fast to solve with as the columns
-// from which they are made.
+// The factors L D L' of a symmetric matrix by supernodes: fewer subscripts, and faster to solve with than the columns from
+// which they are made.
 class Supernodal_factors
 {
 public:
