@@ -72,9 +72,15 @@ private:
   static constexpr FT precision = std::numeric_limits<FT>::epsilon();
   static constexpr int refinement_steps = 5;
 
+  // Symmetric matrices of meshes fill in so little that a panel of SuperLU's default width leaves the cache.
+  int panel_width() const
+  {
+    return is_symmetric() ? (std::min)(4, superlu::sp_ienv(1)) : superlu::sp_ienv(1);
+  }
+
   Result factor_definite(const Columns& a, FT sign)
   {
-    if(!m_factors.factor(a))
+    if(!m_factors.factor(a, panel_width()))
       return NOT_DEFINITE;
     const bool definite = pivots_have_sign(sign);
     if constexpr(Tolerances::pivots_show_singularity) {
@@ -95,7 +101,7 @@ private:
     Columns scaled = a;
     m_scaling.equilibrate(scaled);
     const FT significant = 64 * precision;
-    const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled) &&
+    const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, panel_width()) &&
                       least_relative_pivot(Vector::Ones(size())) > significant &&
                       (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
                       is_accurate(scaled);

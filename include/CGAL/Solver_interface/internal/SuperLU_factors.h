@@ -54,6 +54,9 @@ public:
       superlu::Destroy_CompCol_Matrix(&m_upper);
   }
 
+  // SuperLU counts panels and relaxed supernodes of each width up to the larger one of its own parameters.
+  static int largest_width() { return (std::max)(superlu::sp_ienv(1), superlu::sp_ienv(2)); }
+
   static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_pattern& a, bool symmetric)
   {
     return std::make_shared<SuperLU_analysis>(a, symmetric, superlu::sp_ienv(2), superlu::sp_ienv(3));
@@ -65,12 +68,16 @@ public:
   // The number of entries of L and U, the unit diagonal of L not counted
   std::size_t nonzeros() const { return m_nonzeros; }
 
-  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
-  bool factor(const Columns& a)
+  // How often SuperLU had to grow one of its arrays
+  int expansions() const { return m_expansions; }
+
+  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards. SuperLU treats up to
+  // `panel_width` columns at once.
+  bool factor(const Columns& a, int panel_width)
   {
     const double entries = initial_size(a);
     const double upper_bound = (std::max)(entries, static_cast<double>(m_analysis->factor_size()));
-    const int width = panel_size();
+    const int width = largest_panel(panel_width);
     if(width == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
     // two arrays of reals, two of integers, the work arrays, a dozen of vectors; and a buffer that OpenBLAS takes at its
@@ -167,11 +174,9 @@ private:
     return memory != nullptr;
   }
 
-  // The number of columns that SuperLU treats at once, or 0 if sizes overflow in it even with one. Symmetric matrices of
-  // meshes fill in so little that a panel of its default width leaves the cache.
-  int panel_size() const
+  // The largest number of columns up to `width` with which no size overflows in SuperLU, or 0 if one does even with one column
+  int largest_panel(int width) const
   {
-    int width = is_symmetric() ? (std::min)(4, superlu::sp_ienv(1)) : superlu::sp_ienv(1);
     while(width > 0 && work_size(width) > (std::numeric_limits<int>::max)())
       width /= 2;
     return width;
@@ -187,20 +192,21 @@ private:
     return (std::max)(integers, reals);
   }
 
-  // The number of entries for which SuperLU shall allocate memory initially. More than it will need, if that
-  // is known; growing costs copies. Beyond its default, bounds tend to be pessimistic.
+  // The number of entries for which SuperLU shall allocate memory initially; it makes room for at least a quarter as many
+  // subscripts. That is all it will need, if that is known. Otherwise bounds beyond its default tend to be pessimistic,
+  // and it may grow its arrays.
   double initial_size(const Columns& a) const
   {
-    // It makes room for a quarter as many subscripts. They must not fill that exactly: SuperLU 5.3 then writes the next
-    // one beyond the end.
-    const double needed = 1.01 * (std::max)(static_cast<double>(m_analysis->factor_size()),
-                                            4. * static_cast<double>(m_analysis->subscripts())) +
-                          1000;
+    const double needed = (std::max)(static_cast<double>(m_analysis->factor_size()),
+                                     room_for_subscripts(m_analysis->subscripts()));
     if(is_symmetric())
       return needed;
-    return (std::min)(needed,
-                      (std::max)(1., double(superlu::sp_ienv(6))) * static_cast<double>(a.nonZeros()));
+    const double usual = (std::max)(1., double(superlu::sp_ienv(6))) * static_cast<double>(a.nonZeros());
+    return (std::min)(needed, (std::max)(usual, room_for_subscripts(m_analysis->relaxed_subscripts())));
   }
+
+  // SuperLU grows the array of subscripts as soon as it is full, and not only when it needs more.
+  static double room_for_subscripts(std::size_t number) { return 4. * (static_cast<double>(number) + 1); }
 
   bool call_superlu(const Columns& a, double entries, int width, superlu::SuperLUStat_t& statistics)
   {
@@ -226,19 +232,20 @@ private:
     options.ColPerm = superlu::MY_PERMC;
     options.Equil = superlu::NO;
     options.PrintStat = superlu::NO;
-    options.SymmetricMode = is_symmetric() ? superlu::YES : superlu::NO;
+    options.SymmetricMode = superlu::YES; // which only says that the tree is not postordered
     options.DiagPivotThresh = is_symmetric() ? 0. : 1.;
 
     superlu::GlobalLU_t growing = superlu::GlobalLU_t();
     int info = 0;
     const SuperLU_one_blas_thread one_thread;
-    Functions::factor(&options, &columns, superlu::sp_ienv(2), width, tree.data(), nullptr, 0,
+    Functions::factor(&options, &columns, m_analysis->relax(), width, tree.data(), nullptr, 0,
                       column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing,
                       &statistics, &info);
     if(m_lower.Store == nullptr) // memory was exhausted, and what was there is left to us
       free_growing(growing);
     if(info != 0)
       return false;
+    m_expansions = statistics.expansions;
     m_nonzeros = static_cast<std::size_t>(static_cast<superlu::SCformat*>(m_lower.Store)->nnz) +
                  static_cast<superlu::NCformat*>(m_upper.Store)->nnz - n;
     return true;
@@ -278,6 +285,7 @@ private:
   std::vector<int> m_row_permutation;
   superlu::SuperMatrix m_lower, m_upper;
   std::size_t m_nonzeros = 0;
+  int m_expansions = 0;
 };
 
 } // namespace internal
