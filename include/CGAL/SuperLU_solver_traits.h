@@ -15,7 +15,9 @@
 
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Eigen_vector.h>
+#include <CGAL/SuperLU_options.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
+#include <CGAL/Solver_traits_properties.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +41,7 @@ definite and this is numerically stable. Any other matrix is factored in a COLAM
 partial pivoting, after its rows and columns were scaled.
 
 The ordering depends on the pattern of the matrix only: factoring another matrix that has its entries at
-the same places as the one before reuses it.
+the same places as the one before reuses it, also in a copy of this object. `analyze_pattern()` computes it beforehand.
 
 \cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d,
 NormalEquationSparseLinearAlgebraTraits_d}
@@ -56,7 +58,7 @@ the preconditioner is definite. A matrix that was rounded from `double` may be r
 singular but for the errors of `float` (with a definite matrix, if its least eigenvalue is below \f$ 1.2 \cdot 10^{-7}\f$ after it was
 scaled to a diagonal of ones; with any other, if its reciprocal condition number is, after its rows and columns were scaled), if an
 entry became infinite, or if entries became so small that they lost digits or vanished, and the others
-in their rows and columns are not much larger.
+in their rows and columns are not much larger. To precondition, `SuperLU_options::PIVOTS` checks less, and takes less time.
 SuperLU must have been built with single precision, as it is by default.
 
 \cgalHeading{Copies}
@@ -70,9 +72,12 @@ Every function that can fail returns `false` then, and leaves the object usable;
 of `factor()` it holds no factorization. Failures are: a matrix that is not square, is empty, is singular
 or has an entry that is not finite (a matrix that is singular but for rounding errors is recognized if it is semidefinite, by an
 estimate of its condition number, and otherwise, with `double`, only if a pivot is as small as these errors);
+with `SuperLU_options::PIVOTS` any matrix that is not definite;
 a right-hand side of another size or with an entry that is not finite; a solution that is
 not finite or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite of iterative refinement; factors with
-more than \f$ 2^{31}\f$ entries, or more than fit into memory.
+more than \f$ 2^{31}\f$ entries, or more than fit into memory. SuperLU itself ends the program where its memory
+does not suffice: what it will take is known before it is called, and is not promised twice if several threads factor
+at once.
 
 \cgalHeading{Thread Safety}
 
@@ -116,6 +121,13 @@ public:
   typedef Eigen::Matrix<NT, Eigen::Dynamic, Eigen::Dynamic> Dense_matrix;
   /// @}
 
+  /// \name Creation
+  /// @{
+
+  /// constructs a solver that checks and factors as `options` say.
+  explicit SuperLU_solver_traits(const SuperLU_options& options = SuperLU_options()) : m_options(options) {}
+  /// @}
+
   /// \name Operations
   /// @{
 
@@ -126,16 +138,30 @@ public:
     return factor(A, D) && linear_solver(B, X);
   }
 
+  /// computes the ordering for matrices with the pattern of `A`, that are definite if `A` might be, so that `factor()` can
+  /// use it, on this object and on copies made later. The factorization stays as it is.
+  /// \return `true` if successful
+  bool analyze_pattern(const Matrix& A)
+  {
+    try {
+      return with_columns(A, [&](const Columns& a) {
+        FT sign = 1;
+        if(!internal::superlu_is_well_formed(a))
+          return false;
+        analyze(a, internal::superlu_may_be_definite(a, sign));
+        return true;
+      });
+    } catch(const std::bad_alloc&) {
+      return false;
+    }
+  }
+
   /// factors `A` for subsequent calls of `linear_solver()`, and sets `D` to 1.
   /// \return `true` if successful
   bool factor(const Matrix& A, NT& D)
   {
     D = 1;
-    return factor_anew([&] {
-      const Columns& a = A.eigen_object();
-      return stores_one_triangle(A) ? factor_columns(a.template selfadjointView<Eigen::Lower>())
-                                    : factor_columns(a);
-    });
+    return factor_anew([&] { return with_columns(A, [&](const Columns& a) { return factor_columns(a); }); });
   }
 
   /// solves the linear system \f$ A \times X = B\f$, with \f$ A\f$ being the matrix passed to `factor()`.
@@ -187,12 +213,15 @@ public:
   }
 
   /// frees the memory of the factorization and of the ordering, unless a copy of this object needs it.
-  void clear() { *this = SuperLU_solver_traits(); }
+  void clear() { *this = SuperLU_solver_traits(m_options); }
 
   /// @}
 
-  /// \name Access to the Factorization
+  /// \name Access
   /// @{
+
+  /// returns the options.
+  const SuperLU_options& options() const { return m_options; }
 
   /// returns whether there is a factorization, that is, whether the last call of `factor()` was successful.
   bool is_factored() const { return m_factorization != nullptr; }
@@ -231,6 +260,15 @@ private:
     return A.row_dimension() == A.column_dimension() && internal::superlu_stores_one_triangle(A);
   }
 
+  // Calls `function` with the whole matrix that `A` stands for.
+  template <class Function>
+  static bool with_columns(const Matrix& A, const Function& function)
+  {
+    const Columns& a = A.eigen_object();
+    return stores_one_triangle(A) ? function(Columns(a.template selfadjointView<Eigen::Lower>()))
+                                  : function(a);
+  }
+
   bool factor_columns(const Columns& a)
   {
     if(!internal::superlu_is_well_formed(a))
@@ -241,6 +279,8 @@ private:
       if(result != Factorization::NOT_DEFINITE)
         return result == Factorization::FACTORED;
     }
+    if(m_options.check == SuperLU_options::PIVOTS)
+      return false;
     const int max_entries = 500000000; // COLAMD's workspace and the graph of A'A are indexed by int
     return a.nonZeros() <= max_entries && internal::SuperLU_matching(a).is_perfect() &&
            factor_columns(a, false, sign) == Factorization::FACTORED;
@@ -248,17 +288,24 @@ private:
 
   typename Factorization::Result factor_columns(const Columns& a, bool symmetric, FT sign)
   {
-    std::shared_ptr<const Analysis>& analysis = symmetric ? m_symmetric_analysis : m_general_analysis;
-    m_ordering_reused = analysis != nullptr && analysis->has_pattern_of(a);
-    if(!m_ordering_reused) {
-      analysis.reset();
-      analysis = internal::SuperLU_factors<FT>::analyze(a, symmetric);
-    }
-    std::shared_ptr<Factorization> factorization = std::make_shared<Factorization>(analysis);
+    m_ordering_reused = analyze(a, symmetric);
+    std::shared_ptr<Factorization> factorization =
+        std::make_shared<Factorization>(symmetric ? m_symmetric_analysis : m_general_analysis, m_options);
     const typename Factorization::Result result = factorization->factor(a, sign);
     if(result == Factorization::FACTORED)
       m_factorization = factorization;
     return result;
+  }
+
+  // Returns whether the pattern was analyzed before.
+  bool analyze(const Columns& a, bool symmetric)
+  {
+    std::shared_ptr<const Analysis>& analysis = symmetric ? m_symmetric_analysis : m_general_analysis;
+    if(analysis != nullptr && analysis->has_pattern_of(a))
+      return true;
+    analysis.reset();
+    analysis = internal::SuperLU_factors<FT>::analyze(a, symmetric, m_options);
+    return false;
   }
 
   template <class Vectors>
@@ -280,11 +327,31 @@ private:
     }
   }
 
+  SuperLU_options m_options;
   std::shared_ptr<const Factorization> m_factorization;
   std::shared_ptr<const Analysis> m_symmetric_analysis, m_general_analysis;
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   bool m_ordering_reused = false;
 };
+
+template <class FT>
+struct Has_independent_copies<SuperLU_solver_traits<FT>> : std::true_type
+{};
+
+#ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
+template <>
+struct Low_precision_solver_traits<SuperLU_solver_traits<double>>
+{
+  typedef SuperLU_solver_traits<float> type;
+
+  static type create(const SuperLU_solver_traits<double>& traits)
+  {
+    SuperLU_options options = traits.options();
+    options.check = SuperLU_options::PIVOTS;
+    return type(options);
+  }
+};
+#endif
 
 } // namespace CGAL
 

@@ -39,6 +39,13 @@ std::shared_ptr<const Analysis> analyze(const Columns& a, bool symmetric, int re
   return std::make_shared<Analysis>(a, symmetric, relax, CGAL::internal::superlu::sp_ienv(3));
 }
 
+CGAL::SuperLU_options with_panels(int width)
+{
+  CGAL::SuperLU_options options;
+  options.panel_width = width;
+  return options;
+}
+
 // Definite, with -1 where an edge is
 Columns with_edges(int n, std::vector<Triplet> edges)
 {
@@ -72,7 +79,7 @@ void check_that_nothing_grows(const Columns& a, int relax, int panel)
   {
     const auto analysis = analyze(a, true, relax);
     CGAL::internal::SuperLU_factors<FT> factors(analysis);
-    BOOST_REQUIRE(factors.factor(a.cast<FT>(), panel));
+    BOOST_REQUIRE(factors.factor(a.cast<FT>(), with_panels(panel)));
     BOOST_TEST(factors.expansions() == 0);
     BOOST_TEST(factors.nonzeros() <= 2 * analysis->factor_size());
   }
@@ -191,7 +198,7 @@ BOOST_AUTO_TEST_CASE(room_is_what_is_needed)
       for(int relax : {1, 3, 10}) {
         const auto analysis = analyze(a, true, relax);
         CGAL::internal::SuperLU_factors<double> factors(analysis);
-        BOOST_REQUIRE(factors.factor(a, 1));
+        BOOST_REQUIRE(factors.factor(a, with_panels(1)));
         std::size_t stored = 0;
         for(int s = 0; s < factors.number_of_supernodes(); ++s)
           stored += std::size_t(factors.supernode(s).columns) * factors.supernode(s).rows;
@@ -213,7 +220,7 @@ BOOST_AUTO_TEST_CASE(arrays_that_grow)
     for(int j = 0; j < a.cols(); ++j)
       a.coeffRef(j, j) = random() % 2 == 0 ? 0. : random() % 3 - 1.;
     CGAL::internal::SuperLU_factors<double> factors(analyze(a, true, 1 + i % 20));
-    if(factors.factor(a, 1 + i / 20))
+    if(factors.factor(a, with_panels(1 + i / 20)))
       grown += factors.expansions() > 0;
   }
   BOOST_TEST(grown > 0);

@@ -373,6 +373,92 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(reuse, FT, Number_types)
   BOOST_CHECK_EQUAL(solver.factor_nonzeros(), 0u);
 }
 
+// The pattern is enough to compute the ordering, for the object and for its copies.
+BOOST_AUTO_TEST_CASE_TEMPLATE(pattern_analyzed_beforehand, FT, Number_types)
+{
+  std::mt19937 random(8);
+  for(bool symmetric : {true, false}) {
+    const Columns a = symmetric ? random_definite(100, random) : random_matrix(120, 4, random, 3);
+    Solver<FT> solver;
+    FT d;
+    BOOST_REQUIRE(solver.analyze_pattern(rounded<FT>(a)));
+    BOOST_CHECK(!solver.is_factored());
+    Solver<FT> copy = solver;
+    for(Solver<FT>* each : {&solver, &copy}) {
+      const Vector<FT> b = random_vector<FT>(static_cast<int>(a.cols()), random);
+      Vector<FT> x(1);
+      BOOST_REQUIRE(each->factor(rounded<FT>(2 * a), d));
+      BOOST_CHECK(each->ordering_reused());
+      BOOST_CHECK_EQUAL(each->symmetric(), symmetric);
+      BOOST_REQUIRE(each->linear_solver(b, x));
+      check_solution(2 * a, b, x);
+    }
+    BOOST_CHECK(copy.analyze_pattern(rounded<FT>(grid_laplacian(3, 3, 1))));
+    BOOST_CHECK(copy.is_factored()); // as before
+    BOOST_CHECK(!solver.analyze_pattern(rounded<FT>(Columns(3, 4))));
+    BOOST_CHECK(solver.is_factored());
+  }
+}
+
+// What preconditions must be definite, and nothing else is asked for.
+BOOST_AUTO_TEST_CASE_TEMPLATE(only_pivots_checked, FT, Number_types)
+{
+  std::mt19937 random(9);
+  CGAL::SuperLU_options options;
+  options.check = CGAL::SuperLU_options::PIVOTS;
+  Solver<FT> solver(options);
+  FT d;
+  for(int size : {1, 2, 7, 30}) {
+    const Columns a = grid_laplacian(size, size + 1, 0.5);
+    for(double sign : {1., -1.}) {
+      const Vector<FT> b = random_vector<FT>(static_cast<int>(a.cols()), random);
+      Vector<FT> x(1);
+      BOOST_REQUIRE(solver.linear_solver(rounded<FT>(sign * a), b, x, d));
+      BOOST_CHECK(solver.symmetric());
+      check_solution(sign * a, b, x);
+    }
+  }
+
+  Columns indefinite = grid_laplacian(6, 5, 0.5);
+  indefinite.coeffRef(7, 7) = 0.3;
+  const FT least = 16 * std::numeric_limits<FT>::epsilon();
+  for(const Columns& a : {indefinite, random_matrix(40, 3, random, 3)}) {
+    BOOST_CHECK(Solver<FT>().factor(rounded<FT>(a), d));
+    BOOST_CHECK(!solver.factor(rounded<FT>(a), d));
+    BOOST_CHECK(!solver.is_factored());
+  }
+  for(FT pivot : {FT(0), -least, least / 2, std::numeric_limits<FT>::quiet_NaN()}) {
+    Columns a(3, 3);
+    a.setIdentity();
+    a.coeffRef(0, 1) = a.coeffRef(1, 0) = 1;
+    a.coeffRef(0, 0) = 1 + double(pivot);
+    a.makeCompressed();
+    BOOST_CHECK(!solver.factor(rounded<FT>(a), d));
+  }
+}
+
+// More than SuperLU has counters and room for
+BOOST_AUTO_TEST_CASE_TEMPLATE(widths, FT, Number_types)
+{
+  std::mt19937 random(10);
+  for(bool symmetric : {true, false}) {
+    const Columns a = symmetric ? grid_laplacian(40, 40, 0.1) : random_matrix(300, 3, random, 3);
+    const Vector<FT> b = random_vector<FT>(static_cast<int>(a.cols()), random);
+    for(int width : {-5, 1, 2, 19, 20, 21, 1000000})
+      for(int relax : {-5, 1, 2, 19, 20, 21, 1000000}) {
+        CGAL::SuperLU_options options;
+        options.panel_width = width;
+        options.relax = relax;
+        Solver<FT> solver(options);
+        FT d;
+        Vector<FT> x(1);
+        BOOST_REQUIRE(solver.linear_solver(rounded<FT>(a), b, x, d));
+        check_solution(a, b, x);
+        BOOST_CHECK_EQUAL(solver.options().relax, relax);
+      }
+  }
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(several_right_sides, FT, Number_types)
 {
   std::mt19937 random(8);
@@ -617,6 +703,29 @@ BOOST_AUTO_TEST_CASE(too_little_memory)
   Vector<double> x(1);
   BOOST_REQUIRE(solver.linear_solver(matrix, b, x, d));
   check_solution(a, b, x);
+}
+
+// Two factorizations at once are not promised the same memory.
+BOOST_AUTO_TEST_CASE(memory_is_promised_once)
+{
+  typedef CGAL::internal::SuperLU_memory Memory;
+  rlimit old_limit;
+  BOOST_REQUIRE_EQUAL(getrlimit(RLIMIT_AS, &old_limit), 0);
+  rlimit limit = old_limit;
+  limit.rlim_cur = rlim_t(8) << 30;
+  BOOST_REQUIRE_EQUAL(setrlimit(RLIMIT_AS, &limit), 0);
+  bool first, second, after;
+  {
+    const Memory memory(4.5e9);
+    first = memory.is_there();
+    second = Memory(4.5e9).is_there();
+  }
+  after = Memory(4.5e9).is_there();
+  BOOST_REQUIRE_EQUAL(setrlimit(RLIMIT_AS, &old_limit), 0);
+  BOOST_CHECK(first);
+  BOOST_CHECK(!second);
+  BOOST_CHECK(after);
+  BOOST_CHECK(!Memory(1e300).is_there());
 }
 #endif
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORIZATION_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORIZATION_H
 
+#include <CGAL/SuperLU_options.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
 #include <CGAL/Solver_interface/internal/SuperLU_scaling.h>
 #include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
@@ -36,8 +37,8 @@ class SuperLU_factorization
 public:
   typedef typename SuperLU_factors<FT>::Block Block;
 
-  explicit SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis)
-      : m_factors(std::move(analysis))
+  SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis, const SuperLU_options& options)
+      : m_factors(std::move(analysis)), m_options(options)
   {}
 
   bool is_symmetric() const { return m_factors.is_symmetric(); }
@@ -55,6 +56,8 @@ public:
   // `sign` is that of the pivots in symmetric mode.
   Result factor(const Columns& a, FT sign)
   {
+    if(m_options.check == SuperLU_options::PIVOTS)
+      return factor_with_pivots_checked(a, sign);
     return is_symmetric() ? factor_definite(a, sign) : factor_scaled(a);
   }
 
@@ -72,15 +75,20 @@ private:
   static constexpr FT precision = std::numeric_limits<FT>::epsilon();
   static constexpr int refinement_steps = 5;
 
-  // Symmetric matrices of meshes fill in so little that a panel of SuperLU's default width leaves the cache.
-  int panel_width() const
+  Result factor_with_pivots_checked(const Columns& a, FT sign)
   {
-    return is_symmetric() ? (std::min)(4, superlu::sp_ienv(1)) : superlu::sp_ienv(1);
+    const FT significant =
+        16 * precision; // what is smaller may be rounding errors only, and does not tell the sign
+    const bool definite = m_factors.factor(a, m_options) && pivots_have_sign(sign) &&
+                          least_relative_pivot(a.diagonal().cwiseAbs()) > significant;
+    if(definite)
+      m_factors.keep_lower_factor_only();
+    return definite ? FACTORED : NOT_DEFINITE;
   }
 
   Result factor_definite(const Columns& a, FT sign)
   {
-    if(!m_factors.factor(a, panel_width()))
+    if(!m_factors.factor(a, m_options))
       return NOT_DEFINITE;
     const bool definite = pivots_have_sign(sign);
     if constexpr(Tolerances::pivots_show_singularity) {
@@ -101,7 +109,7 @@ private:
     Columns scaled = a;
     m_scaling.equilibrate(scaled);
     const FT significant = 64 * precision;
-    const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, panel_width()) &&
+    const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, m_options) &&
                       least_relative_pivot(Vector::Ones(size())) > significant &&
                       (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
                       is_accurate(scaled);
@@ -234,6 +242,7 @@ private:
   }
 
   SuperLU_factors<FT> m_factors;
+  SuperLU_options m_options;
   SuperLU_scaling m_scaling;
   std::unique_ptr<const Columns> m_matrix; // the scaled matrix, if refinement is needed
 };

@@ -6,10 +6,12 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 
+#include <CGAL/SuperLU_options.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
 #include <CGAL/Solver_interface/internal/SuperLU_functions.h>
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
+#include <CGAL/Solver_interface/internal/SuperLU_memory.h>
 #include <CGAL/Solver_interface/internal/Supernodal_solution.h>
 
 #include <Eigen/Core>
@@ -17,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -54,12 +55,11 @@ public:
       superlu::Destroy_CompCol_Matrix(&m_upper);
   }
 
-  // SuperLU counts panels and relaxed supernodes of each width up to the larger one of its own parameters.
-  static int largest_width() { return (std::max)(superlu::sp_ienv(1), superlu::sp_ienv(2)); }
-
-  static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_pattern& a, bool symmetric)
+  static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_pattern& a, bool symmetric,
+                                                         const SuperLU_options& options)
   {
-    return std::make_shared<SuperLU_analysis>(a, symmetric, superlu::sp_ienv(2), superlu::sp_ienv(3));
+    const int usual = symmetric ? (a.size < 200000 ? 6 : 10) : superlu::sp_ienv(2);
+    return std::make_shared<SuperLU_analysis>(a, symmetric, width(options.relax, usual), superlu::sp_ienv(3));
   }
 
   bool is_symmetric() const { return m_analysis->is_symmetric(); }
@@ -71,25 +71,26 @@ public:
   // How often SuperLU had to grow one of its arrays
   int expansions() const { return m_expansions; }
 
-  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards. SuperLU treats up to
-  // `panel_width` columns at once.
-  bool factor(const Columns& a, int panel_width)
+  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
+  bool factor(const Columns& a, const SuperLU_options& options = SuperLU_options())
   {
     const double entries = initial_size(a);
     const double upper_bound = (std::max)(entries, static_cast<double>(m_analysis->factor_size()));
-    const int width = largest_panel(panel_width);
-    if(width == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
+    // Symmetric matrices of meshes fill in so little that panels leave the cache.
+    const int panel = largest_panel(width(options.panel_width, is_symmetric() ? 1 : superlu::sp_ienv(1)));
+    if(panel == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
     // two arrays of reals, two of integers, the work arrays, a dozen of vectors; and a buffer that OpenBLAS takes at its
     // first use, and for which it would wait for ever
     const double blas_buffer = 1.5e8;
-    if(!can_allocate(2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(width) + 64. * size() +
-                     blas_buffer))
+    const SuperLU_memory memory(2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) +
+                                64. * size() + blas_buffer);
+    if(!memory.is_there())
       return false;
 
     superlu::SuperLUStat_t statistics;
     superlu::StatInit(&statistics);
-    const bool done = call_superlu(a, entries, width, statistics);
+    const bool done = call_superlu(a, entries, panel, statistics);
     superlu::StatFree(&statistics);
     return done;
   }
@@ -109,7 +110,8 @@ public:
   // An estimate of the reciprocal condition number in the 1-norm, that of the matrix being `norm`; 0 if unknown
   FT reciprocal_condition(FT norm) const
   {
-    if(!can_allocate(4. * size() * sizeof(FT)))
+    const SuperLU_memory memory(4. * size() * sizeof(FT));
+    if(!memory.is_there())
       return 0;
     char one_norm[] = "1";
     FT result = 0;
@@ -134,8 +136,6 @@ public:
   // Replaces the columns of `b` by the solutions.
   bool solve(Block b) const
   {
-    if(!can_allocate((b.cols() + 2.) * size() * sizeof(FT)))
-      return false;
     if(m_upper.Store != nullptr)
       return solve_with_both_factors(b);
     const Supernodal_solution<FT, SuperLU_factors> solution(*this);
@@ -164,14 +164,13 @@ public:
 private:
   const superlu::SCformat& lower() const { return *static_cast<const superlu::SCformat*>(m_lower.Store); }
 
-  static bool can_allocate(double bytes)
+  // SuperLU counts panels and relaxed supernodes of each width up to the larger one of its own parameters, and its work
+  // arrays have room for supernodes of the larger one of two others.
+  static int width(int asked_for, int usual)
   {
-    if(bytes >= static_cast<double>((std::numeric_limits<std::ptrdiff_t>::max)()))
-      return false;
-    void* volatile memory =
-        std::malloc(static_cast<std::size_t>(bytes)); // volatile: do not optimize this away
-    std::free(memory);
-    return memory != nullptr;
+    const int counted = (std::max)(superlu::sp_ienv(1), superlu::sp_ienv(2));
+    const int room = (std::max)(superlu::sp_ienv(3), superlu::sp_ienv(7));
+    return (std::min)({asked_for > 0 ? asked_for : usual, counted, room});
   }
 
   // The largest number of columns up to `width` with which no size overflows in SuperLU, or 0 if one does even with one column
@@ -264,6 +263,9 @@ private:
   bool solve_with_both_factors(Block b) const
   {
     const int n = size();
+    const SuperLU_memory memory((b.cols() + 2.) * n * sizeof(FT));
+    if(!memory.is_there())
+      return false;
     superlu::DNformat store = {n, b.data()};
     superlu::SuperMatrix right_side = {
         superlu::SLU_DN, Functions::number_type, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};
