@@ -8,6 +8,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Solver_traits_properties.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
@@ -15,6 +16,8 @@
 #include <Eigen/SparseCholesky>
 
 #include <iostream>
+#include <memory>
+#include <type_traits>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -43,6 +46,53 @@ struct Conjugate_gradient_traits
   }
 };
 
+// A solver of one's own that factors, in double or single precision. Each factorization is a new object, which copies of the
+// solver share and never change.
+template <typename FT>
+class Cholesky_traits
+{
+  typedef Eigen::SimplicialLLT<Eigen::SparseMatrix<FT>> Cholesky;
+
+public:
+  typedef FT NT;
+  typedef CGAL::Eigen_sparse_matrix<FT> Matrix;
+  typedef CGAL::Eigen_vector<FT> Vector;
+
+  bool factor(const Matrix& A, NT& D)
+  {
+    D = 1;
+    m_cholesky = std::make_shared<const Cholesky>(A.eigen_object());
+    return m_cholesky->info() == Eigen::Success;
+  }
+
+  bool linear_solver(const Vector& B, Vector& X) const
+  {
+    X.eigen_object() = m_cholesky->solve(B.eigen_object());
+    return true;
+  }
+
+  bool linear_solver(const Matrix& A, const Vector& B, Vector& X, NT& D)
+  {
+    return factor(A, D) && linear_solver(B, X);
+  }
+
+private:
+  std::shared_ptr<const Cholesky> m_cholesky;
+};
+
+// So two matrices can be factored at once, each by a copy...
+template <typename FT>
+struct CGAL::Has_independent_copies<Cholesky_traits<FT>> : std::true_type
+{};
+
+// ...and in single precision where the factors only precondition.
+template <>
+struct CGAL::Low_precision_solver_traits<Cholesky_traits<double>>
+{
+  typedef Cholesky_traits<float> type;
+  static type create(const Cholesky_traits<double>&) { return type(); }
+};
+
 template <typename SolverTraits>
 bool flatten(const char* name, Mesh& mesh)
 {
@@ -64,6 +114,7 @@ int main(int argc, char* argv[])
   }
   const bool ok = flatten<CGAL::Default>("SuperLU", mesh) &&
                   flatten<Simplicial_traits>("SimplicialLDLT", mesh) &&
-                  flatten<Conjugate_gradient_traits>("conjugate gradients", mesh);
+                  flatten<Conjugate_gradient_traits>("conjugate gradients", mesh) &&
+                  flatten<Cholesky_traits<double>>("Cholesky", mesh);
   return ok ? 0 : 1;
 }

@@ -99,6 +99,27 @@ private:
   Countdown* m_countdown;
 };
 
+// As a counterpart of lower precision, fails at any call of its own.
+class Faulty_counterpart : public CGAL::SuperLU_solver_traits<float>
+{
+  typedef CGAL::SuperLU_solver_traits<float> Base;
+
+public:
+  explicit Faulty_counterpart(Countdown& countdown) : m_countdown(&countdown) {}
+
+  bool factor(const Matrix& A, NT& D) { return !m_countdown->ends() && Base::factor(A, D); }
+  bool linear_solver(const Vector& B, Vector& X) { return !m_countdown->ends() && Base::linear_solver(B, X); }
+
+private:
+  Countdown* m_countdown;
+};
+
+struct Traits_with_faulty_counterpart : CGAL::SuperLU_solver_traits<>
+{
+  Countdown* countdown;
+  explicit Traits_with_faulty_counterpart(Countdown& c) : countdown(&c) {}
+};
+
 // A map of the user's that throws an exception at a call.
 template <typename Map>
 struct Throwing_map
@@ -160,6 +181,17 @@ struct Run
   std::vector<Point_3> points;
 };
 
+} // namespace
+
+template <>
+struct CGAL::Low_precision_solver_traits<Traits_with_faulty_counterpart>
+{
+  typedef Faulty_counterpart type;
+  static type create(const Traits_with_faulty_counterpart& traits) { return type(*traits.countdown); }
+};
+
+namespace {
+
 Options with_layout(Options::Layout_type layout)
 {
   Options options;
@@ -196,6 +228,34 @@ BOOST_AUTO_TEST_CASE(solver_that_fails)
     }
     BOOST_TEST(failures >= 4);
   }
+}
+
+// What the counterpart cannot do, the traits themselves do again; and that is reported.
+BOOST_AUTO_TEST_CASE(counterpart_that_fails)
+{
+  bool failed = true;
+  int repeated = 0, repeated_layouts = 0;
+  for(int call = 1; failed; ++call) {
+    Run run;
+    Countdown countdown{0, call};
+    SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Traits_with_faulty_counterpart> parameterizer(
+        Options(), Traits_with_faulty_counterpart(countdown));
+    BOOST_TEST(run.parameterize(parameterizer) == SMP::OK);
+    failed = countdown.has_ended();
+    const Report& report = parameterizer.report();
+    BOOST_TEST(report.converged);
+    int factored = 0, in_this_run = report.layout_repeated;
+    for(const SMP::ABF_plus_plus_step& step : report.steps) {
+      in_this_run += step.repeated_factorizations;
+      factored += step.factorizations;
+    }
+    BOOST_TEST(in_this_run <= 1);
+    BOOST_TEST(failed == (in_this_run > 0 || factored > 2)); // or whole systems were factored
+    repeated += in_this_run;
+    repeated_layouts += report.layout_repeated;
+  }
+  BOOST_TEST(repeated > repeated_layouts);
+  BOOST_TEST(repeated_layouts > 1);
 }
 
 // A wrong solution leads to a valid map all the same, or to an error.

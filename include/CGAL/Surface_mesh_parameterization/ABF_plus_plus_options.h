@@ -31,8 +31,8 @@ struct ABF_plus_plus_options
   enum Linear_solver
   {
     ITERATIVE, ///< By conjugate gradients, as exactly as the next step asks for. The factors of two scalar matrices, a
-    ///< quarter of the system each, precondition several steps; with `SuperLU_solver_traits` they are of single
-    ///< precision where that suffices. Where conjugate gradients are slow the system is factored.
+    ///< quarter of the system each, precondition several steps; the counterpart of lower precision of the solver traits
+    ///< computes them (`Low_precision_solver_traits`) where that suffices. Where conjugate gradients are slow the system is factored.
     ///< Traits without factorization solve each system as a whole.
     DIRECT ///< As a whole, as in the paper.
   };

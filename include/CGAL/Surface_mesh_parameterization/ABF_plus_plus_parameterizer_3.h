@@ -49,7 +49,9 @@ namespace Surface_mesh_parameterization {
 ///
 /// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d` with a field number type. Where it
 ///         models `SparseLinearAlgebraWithFactorTraits_d`, its factorizations are reused. The matrices are symmetric
-///         positive definite.<br>
+///         positive definite. All of them are factored by copies of the object given, or, where the factors only precondition
+///         conjugate gradients, by its counterpart of lower precision, `Low_precision_solver_traits<SolverTraits_>`.
+///         If `Has_independent_copies<SolverTraits_>`, two are factored at once.<br>
 ///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`
 ///
 /// Copies of a parameterizer share their report, so that it can be read after
@@ -137,6 +139,12 @@ public:
       result = m_outcome->of_run([&]() { return run(mesh, bhd, uvmap, vimap); });
     });
     return result;
+  }
+
+  /// returns the traits object that was given; what is factored is factored by copies of it.
+  const Solver_traits& solver_traits() const
+  {
+    return m_linear_algebra;
   }
 
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call changes it.

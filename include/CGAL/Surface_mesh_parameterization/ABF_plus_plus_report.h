@@ -30,7 +30,8 @@ struct ABF_plus_plus_step
   double step_length = 0;         ///< Part of the full step that was taken, in (0, 1].
   int linear_iterations = 0;      ///< Steps of conjugate gradients.
   int factorizations = 0; ///< Matrices factored: two by the iterative solver at first, one by the direct one.
-  int repeated_in_double = 0; ///< Of these, those that single precision was not enough for.
+  int repeated_factorizations = 0; ///< Of these, those that the counterpart of lower precision
+  ///< (`Low_precision_solver_traits`) refused, and that the solver traits themselves did again.
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -119,8 +120,8 @@ struct ABF_plus_plus_report
   std::vector<ABF_plus_plus_step> steps; ///< All steps.
 
   Layout layout = NO_LAYOUT; ///< The layout that gave the coordinates; none if they are those of a valid map.
-  bool layout_repeated_in_double = false; ///< Whether single precision was not enough for the exact layout.
-  double closure = 0; ///< Gap that the exact layout closed, relative to the border's length.
+  bool layout_repeated = false; ///< Whether low precision was not enough for the exact layout.
+  double closure = 0;           ///< Gap that the exact layout closed, relative to the border's length.
   bool border_is_simple =
       false;              ///< Whether no two edges of the planar border touch but neighbours: with no flipped
                           ///< triangle, the map is then injective as a whole.

@@ -52,7 +52,7 @@ struct Hierarchical_options
   /// distortion down to that of the direct method.
   bool polish = false;
 
-  /// Options of the direct solver that polishes. It uses `SuperLU_solver_traits`.
+  /// Options of the direct solver that polishes. What solves its linear systems is named to the parameterizer.
   ABF_plus_plus_options polish_options;
 
   /// Is told of the progress and may stop the computation, if not null. The coarse parameterizer and `polish_options` have

@@ -23,10 +23,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/wrong_option.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,39 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The solver traits that a parameterizer gives access to, or the default ones
+template <typename Parameterizer, typename = void>
+struct Solver_traits_of
+{
+  typedef SuperLU_solver_traits<> type;
+
+  template <typename SolverTraits>
+  static SolverTraits get(const Parameterizer&)
+  {
+    return SolverTraits();
+  }
+};
+
+template <typename Parameterizer>
+struct Solver_traits_of<Parameterizer,
+                        std::void_t<decltype(std::declval<const Parameterizer&>().solver_traits())>>
+{
+  typedef typename Parameterizer::Solver_traits type;
+
+  template <typename SolverTraits>
+  static SolverTraits get(const Parameterizer& parameterizer)
+  {
+    if constexpr(std::is_same<SolverTraits, type>::value)
+      return parameterizer.solver_traits();
+    else
+      return SolverTraits();
+  }
+};
+
+} // namespace internal
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
@@ -67,10 +102,15 @@ typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
 ///         LSCM.<br>
 ///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
 ///
+/// \tparam SolverTraits_ is what solves the linear systems of polishing (`Hierarchical_options::polish`); see
+///         `ABF_plus_plus_parameterizer_3` for the requirements.<br>
+///         <b>%Default:</b> `CoarseParameterizer_::Solver_traits`, as a copy of the object of the coarse parameterizer, if that has
+///         a member `solver_traits()`, as `ABF_plus_plus_parameterizer_3` has; otherwise `CGAL::SuperLU_solver_traits<>`.
+///
 /// Copies of a parameterizer share their report. Different threads need parameterizers that are not copies of one another.
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::ABF_plus_plus_parameterizer_3`
-template <typename TriangleMesh_, typename CoarseParameterizer_ = Default>
+template <typename TriangleMesh_, typename CoarseParameterizer_ = Default, typename SolverTraits_ = Default>
 class Hierarchical_parameterizer_3
 {
 public:
@@ -88,8 +128,13 @@ public:
   typedef CoarseParameterizer_ Coarse_parameterizer;
 #endif
 
-  /// Solver traits type of the coarse parameterizer
-  typedef typename Coarse_parameterizer::Solver_traits Solver_traits;
+#ifndef DOXYGEN_RUNNING
+  typedef typename Default::Get<
+      SolverTraits_, typename internal::Solver_traits_of<Coarse_parameterizer>::type>::type Solver_traits;
+#else
+  /// Solver traits type of polishing
+  typedef SolverTraits_ Solver_traits;
+#endif
 
   /// Mesh vertex type
   typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
@@ -100,11 +145,23 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart, of which it keeps copies.
+  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart, of which it keeps copies. Polishing
+  /// takes the solver traits object of the coarse parameterizer if it is of the type `Solver_traits`, and otherwise a default
+  /// constructed one.
   explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options(),
                                         Coarse_parameterizer coarse_parameterizer = Coarse_parameterizer())
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
+        m_linear_algebra(internal::Solver_traits_of<Coarse_parameterizer>::template get<Solver_traits>(
+            m_coarse_parameterizer)),
         m_outcome(std::make_shared<Outcome>())
+  {}
+
+  /// constructs a parameterizer from `options`, the parameterizer of the coarse chart, and a traits object for the linear
+  /// systems of polishing, of which it keeps copies.
+  Hierarchical_parameterizer_3(const Hierarchical_options& options, Coarse_parameterizer coarse_parameterizer,
+                               Solver_traits sparse_la)
+      : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
+        m_linear_algebra(std::move(sparse_la)), m_outcome(std::make_shared<Outcome>())
   {}
 
   /// flattens the connected component of `bhd`.
@@ -127,6 +184,12 @@ public:
       result = m_outcome->of_run([&]() { return run(mesh, bhd, uvmap, vimap); });
     });
     return result;
+  }
+
+  /// returns the traits object that solves the linear systems of polishing.
+  const Solver_traits& solver_traits() const
+  {
+    return m_linear_algebra;
   }
 
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
@@ -204,7 +267,7 @@ private:
     if(m_options.polish) {
       internal::Stopwatch stopwatch;
       internal::visit_stage(m_options.visitor, Flattening_visitor::POLISH);
-      internal::polish(chart, m_options, uv, report);
+      internal::polish(chart, m_options, m_linear_algebra, uv, report);
       report.seconds.polish = stopwatch.lap();
     }
     return true;
@@ -230,6 +293,7 @@ private:
 
   Hierarchical_options m_options;
   Coarse_parameterizer m_coarse_parameterizer;
+  Solver_traits m_linear_algebra;
   std::shared_ptr<Outcome> m_outcome;
 };
 

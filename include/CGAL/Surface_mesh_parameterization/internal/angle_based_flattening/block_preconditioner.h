@@ -10,13 +10,12 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/preconditioning_system.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <vector>
+#include <optional>
 
 namespace CGAL {
 
@@ -27,28 +26,34 @@ namespace internal {
 // The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones. Of the matrix
 // of Eq. 16 these are the multipliers of planarity and those of reconstruction: two weakly coupled Laplacians. Each of
 // the two has a quarter of the entries of the whole, and can be factored while the other one is, if there can be two
-// solvers; else one solver gets both as one matrix.
-template <typename System>
+// solvers; else one solver gets both as one matrix. All matrices have one pattern, which is analyzed once.
+template <typename SolverTraits>
 class Block_preconditioner
 {
-  static constexpr int number_of_systems = Owns_factorization<typename System::Traits>::value ? 2 : 1;
+  typedef Preconditioning_system<SolverTraits> System;
+  typedef Low_precision_traits<SolverTraits> Low;
+
+  static constexpr int number_of_systems = System::is_independent ? 2 : 1;
 
 public:
-  explicit Block_preconditioner(const typename System::Traits& traits)
-  {
-    for(int k = 0; k < number_of_systems; ++k)
-      m_systems.emplace_back(traits);
-  }
+  explicit Block_preconditioner(const SolverTraits& traits)
+      : m_first(traits, Low_precision_solver_traits<SolverTraits>::create(traits))
+  {}
 
   // Factors both diagonal blocks. Returns `false` if that fails.
   bool set_matrix(const Block_matrix<2>& matrix)
   {
-    std::array<bool, number_of_systems> done;
-    parallel_for(number_of_systems, [&](int k) {
-      const int last = number_of_systems == 1 ? 2 : k + 1;
-      done[k] = m_systems[k].set_matrix(Diagonal_parts<2>{matrix, k, last});
-    });
-    return done.front() && done.back();
+    if constexpr(number_of_systems == 1) {
+      return m_first.set_matrix(Diagonal_parts<2>{matrix});
+    } else {
+      if(!m_second) {
+        m_first.analyze_pattern(Diagonal_parts<2>{matrix, 0, 1});
+        m_second.emplace(m_first.traits(), m_first.low_precision_traits());
+      }
+      std::array<bool, 2> done;
+      parallel_for(2, [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); });
+      return done[0] && done[1];
+    }
   }
 
   bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
@@ -59,7 +64,7 @@ public:
     std::array<bool, number_of_systems> done;
     parallel_for(number_of_systems, [&](int k) {
       Eigen::VectorXd solution;
-      done[k] = m_systems[k].solve(sorted.segment(k * n, n), solution);
+      done[k] = system(k).solve(sorted.segment(k * n, n), solution);
       if(done[k])
         sorted.segment(k * n, n) = solution;
     });
@@ -69,16 +74,14 @@ public:
     return done.front() && done.back();
   }
 
-  // Factorizations of the last matrix that single precision was not enough for
-  int repeated_in_double() const
+  // Factorizations of the last matrix that low precision was not enough for
+  int repeated_factorizations() const
   {
-    return static_cast<int>(std::count_if(m_systems.begin(), m_systems.end(), [](const System& system) {
-      return system.is_repeated_in_double();
-    }));
+    return m_first.is_repeated() + (m_second && m_second->is_repeated());
   }
 
-  // The solver of one of the blocks, whose pattern is that of the one-rings of the interior vertices
-  const typename System::Traits& scalar_solver() const { return m_systems.front().traits(); }
+  // A solver that may know the pattern of one of the blocks, that of the one-rings of the interior vertices
+  const Low& low_precision_traits() const { return m_first.low_precision_traits(); }
 
 private:
   template <typename Vector>
@@ -87,7 +90,10 @@ private:
     return vector(Eigen::seqN(first, vector.size() / 2, 2));
   }
 
-  std::vector<System> m_systems;
+  System& system(int k) { return k == 0 ? m_first : *m_second; }
+
+  System m_first;
+  std::optional<System> m_second;
 };
 
 } // namespace internal

@@ -10,8 +10,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/definite_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
 
@@ -30,8 +30,8 @@ namespace internal {
 struct Layout
 {
   std::vector<Chart::Point_2> uv;
-  double closure = 0; // gap at the end of the border walk, relative to its length
-  bool is_repeated_in_double = false;
+  double closure = 0;       // gap at the end of the border walk, relative to its length
+  bool is_repeated = false; // whether low precision was not enough for the linear system
 };
 
 // The directed edges of the planar border, that the angles alone determine up to a similarity: at a vertex the
@@ -112,8 +112,8 @@ inline Two_vectors pull_of_border(const Chart& chart, const std::vector<double>&
 // Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
 // vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
 template <typename SolverTraits>
-bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, SolverTraits traits,
-                      Layout& layout)
+bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
+                      Low_precision_traits<SolverTraits> scalar_solver, Layout& layout)
 {
   const int n = chart.number_of_interior_vertices;
   if(n == 0)
@@ -131,24 +131,25 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, Solv
     });
     right_hand_sides = pull_of_border(chart, weights, layout);
   }
-  Definite_system<SolverTraits> system(std::move(traits));
+  Definite_system<SolverTraits> system(traits, std::move(scalar_solver));
   if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
     return false;
-  layout.is_repeated_in_double = system.is_repeated_in_double();
+  layout.is_repeated = system.is_repeated();
   for(int w = 0; w < chart.number_of_vertices(); ++w)
     if(const int i = chart.interior[w]; i >= 0)
       layout.uv[w] = Chart::Point_2(positions[0][i], positions[1][i]);
   return true;
 }
 
-// The layout of a chart with one border whose angles fulfil the constraints. Returns `false` if the linear solver
-// fails.
+// The layout of a chart with one border whose angles fulfil the constraints. `scalar_solver` may know the pattern of the
+// one-rings of the interior vertices. Returns `false` if the linear solver fails.
 template <typename SolverTraits>
-bool exact_layout(const Chart& chart, const std::vector<double>& alpha, SolverTraits traits, Layout& layout)
+bool exact_layout(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
+                  Low_precision_traits<SolverTraits> scalar_solver, Layout& layout)
 {
   layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
   lay_out_border(chart, alpha, layout);
-  return lay_out_interior(chart, alpha, std::move(traits), layout);
+  return lay_out_interior(chart, alpha, traits, std::move(scalar_solver), layout);
 }
 
 } // namespace internal

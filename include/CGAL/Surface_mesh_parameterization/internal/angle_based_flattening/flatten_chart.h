@@ -42,10 +42,10 @@ inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& 
 }
 
 // From angles to coordinates, in the way asked for. Returns `false` with the reason in `report`.
-template <typename SolverTraits, typename ScalarSolver>
+template <typename SolverTraits>
 bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plus_plus_options& options,
-             const SolverTraits& traits, ScalarSolver scalar_solver, std::vector<Chart::Point_2>& uv,
-             ABF_plus_plus_report& report)
+             const SolverTraits& traits, Low_precision_traits<SolverTraits> scalar_solver,
+             std::vector<Chart::Point_2>& uv, ABF_plus_plus_report& report)
 {
   typedef ABF_plus_plus_options Options;
   if(options.layout == Options::EXACT_LAYOUT && chart.borders.size() != 1) {
@@ -58,10 +58,10 @@ bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plu
   bool solved;
   if(exact) {
     Layout layout;
-    solved = exact_layout(chart, alpha, std::move(scalar_solver), layout);
+    solved = exact_layout(chart, alpha, traits, std::move(scalar_solver), layout);
     uv.swap(layout.uv);
     report.closure = layout.closure;
-    report.layout_repeated_in_double = layout.is_repeated_in_double;
+    report.layout_repeated = layout.is_repeated;
   } else {
     solved = Least_squares_layout(chart, alpha).solve(traits, uv);
   }
@@ -119,7 +119,7 @@ bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& option
                          ABF_plus_plus_report& report)
 {
   Stopwatch stopwatch;
-  std::optional<typename Preconditioning<SolverTraits>::System::Traits> scalar_solver;
+  std::optional<Low_precision_traits<SolverTraits>> scalar_solver;
   visit_stage(options.visitor, Flattening_visitor::ANGLES);
   const bool solved = solve_angles(chart, beta, options, traits, alpha, report, &scalar_solver);
   report.seconds.angles += stopwatch.lap();

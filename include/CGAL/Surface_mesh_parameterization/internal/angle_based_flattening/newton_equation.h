@@ -11,12 +11,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/single_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
 #include <Eigen/Core>
 
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -32,9 +32,10 @@ class Newton_equation
   static constexpr int max_steps = 60;      // about as long as it takes to factor the whole matrix
   static constexpr int steps_too_many = 20; // about as long as it takes to factor the preconditioner
 
-public:
-  typedef typename Preconditioning<SolverTraits>::System Scalar_system;
+  static constexpr bool has_low_precision =
+      !std::is_same<Low_precision_traits<SolverTraits>, SolverTraits>::value;
 
+public:
   // Traits that do not keep a factorization cannot be used to precondition.
   Newton_equation(const SolverTraits& traits, bool iteratively)
       : m_traits(traits), m_iteratively(iteratively && Has_factor<SolverTraits>::value)
@@ -44,15 +45,17 @@ public:
              const Iterative_accuracy& accuracy, Eigen::VectorXd& solution)
   {
     m_accuracy = accuracy;
-    m_steps = m_factorizations = m_repeated_in_double = 0;
+    m_steps = m_factorizations = m_repeated = 0;
     if(right_hand_side.size() == 0) {
       solution = right_hand_side;
       return true;
     }
     if(m_iteratively) {
       const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
-      if(status != Iterative_solution::NOT_SOLVED)
-        return status == Iterative_solution::SOLVED;
+      if(status == Iterative_solution::SOLVED)
+        return true;
+      if(status == Iterative_solution::FAILED && !has_low_precision)
+        return false;
     }
     m_iteratively = false;
     m_preconditioner.reset();
@@ -62,17 +65,17 @@ public:
     return m_whole_system->set_matrix(matrix) && m_whole_system->solve(right_hand_side, solution);
   }
 
-  // Of the last solution: steps of conjugate gradients, matrices that were factored, and those of them for which single
+  // Of the last solution: steps of conjugate gradients, matrices that were factored, and those of them for which low
   // precision was not enough.
   int steps() const { return m_steps; }
   int factorizations() const { return m_factorizations; }
-  int repeated_in_double() const { return m_repeated_in_double; }
+  int repeated_factorizations() const { return m_repeated; }
 
   // A solver that may know the pattern of the one-rings of the interior vertices already
-  typename Scalar_system::Traits scalar_solver() const
+  Low_precision_traits<SolverTraits> scalar_solver() const
   {
-    return m_preconditioner ? m_preconditioner->scalar_solver()
-                            : Preconditioning<SolverTraits>::traits(m_traits);
+    return m_preconditioner ? m_preconditioner->low_precision_traits()
+                            : Low_precision_solver_traits<SolverTraits>::create(m_traits);
   }
 
 private:
@@ -98,20 +101,20 @@ private:
   bool factor_preconditioner(const Block_matrix<2>& matrix)
   {
     if(!m_preconditioner)
-      m_preconditioner.emplace(Preconditioning<SolverTraits>::traits(m_traits));
+      m_preconditioner.emplace(m_traits);
     m_factorizations += 2;
     const bool done = m_preconditioner->set_matrix(matrix);
-    m_repeated_in_double += m_preconditioner->repeated_in_double();
+    m_repeated += m_preconditioner->repeated_factorizations();
     return done;
   }
 
   const SolverTraits m_traits;
   bool m_iteratively;
-  std::optional<Block_preconditioner<Scalar_system>> m_preconditioner;
+  std::optional<Block_preconditioner<SolverTraits>> m_preconditioner;
   bool m_preconditioner_is_stale = false;
   std::optional<Symmetric_system<SolverTraits>> m_whole_system;
   Iterative_accuracy m_accuracy;
-  int m_steps = 0, m_factorizations = 0, m_repeated_in_double = 0;
+  int m_steps = 0, m_factorizations = 0, m_repeated = 0;
 };
 
 } // namespace internal

@@ -148,10 +148,9 @@ inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_p
 // Returns `false` if the linear solver fails. If
 // `scalar_solver` is not null it becomes a copy of the traits that may know the pattern of the layout's system.
 template <typename SolverTraits>
-bool solve_angles(
-    const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
-    const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report,
-    std::optional<typename Preconditioning<SolverTraits>::System::Traits>* scalar_solver = nullptr)
+bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
+                  const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report,
+                  std::optional<Low_precision_traits<SolverTraits>>* scalar_solver = nullptr)
 {
   const Angle_energy energy{options.barrier};
   Newton_system<SolverTraits> system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON,
@@ -178,7 +177,7 @@ bool solve_angles(
       break;
     report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
                             step.predicted_decrease, length, system.equation().steps(),
-                            system.equation().factorizations(), system.equation().repeated_in_double()});
+                            system.equation().factorizations(), system.equation().repeated_factorizations()});
     visit_step(options.visitor, report.steps.back());
     report.converged = has_converged(options, report.steps.back(), beta.size());
   }

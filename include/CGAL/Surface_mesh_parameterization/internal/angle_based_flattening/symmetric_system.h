@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Eigen_matrix.h>
-#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Solver_traits_properties.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 
 #include <Eigen/SparseCore>
@@ -35,14 +35,28 @@ struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>
                                     std::declval<typename SolverTraits::NT&>()))>> : std::true_type
 {};
 
-// Whether the factorization is each copy's own, and does not refer to the matrix. Copies of `Eigen_solver_traits` share
-// one solver.
-template <typename SolverTraits>
-struct Owns_factorization : std::false_type
+// Whether they can be told a pattern before the first matrix with it, as `Eigen::SimplicialLDLT` and
+// `SuperLU_solver_traits` can.
+template <typename SolverTraits, typename = void>
+struct Has_analyze_pattern : std::false_type
 {};
 
-template <typename T>
-struct Owns_factorization<SuperLU_solver_traits<T>> : std::true_type
+template <typename SolverTraits>
+struct Has_analyze_pattern<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().analyze_pattern(
+                                             std::declval<const typename SolverTraits::Matrix&>()))>>
+    : std::true_type
+{};
+
+// Whether solving leaves them as they are, so that several threads may use one factorization.
+template <typename SolverTraits, typename = void>
+struct Has_const_solution : std::false_type
+{};
+
+template <typename SolverTraits>
+struct Has_const_solution<SolverTraits,
+                          std::void_t<decltype(std::declval<const SolverTraits&>().linear_solver(
+                              std::declval<const typename SolverTraits::Vector&>(),
+                              std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
 {};
 
 // A symmetric linear system, solved for one right-hand side after the other by any model of
@@ -72,9 +86,19 @@ public:
     bool done = true;
     if constexpr(Has_factor<SolverTraits>::value)
       done = m_traits.factor(std::move(*m_matrix), m_denominator);
-    if(Owns_factorization<SolverTraits>::value)
+    if(Has_independent_copies<SolverTraits>::value)
       m_matrix.reset();
     return done;
+  }
+
+  // Lets the traits analyze the pattern of a matrix if they can do that beforehand; copies of them know it then.
+  template <typename Source>
+  void analyze_pattern(const Source& matrix)
+  {
+    if constexpr(Has_analyze_pattern<SolverTraits>::value)
+      m_traits.analyze_pattern(*own(eigen_matrix<NT>(matrix))); // if that fails, so does the factorization
+    else
+      (void)matrix;
   }
 
   // Returns `false` on failure, also if the solution is not finite.
@@ -98,8 +122,6 @@ public:
   }
 
   const SolverTraits& traits() const { return m_traits; }
-
-  bool is_repeated_in_double() const { return false; }
 
 private:
   // Right-hand sides of double precision must not vanish in single.

@@ -14,9 +14,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/preconditioning_system.h>
 
-#include <CGAL/SuperLU_solver_traits.h>
-
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,8 +28,9 @@ namespace internal {
 
 // Runs the direct solver from the angles of a valid map, which fulfil all constraints. The map is replaced only by
 // another valid one; whether it was is in the report.
-inline void polish(const Chart& chart, const Hierarchical_options& options, std::vector<Chart::Point_2>& uv,
-                   Hierarchical_report& report)
+template <typename SolverTraits>
+void polish(const Chart& chart, const Hierarchical_options& options, const SolverTraits& traits,
+            std::vector<Chart::Point_2>& uv, Hierarchical_report& report)
 {
   const std::vector<double> beta = target_angles(chart);
   std::vector<double> alpha(beta.size());
@@ -36,11 +38,12 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, std:
     alpha[c] = planar_angle(chart, uv, c);
   alpha = starting_angles(alpha);
 
-  const SuperLU_solver_traits<> traits;
   ABF_plus_plus_report direct;
+  std::optional<Low_precision_traits<SolverTraits>> scalar_solver;
   std::vector<Chart::Point_2> polished;
-  if(solve_angles(chart, beta, options.polish_options, traits, alpha, direct) && direct.converged &&
-     lay_out(chart, alpha, options.polish_options, traits, traits, polished, direct) &&
+  if(solve_angles(chart, beta, options.polish_options, traits, alpha, direct, &scalar_solver) &&
+     direct.converged &&
+     lay_out(chart, alpha, options.polish_options, traits, *std::move(scalar_solver), polished, direct) &&
      flipped_triangles(chart, polished).empty()) {
     uv.swap(polished);
     report.polished = true;
