@@ -124,8 +124,11 @@ public:
   /// \name Creation
   /// @{
 
+  /// constructs a solver with the default options.
+  SuperLU_solver_traits() = default;
+
   /// constructs a solver that checks and factors as `options` say.
-  explicit SuperLU_solver_traits(const SuperLU_options& options = SuperLU_options()) : m_options(options) {}
+  explicit SuperLU_solver_traits(const SuperLU_options& options) : m_options(options) {}
   /// @}
 
   /// \name Operations

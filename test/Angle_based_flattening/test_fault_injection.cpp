@@ -238,8 +238,9 @@ BOOST_AUTO_TEST_CASE(counterpart_that_fails)
   for(int call = 1; failed; ++call) {
     Run run;
     Countdown countdown{0, call};
+    const Traits_with_faulty_counterpart traits(countdown);
     SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Traits_with_faulty_counterpart> parameterizer(
-        Options(), Traits_with_faulty_counterpart(countdown));
+        with_layout(Options::AUTOMATIC_LAYOUT), traits);
     BOOST_TEST(run.parameterize(parameterizer) == SMP::OK);
     failed = countdown.has_ended();
     const Report& report = parameterizer.report();

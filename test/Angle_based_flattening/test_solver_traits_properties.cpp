@@ -10,8 +10,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Solver_traits_properties.h>
 #include <CGAL/SuperLU_solver_traits.h>
@@ -30,9 +29,8 @@
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef Kernel::Point_2 Point_2;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Surface_mesh;
+typedef SMP::Hierarchical_coarse_mesh Surface_mesh; // so that one parameterizer is compiled for both levels
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
 typedef SMP::ABF_plus_plus_options Options;
 typedef Eigen::SparseMatrix<double> Columns;
 
@@ -50,6 +48,7 @@ struct Log
 {
   std::mutex mutex;
   std::vector<Factorization> factorizations;
+  bool refuses = false; // every matrix
 
   std::size_t count(bool is_double) const
   {
@@ -75,7 +74,7 @@ public:
     const std::lock_guard<std::mutex> lock(m_log->mutex);
     m_log->factorizations.push_back(
         {std::is_same<FT, double>::value, A.eigen_object().rows(), this->options(), this});
-    return Base::factor(A, D);
+    return !m_log->refuses && Base::factor(A, D);
   }
 
   Log& log() const { return *m_log; }
@@ -127,14 +126,6 @@ public:
 private:
   std::shared_ptr<Eigen::SimplicialLDLT<Columns>> m_ldlt;
   Log* m_log;
-};
-
-// Refuses every matrix.
-struct Refusing_solver : CGAL::SuperLU_solver_traits<>
-{
-  bool factor(const Matrix&, double&) { return false; }
-  bool linear_solver(const Matrix&, const Vector&, Vector&, double&) { return false; }
-  bool linear_solver(const Vector&, Vector&) { return false; }
 };
 
 } // namespace
@@ -212,7 +203,7 @@ BOOST_AUTO_TEST_CASE(all_factorizations_are_made_by_the_traits_given)
 BOOST_AUTO_TEST_CASE(coarse_charts_and_polishing_are_solved_by_the_traits_given)
 {
   typedef Logging_solver<double> Solver;
-  typedef SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Solver> Coarse;
+  typedef SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Solver> Coarse;
   Log log, polishing_log;
   SMP::Hierarchical_options options;
   const Coarse coarse(Options(), Solver(unusual_options(), log));
@@ -246,26 +237,33 @@ BOOST_AUTO_TEST_CASE(solver_of_ones_own_factors_two_matrices_at_once)
   BOOST_TEST(log.factorizations[0].solver != log.factorizations[1].solver);
   for(const Factorization& f : log.factorizations)
     BOOST_TEST(f.size == 15 * 15);
-  const auto expected = report_of(SMP::ABF_plus_plus_parameterizer_3<Surface_mesh>(), 16);
+  typedef Logging_solver<double> Solver;
+  const auto expected = report_of(
+      SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Solver>(Options(), Solver(unusual_options(), log)),
+      16);
   BOOST_TEST(report.energy == expected.energy, boost::test_tools::tolerance(1e-6));
 }
 
 // Nobody steps in for a solver that refuses.
 BOOST_AUTO_TEST_CASE(nothing_replaces_the_traits_given)
 {
+  typedef Logging_solver<double> Solver;
+  typedef SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Solver> Direct;
+  Log log;
+  log.refuses = true;
   auto mesh = test_meshes::bump<Surface_mesh>(8);
   const auto uv = mesh.add_property_map<Surface_mesh::Vertex_index, Point_2>("v:uv").first;
   for(Options::Linear_solver solver : {Options::ITERATIVE, Options::DIRECT}) {
     Options options;
     options.linear_solver = solver;
-    SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Refusing_solver> parameterizer(options);
+    Direct parameterizer(options, Solver(unusual_options(), log));
     BOOST_TEST(SMP::parameterize(mesh, parameterizer, PMP::longest_border(mesh).first, uv) ==
                SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
   }
   SMP::Hierarchical_options options;
   options.polish = true;
-  typedef SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Refusing_solver> Coarse;
-  const auto report = report_of(SMP::Hierarchical_parameterizer_3<Surface_mesh, Coarse>(options), 16);
+  const Direct coarse(Options(), Solver(unusual_options(), log));
+  const auto report = report_of(SMP::Hierarchical_parameterizer_3<Surface_mesh, Direct>(options, coarse), 16);
   BOOST_TEST(report.start == SMP::Hierarchical_report::WITHOUT_SOLVER);
   BOOST_TEST(!report.polished);
 }
