@@ -27,7 +27,7 @@ namespace internal {
 //
 // SuperLU makes one dense block, a relaxed supernode, of a maximal subtree of at most `relax` columns. It stores such a
 // block without looking whether its array of subscripts is full afterwards, and the next column then writes
-// beyond the end (SuperLU 5.3 to 7.0, `dsnode_dfs` and `dcolumn_dfs`). So these subtrees are ordered before all other
+// beyond the end (SuperLU 5.3, `dsnode_dfs` and `dcolumn_dfs`). So these subtrees are ordered before all other
 // columns. Their subscripts depend on the pattern only, not on the pivots, and there is room for them.
 // The others are checked one by one, so that the array grows in time if pivots are not as foreseen.
 class SuperLU_analysis
