@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(assemble_the_matrix_of_equation_16)
   const std::vector<double> beta = abf::target_angles(chart);
   const std::vector<double> alpha = random_angles(beta.size(), 8);
   const Vector multipliers = random_vector(n, 9);
-  abf::Newton_system<Solver> system(chart, beta, abf::Angle_energy{0}, false, Solver());
+  abf::Newton_system system(chart, beta, abf::Angle_energy{0}, false, Solver());
   system.assemble(alpha, multipliers, abf::constraint_residuals(chart, alpha));
 
   // Eqs. 6, 11 and 12, with weights 1 / beta^2.
@@ -277,7 +277,7 @@ void check_step_against_dense_kkt(const Chart& chart, double barrier, bool curva
   const std::vector<double> beta = abf::target_angles(chart);
   const abf::Angle_energy energy{barrier};
   const Vector residual = abf::constraint_residuals(chart, alpha);
-  abf::Newton_system<Solver> system(chart, beta, energy, curvature, Solver());
+  abf::Newton_system system(chart, beta, energy, curvature, Solver());
   abf::Newton_step step;
   BOOST_REQUIRE(system.compute(alpha, multipliers, residual, step));
 
@@ -321,7 +321,7 @@ BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
   const std::vector<double> beta = abf::target_angles(chart), alpha = abf::starting_angles(beta);
   const Vector residual = abf::constraint_residuals(chart, alpha), zero = 0 * residual;
   const abf::Angle_energy energy{0.1};
-  abf::Newton_system<Solver> direct(chart, beta, energy, true, Solver()),
+  abf::Newton_system direct(chart, beta, energy, true, Solver()),
       iterative(chart, beta, energy, true, Solver(), true);
   abf::Newton_step exact, step;
   BOOST_REQUIRE(direct.compute(alpha, zero, residual, exact));
@@ -402,7 +402,7 @@ BOOST_AUTO_TEST_CASE(blocks_are_multiplied_and_taken_apart)
 
 BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
 {
-  abf::Block_preconditioner<Double_solver> preconditioner{Double_solver()};
+  abf::Block_preconditioner preconditioner{Double_solver()};
   BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0.3)));
   const Vector b = random_vector(80, 4);
   Vector x;
@@ -424,12 +424,10 @@ double relative_residual(const abf::Block_matrix<1>& matrix, const Vector& x, co
   return (product(matrix, x) - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-typedef CGAL::Low_precision_solver_traits<Solver> Low_precision;
-
 // What solves systems for `Solver` where they only precondition
-abf::Preconditioning_system<Solver> preconditioning_system()
+abf::Preconditioning_system preconditioning_system()
 {
-  return {Solver(), Low_precision::create(Solver())};
+  return {Solver(), abf::Linear_solvers(Solver())->low_precision()};
 }
 
 #ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
@@ -462,7 +460,7 @@ BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
     ++entry;
     return block;
   });
-  abf::Newton_equation<Solver> equation(Solver(), true);
+  abf::Newton_equation equation(Solver(), true);
   Vector x;
   BOOST_REQUIRE(equation.solve(both, random_vector(600, 5), {1e-6}, x));
   BOOST_TEST(equation.factorizations() == 2);
@@ -474,7 +472,7 @@ BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
 BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
 {
   const auto definite_system = [] {
-    return abf::Definite_system<Solver>(Solver(), Low_precision::create(Solver()));
+    return abf::Definite_system(Solver(), abf::Linear_solvers(Solver())->low_precision());
   };
   const abf::Two_vectors b = {random_vector(300, 5), random_vector(300, 6)};
   for(double identity : {0.1, 1e-9}) {
@@ -495,7 +493,7 @@ BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
 
 BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
 {
-  abf::Block_preconditioner<Double_solver> preconditioner{Double_solver()};
+  abf::Block_preconditioner preconditioner{Double_solver()};
   BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0)));
   const Vector b = random_vector(80, 4);
   Vector x;

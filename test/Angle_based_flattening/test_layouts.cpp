@@ -24,7 +24,6 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_options Options;
 typedef CGAL::SuperLU_solver_traits<> Solver;
-typedef CGAL::Low_precision_solver_traits<Solver> Low_precision;
 
 namespace {
 
@@ -155,7 +154,8 @@ BOOST_AUTO_TEST_CASE(reproduce_planar_triangulations)
       const std::vector<Point_2> expected = projected(chart);
       const std::vector<double> alpha = planar_angles(chart, expected);
       abf::Layout exact;
-      BOOST_REQUIRE(abf::exact_layout(chart, alpha, Solver(), Low_precision::create(Solver()), exact));
+      BOOST_REQUIRE(
+          abf::exact_layout(chart, alpha, Solver(), abf::Linear_solvers(Solver())->low_precision(), exact));
       BOOST_TEST(distance_up_to_similarity(expected, exact.uv) < 1e-12);
       BOOST_TEST(exact.closure < 1e-13);
       std::vector<Point_2> least_squares;

@@ -33,7 +33,7 @@ void take_report(const SMP::Hierarchical_report& report, Measurement& measuremen
 void take_report(const SMP::ABF_plus_plus_report& report, Measurement& measurement);
 void measure_map(const Mesh& mesh, Halfedge border, UV_map uv, Measurement& measurement);
 
-// Run methods whose code takes long to compile, in translation units of their own: LSCM, hierarchical or not, and the
+// Run methods whose code takes long to compile, in files of their own: LSCM, hierarchical or not, and the
 // sequential hierarchy.
 Measurement run_lscm(const Task& task, Mesh& mesh);
 Measurement run_sequential(const Task& task, Mesh& mesh);

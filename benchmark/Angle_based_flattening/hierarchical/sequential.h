@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/collapse_cost.h>

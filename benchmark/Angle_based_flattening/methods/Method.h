@@ -33,7 +33,7 @@ Method make_method(const char* name, const char* title, const Flattening& flatte
 }
 
 // The parameterizers of our package, the hierarchical one with another of CGAL, those of CGAL, and the methods that are
-// implemented here: each list in a translation unit of its own.
+// implemented here: each list in a file of its own.
 std::vector<Method> package_methods();
 std::vector<Method> hierarchical_methods();
 std::vector<Method> free_border_methods();

@@ -62,8 +62,8 @@ inline Linear_system first_newton_system(const Mesh& mesh)
   const abf::Constraint_vector no_multipliers = abf::Constraint_vector::Zero(residuals.size());
 
   const CGAL::Surface_mesh_parameterization::ABF_plus_plus_options options;
-  abf::Newton_system<CGAL::Eigen_solver_traits<>> newton(chart, beta, abf::Angle_energy{options.barrier},
-                                                         true, CGAL::Eigen_solver_traits<>());
+  abf::Newton_system newton(chart, beta, abf::Angle_energy{options.barrier}, true,
+                            CGAL::Eigen_solver_traits<>());
   Linear_system system;
   system.right_side.eigen_object() = newton.assemble(alpha, no_multipliers, residuals);
   system.columns() = abf::eigen_matrix<double>(newton.matrix());

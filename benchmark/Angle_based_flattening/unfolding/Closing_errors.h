@@ -54,9 +54,9 @@ inline std::vector<Point_2> lay_out(const Chart& chart, const std::vector<double
     return unfold_greedily(chart, alpha);
   abf::Layout layout;
   const bool solved =
-      kind == EXACT ? abf::exact_layout(chart, alpha, Solver(),
-                                        CGAL::Low_precision_solver_traits<Solver>::create(Solver()), layout)
-                    : abf::Least_squares_layout(chart, alpha).solve(Solver(), layout.uv);
+      kind == EXACT
+          ? abf::exact_layout(chart, alpha, Solver(), abf::Linear_solvers(Solver())->low_precision(), layout)
+          : abf::Least_squares_layout(chart, alpha).solve(Solver(), layout.uv);
   if(!solved)
     throw std::runtime_error("the linear system of a layout was not solved");
   return layout.uv;

@@ -13,16 +13,19 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/wrong_option.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -188,7 +191,8 @@ private:
     internal::Rounded_points<VertexUVmap> round;
     std::vector<internal::Chart::Point_2> uv;
     std::vector<int> flipped;
-    if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, round, uv, flipped, report)) {
+    if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, std::ref(round), uv, flipped,
+                                report)) {
       m_outcome->name_offenders(reader, {}, flipped);
       return report.status;
     }

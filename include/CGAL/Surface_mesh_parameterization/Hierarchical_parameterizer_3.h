@@ -14,20 +14,21 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/polish.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/wrong_option.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <functional>
 #include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -217,8 +218,6 @@ public:
   }
 
 private:
-  typedef std::vector<internal::Chart::Point_2> Layout;
-
   typedef internal::Outcome<Triangle_mesh, Hierarchical_report> Outcome;
 
   template <typename VertexUVmap, typename VertexIndexMap>
@@ -237,9 +236,11 @@ private:
       return report.status;
 
     internal::Rounded_points<VertexUVmap> round;
-    Layout uv;
+    std::vector<internal::Chart::Point_2> uv;
     std::vector<int> flipped;
-    if(!flatten(reader.chart, uv) || !certify(reader.chart, round, uv, flipped)) {
+    const internal::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
+    if(!internal::flatten_chart_hierarchically(reader.chart, m_options, flatten_coarse, m_linear_algebra,
+                                               std::ref(round), uv, flipped, report)) {
       m_outcome->name_offenders(reader, {}, flipped);
       return report.status;
     }
@@ -248,47 +249,6 @@ private:
     round.write(reader, uvmap);
     report.seconds.write = stopwatch.lap();
     return OK;
-  }
-
-  bool flatten(internal::Chart& chart, Layout& uv)
-  {
-    Hierarchical_report& report = m_outcome->report;
-    const internal::Coarse_solver<Coarse_parameterizer> solve(m_coarse_parameterizer);
-    if(!internal::flatten_hierarchically(chart, m_options, solve, uv, report)) {
-      if(chart.borders.size() > 1)
-        internal::fail(
-            report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
-            "no coarse chart could be flattened, and with several borders there is no other start");
-      else
-        internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::PRECISION_EXCEEDED,
-                       "double precision does not hold any valid map that was tried");
-      return false;
-    }
-    if(m_options.polish) {
-      internal::Stopwatch stopwatch;
-      internal::visit_stage(m_options.visitor, Flattening_visitor::POLISH);
-      internal::polish(chart, m_options, m_linear_algebra, uv, report);
-      report.seconds.polish = stopwatch.lap();
-    }
-    return true;
-  }
-
-  template <typename Rounding>
-  bool certify(const internal::Chart& chart, Rounding& round, Layout& uv, std::vector<int>& flipped)
-  {
-    Hierarchical_report& report = m_outcome->report;
-    internal::Stopwatch stopwatch;
-    internal::visit_stage(m_options.visitor, Flattening_visitor::CERTIFY);
-    internal::scale_to_surface_area(chart, uv);
-    round(uv);
-    const bool valid = internal::inspect(chart, uv, report, flipped);
-    report.seconds.certify = stopwatch.lap();
-    if(valid)
-      return true;
-    internal::fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::PRECISION_EXCEEDED,
-                   "there is a valid map, but rounded to the coordinates' number type it has " +
-                       internal::describe_invalid(chart, flipped, report));
-    return false;
   }
 
   Hierarchical_options m_options;

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace CGAL {
@@ -27,41 +28,42 @@ namespace internal {
 // of Eq. 16 these are the multipliers of planarity and those of reconstruction: two weakly coupled Laplacians. Each of
 // the two has a quarter of the entries of the whole, and can be factored while the other one is, if there can be two
 // solvers; else one solver gets both as one matrix. All matrices have one pattern, which is analyzed once.
-template <typename SolverTraits>
 class Block_preconditioner
 {
-  typedef Preconditioning_system<SolverTraits> System;
-  typedef Low_precision_traits<SolverTraits> Low;
+  typedef Preconditioning_system System;
 
-  static constexpr int number_of_systems = System::is_independent ? 2 : 1;
+  template <typename Vector>
+  static auto every_other(Vector& vector, int first)
+  {
+    return vector(Eigen::seqN(first, vector.size() / 2, 2));
+  }
 
 public:
-  explicit Block_preconditioner(const SolverTraits& traits)
-      : m_first(traits, Low_precision_solver_traits<SolverTraits>::create(traits))
+  explicit Block_preconditioner(const Linear_solvers& solvers)
+      : m_solvers(solvers), m_first(solvers, solvers->low_precision())
   {}
 
   // Factors both diagonal blocks. Returns `false` if that fails.
   bool set_matrix(const Block_matrix<2>& matrix)
   {
-    if constexpr(number_of_systems == 1) {
+    if(!m_solvers->is_independent)
       return m_first.set_matrix(Diagonal_parts<2>{matrix});
-    } else {
-      if(!m_second) {
-        m_first.analyze_pattern(Diagonal_parts<2>{matrix, 0, 1});
-        m_second.emplace(m_first.traits(), m_first.low_precision_traits());
-      }
-      std::array<bool, 2> done;
-      parallel_for(2, [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); });
-      return done[0] && done[1];
+    if(!m_second) {
+      m_first.analyze_pattern(Diagonal_parts<2>{matrix, 0, 1});
+      m_second.emplace(m_solvers, m_first.low_precision_solver());
     }
+    std::array<bool, 2> done;
+    parallel_for(2, [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); });
+    return done[0] && done[1];
   }
 
   bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
   {
+    const int number_of_systems = m_second ? 2 : 1;
     const Eigen::Index n = residual.size() / number_of_systems;
     Eigen::VectorXd sorted(residual.size());
     sorted << every_other(residual, 0), every_other(residual, 1);
-    std::array<bool, number_of_systems> done;
+    std::array<bool, 2> done = {true, true};
     parallel_for(number_of_systems, [&](int k) {
       Eigen::VectorXd solution;
       done[k] = system(k).solve(sorted.segment(k * n, n), solution);
@@ -81,17 +83,12 @@ public:
   }
 
   // A solver that may know the pattern of one of the blocks, that of the one-rings of the interior vertices
-  const Low& low_precision_traits() const { return m_first.low_precision_traits(); }
+  std::unique_ptr<Linear_solver> low_precision_solver() const { return m_first.low_precision_solver(); }
 
 private:
-  template <typename Vector>
-  static auto every_other(Vector& vector, int first)
-  {
-    return vector(Eigen::seqN(first, vector.size() / 2, 2));
-  }
-
   System& system(int k) { return k == 0 ? m_first : *m_second; }
 
+  Linear_solvers m_solvers;
   System m_first;
   std::optional<System> m_second;
 };

@@ -10,15 +10,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/preconditioning_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
 
 #include <Eigen/Core>
 
 #include <array>
-#include <limits>
-#include <type_traits>
+#include <memory>
 #include <utility>
 
 namespace CGAL {
@@ -31,39 +29,36 @@ typedef std::array<Eigen::VectorXd, 2> Two_vectors;
 
 // A definite system, solved in double precision for two right-hand sides. The counterpart of lower precision of the caller's
 // traits preconditions conjugate gradients; where these are slow, a copy of the caller's traits solves the system.
-template <typename SolverTraits>
 class Definite_system
 {
-  typedef Low_precision_traits<SolverTraits> Low;
-
   static constexpr int max_steps = 30; // about as long as it takes to factor the matrix in double precision
-  static constexpr bool is_iterative =
-      Has_factor<Low>::value &&
-      std::numeric_limits<typename Low::NT>::digits < std::numeric_limits<double>::digits;
 
 public:
-  Definite_system(const SolverTraits& traits, Low low) : m_traits(traits), m_low(std::move(low)) {}
+  Definite_system(const Linear_solvers& solvers, std::unique_ptr<Linear_solver> low)
+      : m_solvers(solvers), m_low(std::move(low))
+  {}
 
   // Returns `false` if the linear solver fails.
   bool solve(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides, Two_vectors& solutions)
   {
     m_is_repeated = false;
-    if(m_low.set_matrix(matrix) && (is_iterative ? solve_iteratively(matrix, right_hand_sides, solutions)
-                                                 : solve_directly(m_low, right_hand_sides, solutions)))
+    if(m_low->set_matrix(matrix) &&
+       (m_solvers->is_to_be_refined ? solve_iteratively(matrix, right_hand_sides, solutions)
+                                    : solve_directly(*m_low, right_hand_sides, solutions)))
       return true;
-    if(std::is_same<Low, SolverTraits>::value)
+    if(!m_solvers->has_low_precision)
       return false;
     m_is_repeated = true;
-    Symmetric_system<SolverTraits> full(m_traits);
-    return full.set_matrix(matrix) && solve_directly(full, right_hand_sides, solutions);
+    const std::unique_ptr<Linear_solver> full = m_solvers->full_precision();
+    return full->set_matrix(matrix) && solve_directly(*full, right_hand_sides, solutions);
   }
 
   // Whether low precision was not enough for the matrix
   bool is_repeated() const { return m_is_repeated; }
 
 private:
-  template <typename System>
-  static bool solve_directly(System& system, const Two_vectors& right_hand_sides, Two_vectors& solutions)
+  static bool solve_directly(Linear_solver& system, const Two_vectors& right_hand_sides,
+                             Two_vectors& solutions)
   {
     return system.solve(right_hand_sides[0], solutions[0]) && system.solve(right_hand_sides[1], solutions[1]);
   }
@@ -74,11 +69,10 @@ private:
     const Iterative_accuracy rounding = {1e-15};
     std::array<bool, 2> solved;
     const auto solve = [&](int k) {
-      solved[k] =
-          conjugate_gradients(matrix, right_hand_sides[k], m_low, rounding, max_steps, solutions[k]).status ==
-          Iterative_solution::SOLVED;
+      solved[k] = conjugate_gradients(matrix, right_hand_sides[k], *m_low, rounding, max_steps, solutions[k])
+                      .status == Iterative_solution::SOLVED;
     };
-    if(Has_const_solution<Low>::value) {
+    if(m_solvers->may_be_shared) {
       parallel_for(2, solve);
     } else {
       solve(0);
@@ -87,8 +81,8 @@ private:
     return solved[0] && solved[1];
   }
 
-  const SolverTraits m_traits;
-  Symmetric_system<Low> m_low;
+  Linear_solvers m_solvers;
+  std::unique_ptr<Linear_solver> m_low;
   bool m_is_repeated = false;
 };
 

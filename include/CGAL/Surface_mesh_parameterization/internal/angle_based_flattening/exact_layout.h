@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -111,9 +112,9 @@ inline Two_vectors pull_of_border(const Chart& chart, const std::vector<double>&
 
 // Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
 // vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
-template <typename SolverTraits>
-bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
-                      Low_precision_traits<SolverTraits> scalar_solver, Layout& layout)
+inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha,
+                             const Linear_solvers& solvers, std::unique_ptr<Linear_solver> scalar_solver,
+                             Layout& layout)
 {
   const int n = chart.number_of_interior_vertices;
   if(n == 0)
@@ -131,7 +132,7 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, cons
     });
     right_hand_sides = pull_of_border(chart, weights, layout);
   }
-  Definite_system<SolverTraits> system(traits, std::move(scalar_solver));
+  Definite_system system(solvers, std::move(scalar_solver));
   if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
     return false;
   layout.is_repeated = system.is_repeated();
@@ -143,13 +144,12 @@ bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha, cons
 
 // The layout of a chart with one border whose angles fulfil the constraints. `scalar_solver` may know the pattern of the
 // one-rings of the interior vertices. Returns `false` if the linear solver fails.
-template <typename SolverTraits>
-bool exact_layout(const Chart& chart, const std::vector<double>& alpha, const SolverTraits& traits,
-                  Low_precision_traits<SolverTraits> scalar_solver, Layout& layout)
+inline bool exact_layout(const Chart& chart, const std::vector<double>& alpha, const Linear_solvers& solvers,
+                         std::unique_ptr<Linear_solver> scalar_solver, Layout& layout)
 {
   layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
   lay_out_border(chart, alpha, layout);
-  return lay_out_interior(chart, alpha, traits, std::move(scalar_solver), layout);
+  return lay_out_interior(chart, alpha, solvers, std::move(scalar_solver), layout);
 }
 
 } // namespace internal

@@ -10,23 +10,19 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_solvers.h>
 
-#include <optional>
-#include <string>
-#include <utility>
+#include <functional>
 #include <vector>
+
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#define CGAL_ANGLE_BASED_FLATTENING_INLINE
+#else
+#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
+#endif
 
 namespace CGAL {
 
@@ -34,128 +30,36 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
-// Whether the angles fit together so well that the exact layout reproduces them.
-inline bool is_exact_layout_apt(const Chart& chart, const ABF_plus_plus_report& report)
-{
-  const double largest_residual = 1e-4;
-  return chart.borders.size() == 1 && report.constraint_residual <= largest_residual;
-}
+// Rounds coordinates to what the caller can store.
+typedef std::function<void(std::vector<Chart::Point_2>&)> Rounding;
 
-// From angles to coordinates, in the way asked for. Returns `false` with the reason in `report`.
-template <typename SolverTraits>
-bool lay_out(const Chart& chart, const std::vector<double>& alpha, const ABF_plus_plus_options& options,
-             const SolverTraits& traits, Low_precision_traits<SolverTraits> scalar_solver,
-             std::vector<Chart::Point_2>& uv, ABF_plus_plus_report& report)
-{
-  typedef ABF_plus_plus_options Options;
-  if(options.layout == Options::EXACT_LAYOUT && chart.borders.size() != 1) {
-    fail(report, ERROR_WRONG_PARAMETER, ABF_plus_plus_report::WRONG_LAYOUT,
-         "the exact layout needs a chart with one border; take the least squares layout");
-    return false;
-  }
-  const bool exact = options.layout == Options::EXACT_LAYOUT ||
-                     (options.layout == Options::AUTOMATIC_LAYOUT && is_exact_layout_apt(chart, report));
-  bool solved;
-  if(exact) {
-    Layout layout;
-    solved = exact_layout(chart, alpha, traits, std::move(scalar_solver), layout);
-    uv.swap(layout.uv);
-    report.closure = layout.closure;
-    report.layout_repeated = layout.is_repeated;
-  } else {
-    solved = Least_squares_layout(chart, alpha).solve(traits, uv);
-  }
-  report.layout = exact ? ABF_plus_plus_report::EXACT : ABF_plus_plus_report::LEAST_SQUARES;
-  if(!solved)
-    fail(report, ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, ABF_plus_plus_report::LINEAR_SYSTEM_FAILED,
-         "the linear system of the layout could not be solved");
-  return solved;
-}
+// Flattens a coarse chart. Returns whether it succeeded.
+typedef std::function<bool(const Chart&, std::vector<Chart::Point_2>&)> Coarse_flattening;
 
-// The triangles around interior vertices around which they wind more than once, although none is flipped.
-inline std::vector<int> wound_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
-{
-  const std::vector<int> sweeps = sweeps_over_axis(chart.vertex, uv);
-  std::vector<int> wound;
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    if(const int v = chart.vertex[c]; chart.interior[v] >= 0 && sweeps[v] != 1)
-      if(wound.empty() || wound.back() != c / 3)
-        wound.push_back(c / 3);
-  return wound;
-}
+// Flattens a chart that `diagnose()` found flawless, directly. Returns `false` with the reason in `report`, and with the
+// triangles that are wrong in `flipped`.
+CGAL_ANGLE_BASED_FLATTENING_INLINE bool
+flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+              const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
+              ABF_plus_plus_report& report);
 
-// What is looked at in the end, whichever way the coordinates came: orientations, by exact predicates, the border, and how
-// large triangles are. Returns `false`, with the triangles that make the map invalid, if it is.
-template <typename Report>
-bool inspect(const Chart& chart, const std::vector<Chart::Point_2>& uv, Report& report,
-             std::vector<int>& invalid)
-{
-  invalid = flipped_triangles(chart, uv);
-  report.flipped_triangles = static_cast<int>(invalid.size());
-  if(invalid.empty())
-    invalid = wound_triangles(chart, uv);
-  report.border_is_simple = is_border_simple(chart, uv);
-  report.smallest_angle = smallest_angle(chart, uv);
-  report.scale_range = scale_range(chart, uv);
-  return invalid.empty();
-}
-
-template <typename Report>
-std::string describe_invalid(const Chart& chart, const std::vector<int>& invalid, const Report& report)
-{
-  return std::to_string(invalid.size()) +
-         (report.flipped_triangles > 0 ? " flipped triangle(s)"
-                                       : " triangle(s) that wind around a vertex more than once") +
-         ", one at the vertex at " + place(chart, chart.vertex[3 * invalid.front()]);
-}
-
-// From angles `alpha` near to the solution to a certified layout: the first and the third rung of the ladder, and most of
-// the second. `uv` is scaled to the surface's area, and rounded by `round` to what the caller can store before it is
-// certified. Returns `false` with the reason in `report`.
-template <typename SolverTraits, typename Rounding>
-bool flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-                         Rounding& round, const std::vector<double>& beta, std::vector<double>& alpha,
-                         std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
-                         ABF_plus_plus_report& report)
-{
-  Stopwatch stopwatch;
-  std::optional<Low_precision_traits<SolverTraits>> scalar_solver;
-  visit_stage(options.visitor, Flattening_visitor::ANGLES);
-  const bool solved = solve_angles(chart, beta, options, traits, alpha, report, &scalar_solver);
-  report.seconds.angles += stopwatch.lap();
-  if(!solved) {
-    fail(report, ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, ABF_plus_plus_report::LINEAR_SYSTEM_FAILED,
-         "the linear system of Newton step " + std::to_string(report.iterations + 1) +
-             " could not be solved");
-    return false;
-  }
-
-  visit_stage(options.visitor, Flattening_visitor::LAYOUT);
-  uv.clear();
-  if(!lay_out(chart, alpha, options, traits, *std::move(scalar_solver), uv, report))
-    return false;
-  scale_to_surface_area(chart, uv);
-  round(uv);
-  report.seconds.layout += stopwatch.lap();
-
-  visit_stage(options.visitor, Flattening_visitor::CERTIFY);
-  const bool valid = inspect(chart, uv, report, flipped);
-  report.seconds.certify += stopwatch.lap();
-  if(valid)
-    return true;
-  if(report.converged)
-    fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::FLIPPED_TRIANGLES,
-         "the angles were found, but their layout has " + describe_invalid(chart, flipped, report));
-  else
-    fail(report, ERROR_NO_1_TO_1_MAPPING, ABF_plus_plus_report::NO_CONVERGENCE,
-         "the angles did not converge, and their layout has " + describe_invalid(chart, flipped, report));
-  return false;
-}
+// The same by way of a coarser chart; `solvers` solve the linear systems of polishing. The connectivity of the chart is
+// changed on the way, and is as before if a valid map was found.
+CGAL_ANGLE_BASED_FLATTENING_INLINE bool
+flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
+                             const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
+                             const Rounding& round, std::vector<Chart::Point_2>& uv,
+                             std::vector<int>& flipped, Hierarchical_report& report);
 
 } // namespace internal
 
 } // namespace Surface_mesh_parameterization
 
 } // namespace CGAL
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_chart_hierarchically.h>
+#endif
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_FLATTEN_CHART_H

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
 
 #include <algorithm>
@@ -39,16 +40,15 @@ inline bool find_valid_map(Chart chart, const ABF_plus_plus_options& options,
 
 // The ways to a valid map, one after the other until one leads there. A feasible chart with one border has a valid map,
 // which the last way finds unless the range of numbers is too small for it.
-template <typename SolverTraits, typename Rounding>
 class Ladder
 {
   typedef ABF_plus_plus_report Report;
   typedef std::vector<Chart::Point_2> Layout;
 
 public:
-  Ladder(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-         Rounding& round, Report& report)
-      : m_chart(chart), m_options(options), m_traits(traits), m_round(round), m_report(report)
+  Ladder(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+         const Rounding& round, Report& report)
+      : m_chart(chart), m_options(options), m_solvers(solvers), m_round(round), m_report(report)
   {}
 
   // Returns `false` with the reason in the report, and with the triangles in `flipped`.
@@ -78,7 +78,7 @@ private:
                   Layout& uv, std::vector<int>& flipped)
   {
     enter(rung);
-    return flatten_from_angles(m_chart, options, m_traits, m_round, m_beta, alpha, uv, flipped, m_report);
+    return flatten_from_angles(m_chart, options, m_solvers, m_round, m_beta, alpha, uv, flipped, m_report);
   }
 
   // Notes that the rung before has failed, and forgets what it reported.
@@ -143,7 +143,7 @@ private:
     m_report.steps.clear();
     m_report.iterations = 0;
     m_report.converged = false;
-    return flatten_from_angles(m_chart, m_options, m_traits, m_round, m_beta, alpha, uv, flipped, m_report);
+    return flatten_from_angles(m_chart, m_options, m_solvers, m_round, m_beta, alpha, uv, flipped, m_report);
   }
 
   bool take_valid_map(const Layout& valid, Layout& uv, std::vector<int>& flipped)
@@ -174,19 +174,19 @@ private:
 
   const Chart& m_chart;
   const ABF_plus_plus_options& m_options;
-  const SolverTraits& m_traits;
-  Rounding& m_round;
+  const Linear_solvers& m_solvers;
+  const Rounding& m_round;
   Report& m_report;
   std::vector<double> m_beta;
 };
 
-// Flattens a chart that `diagnose()` found flawless. Returns `false` with the reason in `report`.
-template <typename SolverTraits, typename Rounding>
-bool flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const SolverTraits& traits,
-                   Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
-                   ABF_plus_plus_report& report)
+CGAL_ANGLE_BASED_FLATTENING_INLINE bool flatten_chart(const Chart& chart,
+                                                      const ABF_plus_plus_options& options,
+                                                      const Linear_solvers& solvers, const Rounding& round,
+                                                      std::vector<Chart::Point_2>& uv,
+                                                      std::vector<int>& flipped, ABF_plus_plus_report& report)
 {
-  return Ladder<SolverTraits, Rounding>(chart, options, traits, round, report).climb(uv, flipped);
+  return Ladder(chart, options, solvers, round, report).climb(uv, flipped);
 }
 
 } // namespace internal

@@ -9,11 +9,12 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
 
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -72,22 +73,21 @@ public:
 
   // Solves the normal equations. Their condition is the square of the problem's: the solution is improved with the
   // residuals of Eq. 20 itself. Returns `false` if the linear solver fails.
-  template <typename SolverTraits>
-  bool solve(const SolverTraits& traits, std::vector<Chart::Point_2>& uv)
+  bool solve(const Linear_solvers& solvers, std::vector<Chart::Point_2>& uv)
   {
     const int n = m_chart.number_of_vertices() - 2;
     Triangle_assembly<2> normal_matrix(m_chart.vertex, m_unknown, n);
-    normal_matrix.assemble([&](int c) -> typename Triangle_assembly<2>::Local_columns {
+    normal_matrix.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Eigen::Matrix<double, 2, 6> row = real_row(c / 3);
       return row.transpose() * row.middleCols<2>(2 * (c % 3));
     });
-    Symmetric_system<SolverTraits> system(traits);
-    if(!system.set_matrix(normal_matrix.matrix()))
+    const std::unique_ptr<Linear_solver> system = solvers->full_precision();
+    if(!system->set_matrix(normal_matrix.matrix()))
       return false;
     bool solved = false;
     const int refinements = 2;
     Eigen::VectorXd correction;
-    for(int i = 0; i <= refinements && system.solve(minus_gradient(n), correction); ++i) {
+    for(int i = 0; i <= refinements && system->solve(minus_gradient(n), correction); ++i) {
       for(std::size_t v = 0; v < m_z.size(); ++v)
         if(const int j = m_unknown[v]; j >= 0)
           m_z[v] += Complex(correction[2 * j], correction[2 * j + 1]);

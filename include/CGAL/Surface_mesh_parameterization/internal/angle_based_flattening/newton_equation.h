@@ -11,12 +11,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/conjugate_gradients.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_solvers.h>
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
-#include <type_traits>
 
 namespace CGAL {
 
@@ -26,19 +26,14 @@ namespace internal {
 
 // Solves Eq. 16 for one Newton step after the other: as a whole, as in the paper, or iteratively, as exactly as asked
 // for. The factors of the preconditioner serve for several steps.
-template <typename SolverTraits>
 class Newton_equation
 {
   static constexpr int max_steps = 60;      // about as long as it takes to factor the whole matrix
   static constexpr int steps_too_many = 20; // about as long as it takes to factor the preconditioner
 
-  static constexpr bool has_low_precision =
-      !std::is_same<Low_precision_traits<SolverTraits>, SolverTraits>::value;
-
 public:
-  // Traits that do not keep a factorization cannot be used to precondition.
-  Newton_equation(const SolverTraits& traits, bool iteratively)
-      : m_traits(traits), m_iteratively(iteratively && Has_factor<SolverTraits>::value)
+  Newton_equation(const Linear_solvers& solvers, bool iteratively)
+      : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors)
   {}
 
   bool solve(const Block_matrix<2>& matrix, const Eigen::VectorXd& right_hand_side,
@@ -54,14 +49,14 @@ public:
       const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
       if(status == Iterative_solution::SOLVED)
         return true;
-      if(status == Iterative_solution::FAILED && !has_low_precision)
+      if(status == Iterative_solution::FAILED && !m_solvers->has_low_precision)
         return false;
     }
     m_iteratively = false;
     m_preconditioner.reset();
     ++m_factorizations;
     if(!m_whole_system)
-      m_whole_system.emplace(m_traits);
+      m_whole_system = m_solvers->full_precision();
     return m_whole_system->set_matrix(matrix) && m_whole_system->solve(right_hand_side, solution);
   }
 
@@ -72,10 +67,9 @@ public:
   int repeated_factorizations() const { return m_repeated; }
 
   // A solver that may know the pattern of the one-rings of the interior vertices already
-  Low_precision_traits<SolverTraits> scalar_solver() const
+  std::unique_ptr<Linear_solver> scalar_solver() const
   {
-    return m_preconditioner ? m_preconditioner->low_precision_traits()
-                            : Low_precision_solver_traits<SolverTraits>::create(m_traits);
+    return m_preconditioner ? m_preconditioner->low_precision_solver() : m_solvers->low_precision();
   }
 
 private:
@@ -101,18 +95,18 @@ private:
   bool factor_preconditioner(const Block_matrix<2>& matrix)
   {
     if(!m_preconditioner)
-      m_preconditioner.emplace(m_traits);
+      m_preconditioner.emplace(m_solvers);
     m_factorizations += 2;
     const bool done = m_preconditioner->set_matrix(matrix);
     m_repeated += m_preconditioner->repeated_factorizations();
     return done;
   }
 
-  const SolverTraits m_traits;
+  Linear_solvers m_solvers;
   bool m_iteratively;
-  std::optional<Block_preconditioner<SolverTraits>> m_preconditioner;
+  std::optional<Block_preconditioner> m_preconditioner;
   bool m_preconditioner_is_stale = false;
-  std::optional<Symmetric_system<SolverTraits>> m_whole_system;
+  std::unique_ptr<Linear_solver> m_whole_system;
   Iterative_accuracy m_accuracy;
   int m_steps = 0, m_factorizations = 0, m_repeated = 0;
 };

@@ -38,16 +38,15 @@ struct Newton_step
 //   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
 // with P = T (T' H T)^-1 T', as `split()` says, and r minus the gradient of the Lagrangian. This S is positive
 // definite.
-template <typename SolverTraits>
 class Newton_system
 {
 public:
   Newton_system(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy,
-                bool with_constraint_curvature, const SolverTraits& traits, bool iteratively = false)
+                bool with_constraint_curvature, const Linear_solvers& solvers, bool iteratively = false)
       : m_chart(chart), m_beta(beta), m_energy(energy),
         m_with_constraint_curvature(with_constraint_curvature),
         m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices),
-        m_local(chart.number_of_triangles()), m_equation(traits, iteratively)
+        m_local(chart.number_of_triangles()), m_equation(solvers, iteratively)
   {}
 
   // Computes the step, if iteratively then with `accuracy`, from angles `alpha` and `multipliers`, where the
@@ -71,7 +70,7 @@ public:
       for(int t = begin; t < end; ++t)
         m_local[t] = local_system(t, alpha, multipliers);
     });
-    m_assembly.assemble([&](int c) -> typename Triangle_assembly<2>::Local_columns {
+    m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Local_system& local = m_local[c / 3];
       const Plane_jacobian jacobian = plane_jacobian(local.cotangents);
       return jacobian * (jacobian.template middleRows<2>(2 * (c % 3)) * local.inverse).transpose();
@@ -90,7 +89,7 @@ public:
   }
 
   const Block_matrix<2>& matrix() const { return m_assembly.matrix(); }
-  const Newton_equation<SolverTraits>& equation() const { return m_equation; }
+  const Newton_equation& equation() const { return m_equation; }
 
 private:
   typedef Eigen::Matrix<double, 6, 1> Local_constraints;
@@ -170,7 +169,7 @@ private:
   bool m_with_constraint_curvature;
   Triangle_assembly<2> m_assembly;
   std::vector<Local_system> m_local; // of each triangle
-  Newton_equation<SolverTraits> m_equation;
+  Newton_equation m_equation;
 };
 
 } // namespace internal

@@ -19,7 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -146,15 +146,15 @@ inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_p
 // Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), starting from and
 // changing `alpha`. The outcome is in `report`: `converged`, `iterations`, `energy`, `constraint_residual`, `steps`.
 // Returns `false` if the linear solver fails. If
-// `scalar_solver` is not null it becomes a copy of the traits that may know the pattern of the layout's system.
-template <typename SolverTraits>
-bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF_plus_plus_options& options,
-                  const SolverTraits& traits, std::vector<double>& alpha, ABF_plus_plus_report& report,
-                  std::optional<Low_precision_traits<SolverTraits>>* scalar_solver = nullptr)
+// `scalar_solver` is not null it becomes a solver that may know the pattern of the layout's system.
+inline bool solve_angles(const Chart& chart, const std::vector<double>& beta,
+                         const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+                         std::vector<double>& alpha, ABF_plus_plus_report& report,
+                         std::unique_ptr<Linear_solver>* scalar_solver = nullptr)
 {
   const Angle_energy energy{options.barrier};
-  Newton_system<SolverTraits> system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON,
-                                     traits, options.linear_solver == ABF_plus_plus_options::ITERATIVE);
+  Newton_system system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON, solvers,
+                       options.linear_solver == ABF_plus_plus_options::ITERATIVE);
   Newton_step step;
   Angle_iterate iterate;
   iterate.alpha.swap(alpha);
@@ -185,7 +185,7 @@ bool solve_angles(const Chart& chart, const std::vector<double>& beta, const ABF
   report.constraint_residual = iterate.largest_residual();
   alpha.swap(iterate.alpha);
   if(scalar_solver != nullptr)
-    scalar_solver->emplace(system.equation().scalar_solver());
+    *scalar_solver = system.equation().scalar_solver();
   return solved;
 }
 

@@ -59,26 +59,41 @@ struct Has_const_solution<SolverTraits,
                               std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
 {};
 
-// A symmetric linear system, solved for one right-hand side after the other by any model of
-// `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
+// A symmetric linear system, solved for one right-hand side after the other.
+class Linear_solver
+{
+public:
+  virtual ~Linear_solver() = default;
+
+  // Returns `false` if the matrix cannot be factored.
+  virtual bool set_matrix(const Block_matrix<1>& matrix) = 0;
+  virtual bool set_matrix(const Block_matrix<2>& matrix) = 0;
+  virtual bool set_matrix(const Diagonal_parts<2>& matrix) = 0;
+
+  // Analyzes the pattern of a matrix if that can be done beforehand; copies know it then.
+  virtual void analyze_pattern(const Diagonal_parts<2>& matrix) = 0;
+
+  // Returns `false` on failure, also if the solution is not finite.
+  virtual bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) = 0;
+
+  // A solver of the same kind, for another matrix
+  virtual std::unique_ptr<Linear_solver> copy() const = 0;
+};
+
+// Solves by any model of `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
 template <typename SolverTraits>
-class Symmetric_system
+class Symmetric_system : public Linear_solver
 {
   typedef typename SolverTraits::NT NT;
   typedef typename SolverTraits::Matrix Matrix;
   typedef typename SolverTraits::Vector Vector;
 
 public:
-  typedef SolverTraits Traits;
-
   explicit Symmetric_system(SolverTraits traits) : m_traits(std::move(traits)) {}
 
-  // Takes over a matrix of which `eigen_matrix()` makes one of Eigen's. Returns `false` if it cannot be factored.
-  template <typename Source>
-  bool set_matrix(const Source& matrix)
-  {
-    return set_matrix(eigen_matrix<NT>(matrix));
-  }
+  bool set_matrix(const Block_matrix<1>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
+  bool set_matrix(const Block_matrix<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
+  bool set_matrix(const Diagonal_parts<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
 
   bool set_matrix(Eigen::SparseMatrix<NT> matrix)
   {
@@ -91,9 +106,7 @@ public:
     return done;
   }
 
-  // Lets the traits analyze the pattern of a matrix if they can do that beforehand; copies of them know it then.
-  template <typename Source>
-  void analyze_pattern(const Source& matrix)
+  void analyze_pattern(const Diagonal_parts<2>& matrix) override
   {
     if constexpr(Has_analyze_pattern<SolverTraits>::value)
       m_traits.analyze_pattern(*own(eigen_matrix<NT>(matrix))); // if that fails, so does the factorization
@@ -101,8 +114,7 @@ public:
       (void)matrix;
   }
 
-  // Returns `false` on failure, also if the solution is not finite.
-  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution)
+  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) override
   {
     const int n = static_cast<int>(right_hand_side.size());
     Vector b(n), x(n);
@@ -121,7 +133,10 @@ public:
     return solution.allFinite();
   }
 
-  const SolverTraits& traits() const { return m_traits; }
+  std::unique_ptr<Linear_solver> copy() const override
+  {
+    return std::make_unique<Symmetric_system>(m_traits);
+  }
 
 private:
   // Right-hand sides of double precision must not vanish in single.

@@ -12,11 +12,15 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/refine.h>
+
+#include <CGAL/bounding_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,15 +32,13 @@ namespace Surface_mesh_parameterization {
 
 namespace internal {
 
-// Flattens a chart by way of a coarser one. `Coarse_solver` is called with a `Chart` and a vector of points to be
-// filled, and returns whether it succeeded.
-template <typename Coarse_solver>
+// Flattens a chart by way of a coarser one.
 class Hierarchical_flattening
 {
   typedef std::vector<Chart::Point_2> Layout;
 
 public:
-  Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_solver& solve,
+  Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve,
                           Hierarchical_report& report)
       : m_coarsening(chart), m_options(options), m_solve(solve), m_report(report),
         m_uv(chart.points.size(), Planar_point(0, 0))
@@ -137,18 +139,18 @@ private:
 
   Coarsening m_coarsening;
   const Hierarchical_options& m_options;
-  const Coarse_solver& m_solve;
+  const Coarse_flattening& m_solve;
   Hierarchical_report& m_report;
   std::vector<Planar_point> m_uv; // of each vertex that is there
 };
 
 // Flattens a chart that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a valid
 // map was found. Returns `false` if none was.
-template <typename Coarse_solver>
-bool flatten_hierarchically(Chart& chart, const Hierarchical_options& options, const Coarse_solver& solve,
-                            std::vector<Chart::Point_2>& uv, Hierarchical_report& report)
+inline bool flatten_hierarchically(Chart& chart, const Hierarchical_options& options,
+                                   const Coarse_flattening& solve, std::vector<Chart::Point_2>& uv,
+                                   Hierarchical_report& report)
 {
-  return Hierarchical_flattening<Coarse_solver>(chart, options, solve, report).run(uv);
+  return Hierarchical_flattening(chart, options, solve, report).run(uv);
 }
 
 } // namespace internal

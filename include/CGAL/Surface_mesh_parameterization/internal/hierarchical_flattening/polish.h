@@ -13,10 +13,10 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/preconditioning_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_from_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_solvers.h>
 
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,9 +28,8 @@ namespace internal {
 
 // Runs the direct solver from the angles of a valid map, which fulfil all constraints. The map is replaced only by
 // another valid one; whether it was is in the report.
-template <typename SolverTraits>
-void polish(const Chart& chart, const Hierarchical_options& options, const SolverTraits& traits,
-            std::vector<Chart::Point_2>& uv, Hierarchical_report& report)
+inline void polish(const Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers,
+                   std::vector<Chart::Point_2>& uv, Hierarchical_report& report)
 {
   const std::vector<double> beta = target_angles(chart);
   std::vector<double> alpha(beta.size());
@@ -39,11 +38,11 @@ void polish(const Chart& chart, const Hierarchical_options& options, const Solve
   alpha = starting_angles(alpha);
 
   ABF_plus_plus_report direct;
-  std::optional<Low_precision_traits<SolverTraits>> scalar_solver;
+  std::unique_ptr<Linear_solver> scalar_solver;
   std::vector<Chart::Point_2> polished;
-  if(solve_angles(chart, beta, options.polish_options, traits, alpha, direct, &scalar_solver) &&
+  if(solve_angles(chart, beta, options.polish_options, solvers, alpha, direct, &scalar_solver) &&
      direct.converged &&
-     lay_out(chart, alpha, options.polish_options, traits, *std::move(scalar_solver), polished, direct) &&
+     lay_out(chart, alpha, options.polish_options, solvers, std::move(scalar_solver), polished, direct) &&
      flipped_triangles(chart, polished).empty()) {
     uv.swap(polished);
     report.polished = true;
