@@ -6,7 +6,6 @@
 // What is said of a pattern before SuperLU sees it: it must never have to grow an array, as it writes beyond the end of
 // some of those that it grows.
 
-#define BOOST_TEST_MODULE SuperLU_analysis
 #include <boost/test/unit_test.hpp>
 
 #include "rubbish_charts.h"
@@ -27,6 +26,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_SuperLU_analysis)
 
 namespace {
 
@@ -225,3 +226,5 @@ BOOST_AUTO_TEST_CASE(arrays_that_grow)
   }
   BOOST_TEST(grown > 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

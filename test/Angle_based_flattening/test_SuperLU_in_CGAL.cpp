@@ -6,7 +6,6 @@
 // `SuperLU_solver_traits`, just as it is, as the solver of CGAL's own algorithms on surfaces, next to the solver of
 // Eigen that each of them takes by default.
 
-#define BOOST_TEST_MODULE SuperLU_in_CGAL
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -26,6 +25,8 @@
 #include <random>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_SuperLU_in_CGAL)
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -256,3 +257,5 @@ BOOST_AUTO_TEST_CASE(fair)
     BOOST_TEST(difference_of_points(superlu, original) > 0.01);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

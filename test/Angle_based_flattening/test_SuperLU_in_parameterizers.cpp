@@ -6,7 +6,6 @@
 // `SuperLU_solver_traits`, just as it is, as the solver of CGAL's own parameterizers, next to the solver of Eigen that
 // each of them takes by default.
 
-#define BOOST_TEST_MODULE SuperLU_in_parameterizers
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -36,6 +35,8 @@
 #include <memory>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_SuperLU_in_parameterizers)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -194,3 +195,5 @@ BOOST_AUTO_TEST_CASE(orbifold_tutte)
       check_same_points(sphere.flatten<SuperLU>(type, weights), sphere.flatten<CGAL::Default>(type, weights));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE SuperLU_solver_traits
 #include <boost/test/unit_test.hpp>
 
 // Names of SuperLU are free for others, before its header is included...
@@ -50,22 +49,6 @@ enum Names
 #define TEXT_2(x) #x
 #define TEXT(x) TEXT_2(x)
 
-template <class FT>
-using Solver = CGAL::SuperLU_solver_traits<FT>;
-template <class FT>
-using Vector = typename Solver<FT>::Vector;
-typedef Eigen::SparseMatrix<double> Columns;
-typedef std::tuple<double, float> Number_types;
-
-static_assert(std::is_same<Solver<double>, CGAL::SuperLU_solver_traits<>>::value, "the default");
-static_assert(std::is_same<Solver<float>::Matrix, CGAL::Eigen_sparse_matrix<float>>::value &&
-                  std::is_same<Solver<float>::Vector, CGAL::Eigen_vector<float>>::value,
-              "types of CGAL");
-static_assert(std::is_copy_constructible<Solver<float>>::value &&
-                  std::is_copy_assignable<Solver<float>>::value,
-              "copyable");
-static_assert(std::is_nothrow_move_constructible<Solver<float>>::value, "movable");
-
 // ...and after it.
 enum User_enumerators
 {
@@ -84,6 +67,24 @@ struct SuperMatrix
 {
   int int_t;
 };
+
+BOOST_AUTO_TEST_SUITE(test_SuperLU_solver_traits)
+
+template <class FT>
+using Solver = CGAL::SuperLU_solver_traits<FT>;
+template <class FT>
+using Vector = typename Solver<FT>::Vector;
+typedef Eigen::SparseMatrix<double> Columns;
+typedef std::tuple<double, float> Number_types;
+
+static_assert(std::is_same<Solver<double>, CGAL::SuperLU_solver_traits<>>::value, "the default");
+static_assert(std::is_same<Solver<float>::Matrix, CGAL::Eigen_sparse_matrix<float>>::value &&
+                  std::is_same<Solver<float>::Vector, CGAL::Eigen_vector<float>>::value,
+              "types of CGAL");
+static_assert(std::is_copy_constructible<Solver<float>>::value &&
+                  std::is_copy_assignable<Solver<float>>::value,
+              "copyable");
+static_assert(std::is_nothrow_move_constructible<Solver<float>>::value, "movable");
 
 Columns grid_laplacian(int width, int height, double shift)
 {
@@ -785,3 +786,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bad_normal_equations, FT, Number_types)
   BOOST_CHECK(solver.factor(rounded<FT>(grid_laplacian(2, 2, 1)), d));
   BOOST_CHECK(!solver.normal_equation_solver(Vector<FT>(4), x)); // another kind of factorization
 }
+
+BOOST_AUTO_TEST_SUITE_END()

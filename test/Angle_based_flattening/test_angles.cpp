@@ -5,7 +5,6 @@
 
 // From target angles to planar angles: every room by itself, on charts made by hand.
 
-#define BOOST_TEST_MODULE angles
 #include <boost/test/unit_test.hpp>
 
 #include "test_charts.h"
@@ -21,19 +20,23 @@
 #include <limits>
 #include <utility>
 
+// Its factors precondition in double precision, too.
+namespace test_angles {
+struct Double_solver : CGAL::SuperLU_solver_traits<>
+{};
+} // namespace test_angles
+
+template <>
+struct CGAL::Has_independent_copies<test_angles::Double_solver> : std::true_type
+{};
+
+BOOST_AUTO_TEST_SUITE(test_angles)
+
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_options Options;
 typedef CGAL::SuperLU_solver_traits<> Solver;
-
-// Its factors precondition in double precision, too.
-struct Double_solver : Solver
-{};
-
-template <>
-struct CGAL::Has_independent_copies<Double_solver> : std::true_type
-{};
 typedef Eigen::MatrixXd Matrix;
 typedef Eigen::VectorXd Vector;
 
@@ -629,5 +632,7 @@ BOOST_AUTO_TEST_CASE(steps_are_reported)
   BOOST_TEST(solve(bump(6, 1), options, alpha).iterations == counter.calls);
   BOOST_TEST(counter.calls > 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,7 +6,6 @@
 // ABF++ with the solver that the user already has: with those of Eigen, with CHOLMOD, and with archetypes of CGAL's
 // concepts, which have what the concepts ask for and nothing else.
 
-#define BOOST_TEST_MODULE any_solver
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -32,6 +31,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_any_solver)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -358,3 +359,5 @@ BOOST_AUTO_TEST_CASE(denominators)
     BOOST_TEST(check_archetype<Archetype_factor_traits>(denominator).solves > 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,6 @@
 
 // The methods of angles that ABF++ is compared with find the same minimum.
 
-#define BOOST_TEST_MODULE baselines
 #include <boost/test/unit_test.hpp>
 
 #include "test_charts.h"
@@ -22,6 +21,8 @@
 #include <cmath>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_baselines)
 
 using namespace ABF_benchmark;
 
@@ -168,3 +169,5 @@ BOOST_AUTO_TEST_CASE(what_does_not_converge_is_a_failure)
   BOOST_TEST(!(Original_ABF{1e-10, 1}).solve_angles(chart, alpha, report));
   BOOST_TEST(!report.failure.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,10 +5,8 @@
 
 // The certificate, against maps whose faults are known, and against a search through all pairs.
 
-#define BOOST_TEST_MODULE certify_flattening
 #include <boost/test/unit_test.hpp>
 
-// First, so that it is seen to need nothing before it.
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
 
 #include "mesh_of_chart.h"
@@ -32,6 +30,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_certify_flattening)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace abf = SMP::internal;
@@ -531,3 +531,5 @@ BOOST_AUTO_TEST_CASE(long_borders)
   BOOST_TEST(!abf::Border_sweep<Point_2>(edges, uv).finds_touching_edges());
   BOOST_TEST_MESSAGE("zigzag, " << edges.size() << " edges: " << timer.time() << " s");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,6 @@
 
 // What the benchmark `compare` makes of its figures.
 
-#define BOOST_TEST_MODULE comparison
 #include <boost/test/unit_test.hpp>
 
 #include "../../benchmark/Angle_based_flattening/compare/csv.h"
@@ -17,6 +16,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_comparison)
 
 using namespace compare;
 
@@ -101,3 +102,5 @@ BOOST_AUTO_TEST_CASE(failures_are_told)
       ends_with(row(distortions_table(results, 0, 5000), "| LSCM"), "| stopped: took longer than 8 s |"));
   BOOST_TEST(ends_with(csv(results), "\"stopped: took longer than 8 s\"\n"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,7 +6,6 @@
 // Every chart is either flattened, and its map passes the public certificate, or refused with an error that says what
 // is wrong and where, with the caller's map as it was. Charts that can be flattened are.
 
-#define BOOST_TEST_MODULE every_chart
 #include <boost/test/unit_test.hpp>
 
 #include "infeasible_charts.h"
@@ -16,6 +15,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <algorithm>
@@ -33,6 +34,8 @@
 #else
 #define EVERY_CHART_IS_SANITIZED 0
 #endif
+
+BOOST_AUTO_TEST_SUITE(test_every_chart)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using namespace test_charts;
@@ -305,3 +308,7 @@ BOOST_AUTO_TEST_CASE(infeasible)
   check_infeasible("two borders", [](auto& random) { return two_borders(uniform_int(random, 3, 30)); });
   check_infeasible("handle", [](auto& random) { return handle(uniform_int(random, 3, 9)); });
 }
+
+BOOST_AUTO_TEST_SUITE_END()
+
+#undef EVERY_CHART_IS_SANITIZED

@@ -6,7 +6,6 @@
 // Whatever the user brings along may fail, at any of its calls: the solver, with an error or with rubbish; and the
 // property maps, with an exception. Leaks are for the sanitizers to find.
 
-#define BOOST_TEST_MODULE fault_injection
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -23,6 +22,8 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_fault_injection)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -183,12 +184,19 @@ struct Run
 
 } // namespace
 
+BOOST_AUTO_TEST_SUITE_END()
+
 template <>
-struct CGAL::Low_precision_solver_traits<Traits_with_faulty_counterpart>
+struct CGAL::Low_precision_solver_traits<test_fault_injection::Traits_with_faulty_counterpart>
 {
-  typedef Faulty_counterpart type;
-  static type create(const Traits_with_faulty_counterpart& traits) { return type(*traits.countdown); }
+  typedef test_fault_injection::Faulty_counterpart type;
+  static type create(const test_fault_injection::Traits_with_faulty_counterpart& traits)
+  {
+    return type(*traits.countdown);
+  }
 };
+
+BOOST_AUTO_TEST_SUITE(test_fault_injection)
 
 namespace {
 
@@ -397,3 +405,5 @@ BOOST_AUTO_TEST_CASE(visitor_that_stops_the_hierarchical_method)
   check_stopping_visitor<SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Surface_mesh>,
                          SMP::Hierarchical_options>(6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

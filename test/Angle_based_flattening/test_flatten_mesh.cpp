@@ -5,7 +5,6 @@
 
 // The program `flatten_mesh`, from outside: exit status, messages, files.
 
-#define BOOST_TEST_MODULE flatten_mesh
 #include <boost/test/unit_test.hpp>
 
 #include <boost/property_tree/json_parser.hpp>
@@ -30,6 +29,8 @@
 #include <vector>
 
 #include <unistd.h>
+
+BOOST_AUTO_TEST_SUITE(test_flatten_mesh)
 
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
@@ -739,5 +740,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
   run("");
   check_refusal({"no input", "--help"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

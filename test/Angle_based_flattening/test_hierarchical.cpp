@@ -5,12 +5,14 @@
 
 // The hierarchical method: every room by itself, and the parameterizer.
 
-#define BOOST_TEST_MODULE hierarchical
 #include <boost/test/unit_test.hpp>
 
 #include "test_charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -24,6 +26,8 @@
 #include <limits>
 #include <map>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_hierarchical)
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -422,5 +426,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::WRONG_OPTION);
   BOOST_TEST(uv.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,6 @@
 
 // Both parameterizers, measures and certificates with every usual kernel, and with points of none.
 
-#define BOOST_TEST_MODULE kernels
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -21,6 +20,8 @@
 
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/property_map.hpp>
+
+BOOST_AUTO_TEST_SUITE(test_kernels)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -88,3 +89,5 @@ BOOST_AUTO_TEST_CASE(other_points)
   check_mesh_type<Direct<CGAL::Surface_mesh<Kernel::Point_3>>, CGAL::Simple_cartesian<float>>();
   check_mesh_type<Hierarchical<CGAL::Surface_mesh<Scanned_point>>, Kernel>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,18 +6,23 @@
 // Charts, their diagnosis, and from planar angles to certified coordinates: every room by itself, on charts made by
 // hand.
 
-#define BOOST_TEST_MODULE layouts
 #include <boost/test/unit_test.hpp>
 
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
 
 #include <complex>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_layouts)
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -355,5 +360,7 @@ BOOST_AUTO_TEST_CASE(the_ladder_is_climbed_and_reported)
     BOOST_TEST(!report.failed_rungs[rung].message.empty());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

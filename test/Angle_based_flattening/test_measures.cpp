@@ -5,7 +5,6 @@
 
 // The measures of a map: against closed forms where there are any, and else against other formulas in 50 digits.
 
-#define BOOST_TEST_MODULE measures
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
 
@@ -30,6 +29,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_measures)
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -612,5 +613,7 @@ BOOST_AUTO_TEST_CASE(refusals)
   mesh.point(target(bhd, mesh)) = Point_3(0, not_a_number, 0);
   BOOST_CHECK_THROW(SMP::measure_flattening(mesh, bhd, uv), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,6 @@
 
 // The parameterizer as CGAL programmers use it, on every kind of mesh.
 
-#define BOOST_TEST_MODULE parameterizer
 #include <boost/test/unit_test.hpp>
 
 // First, so that they are seen to need nothing before them.
@@ -31,6 +30,8 @@
 #include <map>
 #include <unordered_map>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_parameterizer)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -410,3 +411,5 @@ BOOST_AUTO_TEST_CASE(wrong_topology)
   Flattening<Surface_mesh> open_tetrahedron;
   BOOST_TEST(open_tetrahedron.run(slit, first) == SMP::OK);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

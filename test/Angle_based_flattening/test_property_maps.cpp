@@ -5,7 +5,6 @@
 
 // Both parameterizers, measures and certificates with every usual kind of property map: the same result.
 
-#define BOOST_TEST_MODULE property_maps
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -31,6 +30,8 @@
 #ifndef __clang__
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
+
+BOOST_AUTO_TEST_SUITE(test_property_maps)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -162,3 +163,5 @@ BOOST_AUTO_TEST_CASE(vertex_index_maps)
   check_index_maps<Direct>();
   check_index_maps<Hierarchical>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

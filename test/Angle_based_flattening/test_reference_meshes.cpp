@@ -6,7 +6,6 @@
 // Real meshes, against the values that an independent prototype found. They are not part of the repository: where
 // they are missing, so are the tests.
 
-#define BOOST_TEST_MODULE reference_meshes
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
 
@@ -25,6 +24,8 @@
 #include <ostream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_reference_meshes)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -126,3 +127,5 @@ BOOST_DATA_TEST_CASE(reference_values, boost::unit_test::data::make(references),
     BOOST_TEST(distance_up_to_similarity(mesh, uv[0], uv[1]) < 1e-6);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,6 @@
 
 // The methods that minimize energies of maps: they lower them, find the minimum where it is known, and flip nothing.
 
-#define BOOST_TEST_MODULE relaxed_maps
 #include <boost/test/unit_test.hpp>
 
 #include "test_charts.h"
@@ -18,6 +17,8 @@
 
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_relaxed_maps)
 
 using namespace ABF_benchmark;
 
@@ -129,3 +130,5 @@ BOOST_AUTO_TEST_CASE(what_does_not_converge_is_a_failure)
   BOOST_TEST(!(Stretch_minimizer{1e-7, 1}).flatten(chart, uv, report));
   BOOST_TEST(!report.failure.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

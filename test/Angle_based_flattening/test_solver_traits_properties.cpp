@@ -5,7 +5,6 @@
 
 // Whichever solver is named does all the work, with the settings of the object given.
 
-#define BOOST_TEST_MODULE solver_traits_properties
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -26,6 +25,8 @@
 #include <mutex>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_solver_traits_properties)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -130,20 +131,27 @@ private:
 
 } // namespace
 
+BOOST_AUTO_TEST_SUITE_END()
+
 template <class FT>
-struct CGAL::Has_independent_copies<Logging_solver<FT>> : std::true_type
+struct CGAL::Has_independent_copies<test_solver_traits_properties::Logging_solver<FT>> : std::true_type
 {};
 
 template <>
-struct CGAL::Low_precision_solver_traits<Logging_solver<double>>
+struct CGAL::Low_precision_solver_traits<test_solver_traits_properties::Logging_solver<double>>
 {
-  typedef Logging_solver<float> type;
-  static type create(const Logging_solver<double>& traits) { return type(traits.options(), traits.log()); }
+  typedef test_solver_traits_properties::Logging_solver<float> type;
+  static type create(const test_solver_traits_properties::Logging_solver<double>& traits)
+  {
+    return type(traits.options(), traits.log());
+  }
 };
 
 template <>
-struct CGAL::Has_independent_copies<Own_solver> : std::true_type
+struct CGAL::Has_independent_copies<test_solver_traits_properties::Own_solver> : std::true_type
 {};
+
+BOOST_AUTO_TEST_SUITE(test_solver_traits_properties)
 
 namespace {
 
@@ -267,3 +275,5 @@ BOOST_AUTO_TEST_CASE(nothing_replaces_the_traits_given)
   BOOST_TEST(report.start == SMP::Hierarchical_report::WITHOUT_SOLVER);
   BOOST_TEST(!report.polished);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
