@@ -6,7 +6,7 @@
 #ifndef ANGLE_BASED_FLATTENING_MESH_OF_CHART_H
 #define ANGLE_BASED_FLATTENING_MESH_OF_CHART_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>

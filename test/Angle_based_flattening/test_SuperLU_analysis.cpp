@@ -8,7 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "rubbish_charts.h"
+#include "random_charts.h"
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>

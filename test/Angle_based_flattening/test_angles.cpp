@@ -10,8 +10,8 @@
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/definite_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>

@@ -14,8 +14,8 @@
 #include "../../benchmark/Angle_based_flattening/methods/original_abf.h"
 #include "../../benchmark/Angle_based_flattening/methods/paper_abf_plus_plus.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 
 #include <algorithm>
 #include <cmath>

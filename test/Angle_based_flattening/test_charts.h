@@ -6,9 +6,9 @@
 #ifndef ANGLE_BASED_FLATTENING_TEST_CHARTS_H
 #define ANGLE_BASED_FLATTENING_TEST_CHARTS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 
 #include <array>
 #include <cmath>

@@ -10,13 +10,13 @@
 
 #include "infeasible_charts.h"
 #include "mesh_of_chart.h"
-#include "rubbish_charts.h"
+#include "random_charts.h"
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <algorithm>

@@ -11,13 +11,13 @@
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measure_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 
 #include <complex>
 #include <limits>

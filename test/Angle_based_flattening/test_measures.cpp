@@ -8,7 +8,7 @@
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
 #include "reference_measures.h"

@@ -10,7 +10,7 @@
 // First, so that they are seen to need nothing before them.
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/peak_memory.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 
 #include "test_meshes.h"
 

@@ -11,7 +11,7 @@
 
 #include "../../benchmark/Angle_based_flattening/methods/Relaxed_map.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 
 #include <boost/mpl/list.hpp>
 

@@ -11,8 +11,8 @@
 #include "../common/resize_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 
 #include <algorithm>
 #include <exception>

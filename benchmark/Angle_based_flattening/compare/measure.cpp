@@ -12,7 +12,7 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
 #include <malloc.h>

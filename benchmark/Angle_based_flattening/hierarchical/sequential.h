@@ -16,18 +16,18 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/coarse_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/collapse_cost.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/edge_collapses.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/insert_vertex.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 
 #include <boost/heap/d_ary_heap.hpp>
 

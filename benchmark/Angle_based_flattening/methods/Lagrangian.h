@@ -8,9 +8,9 @@
 
 #include "Run_report.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angle_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 
 #include <Eigen/SparseCore>
 

@@ -8,8 +8,8 @@
 
 #include "Run_report.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/triangle_assembly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 
 #include <Eigen/Eigenvalues>
 

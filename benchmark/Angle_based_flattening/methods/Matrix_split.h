@@ -9,7 +9,7 @@
 #include "Lagrangian.h"
 #include "finish.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 
 namespace ABF_benchmark {
 

@@ -10,7 +10,7 @@
 #include "finish.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
 #include <algorithm>
 #include <string>

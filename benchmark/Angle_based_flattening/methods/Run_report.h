@@ -6,7 +6,7 @@
 #ifndef ABF_BENCHMARK_RUN_REPORT_H
 #define ABF_BENCHMARK_RUN_REPORT_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <functional>
 #include <string>

@@ -8,8 +8,8 @@
 
 #include "Run_report.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/SuperLU_solver_traits.h>
 
 #include <utility>

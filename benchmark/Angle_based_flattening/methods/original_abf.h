@@ -10,7 +10,7 @@
 #include "greedy_unfolding.h"
 #include "newton_loop.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 
 #include <vector>
 

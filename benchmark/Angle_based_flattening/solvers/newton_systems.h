@@ -13,10 +13,10 @@
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/constraints.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/newton_step.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/newton_step.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 
 #include <stdexcept>
 #include <vector>

@@ -10,8 +10,8 @@
 #include "../methods/greedy_unfolding.h"
 #include "../methods/paper_abf_plus_plus.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 
 #include <array>
 #include <cstddef>

@@ -13,13 +13,13 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/SuperLU_solver_traits.h>

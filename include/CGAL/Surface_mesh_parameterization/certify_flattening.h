@@ -10,7 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 

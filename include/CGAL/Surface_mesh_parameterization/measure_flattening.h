@@ -11,9 +11,9 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/measure_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 
 #include <CGAL/number_utils.h>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
 #include <CGAL/Solver_interface/internal/SuperLU_functions.h>
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
-#include <CGAL/Solver_interface/internal/SuperLU_memory.h>
+#include <CGAL/Solver_interface/internal/SuperLU_library.h>
 #include <CGAL/Solver_interface/internal/Supernodal_solution.h>
 
 #include <Eigen/Core>

@@ -10,19 +10,19 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/exact_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/least_squares_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 
 #include <memory>
 #include <string>

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_from_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
 
 #include <algorithm>
 #include <string>

@@ -8,12 +8,12 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/peak_memory.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>

@@ -8,13 +8,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/report_failure.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/visit.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/polish.h>
 
 #include <vector>

@@ -11,10 +11,10 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certify.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/flatten_from_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
 #include <memory>
 #include <utility>

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 
 #include <cmath>
 #include <string>

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLE_ENERGY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLE_ENERGY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The energy of one corner as a function of its angle alpha, with t = alpha / beta:
+//   (t - 1)^2 + barrier (t - 1 - ln t)
+// The first term is Eq. 1 with the relative weights 1 / beta^2; the second has the same minimum and grows
+// without bound as the angle vanishes.
+struct Angle_energy
+{
+  double barrier = 0;
+
+  double value(double alpha, double beta) const
+  {
+    const double x = alpha / beta - 1;
+    return x * x + (barrier > 0 ? barrier * (x - std::log1p(x)) : 0);
+  }
+
+  double first_derivative(double alpha, double beta) const
+  {
+    return (2 * (alpha - beta) / beta + barrier * (1 - beta / alpha)) / beta;
+  }
+
+  double second_derivative(double alpha, double beta) const
+  {
+    return 2 / (beta * beta) + barrier / (alpha * alpha);
+  }
+
+  double value(const std::vector<double>& alpha, const std::vector<double>& beta) const
+  {
+    return parallel_sum(static_cast<int>(alpha.size()), [&](int c) { return value(alpha[c], beta[c]); });
+  }
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLE_ENERGY_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/reduced_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/newton_equation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// A step of the angles and of the multipliers of the constraints at interior vertices.
+struct Newton_step
+{
+  std::vector<double> angles;
+  Constraint_vector multipliers;
+  double predicted_decrease = 0; // of the quadratic model of the Lagrangian
+};
+
+// Computes steps by solving Eq. 16, whose matrix is a sum over triangles:
+//   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
+// with P = T (T' H T)^-1 T', as `split()` says, and r minus the gradient of the Lagrangian. This S is positive
+// definite.
+class Newton_system
+{
+public:
+  Newton_system(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy,
+                bool with_constraint_curvature, const Linear_solvers& solvers, bool iteratively = false)
+      : m_chart(chart), m_beta(beta), m_energy(energy),
+        m_with_constraint_curvature(with_constraint_curvature),
+        m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices),
+        m_local(chart.number_of_triangles()), m_equation(solvers, iteratively)
+  {}
+
+  // Computes the step, if iteratively then with `accuracy`, from angles `alpha` and `multipliers`, where the
+  // constraints are off by `residual`. Returns `false` if the linear solver fails.
+  bool compute(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+               const Constraint_vector& residual, Newton_step& step,
+               const Iterative_accuracy& accuracy = Iterative_accuracy())
+  {
+    const Eigen::VectorXd right_hand_side = assemble(alpha, multipliers, residual);
+    if(!m_equation.solve(m_assembly.matrix(), right_hand_side, accuracy, step.multipliers))
+      return false;
+    substitute_back(step);
+    return true;
+  }
+
+  // Eq. 16: sets the matrix and returns the right-hand side.
+  Eigen::VectorXd assemble(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                           const Constraint_vector& residual)
+  {
+    parallel_for_blocks(m_chart.number_of_triangles(), [&](int begin, int end) {
+      for(int t = begin; t < end; ++t)
+        m_local[t] = local_system(t, alpha, multipliers);
+    });
+    m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
+      const Local_system& local = m_local[c / 3];
+      const Plane_jacobian jacobian = plane_jacobian(local.cotangents);
+      return jacobian * (jacobian.template middleRows<2>(2 * (c % 3)) * local.inverse).transpose();
+    });
+    Eigen::VectorXd right_hand_side = residual;
+    parallel_for_blocks(m_chart.number_of_interior_vertices, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        for(const int c : m_assembly.corners(i)) {
+          const Local_system& local = m_local[c / 3];
+          right_hand_side.segment<2>(2 * i) +=
+              plane_jacobian(local.cotangents).template middleRows<2>(2 * (c % 3)) *
+              (local.inverse * local.force);
+        }
+    });
+    return right_hand_side;
+  }
+
+  const Block_matrix<2>& matrix() const { return m_assembly.matrix(); }
+  const Newton_equation& equation() const { return m_equation; }
+
+private:
+  typedef Eigen::Matrix<double, 6, 1> Local_constraints;
+  typedef Eigen::Matrix<double, 6, 2> Plane_jacobian;
+
+  // All that the assembly and the substitution need of a triangle
+  struct Local_system
+  {
+    Eigen::Vector3d cotangents;
+    Eigen::Matrix<double, 2, 2, Eigen::DontAlign> inverse; // (T' H T)^-1
+    Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
+  };
+
+  // B T: rows 2k and 2k + 1 are those of the constraints at the vertex of corner k, also where that is on the border, which
+  // nobody asks for.
+  static Plane_jacobian plane_jacobian(const Eigen::Vector3d& cotangents)
+  {
+    const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
+    Plane_jacobian jacobian;
+    for(int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3, previous = (k + 2) % 3;
+      jacobian.row(2 * k) = basis.row(k);
+      jacobian.row(2 * k + 1) =
+          cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
+    }
+    return jacobian;
+  }
+
+  Local_system local_system(int t, const std::vector<double>& alpha,
+                            const Constraint_vector& multipliers) const
+  {
+    Local_system local;
+    local.cotangents = cotangents(alpha, t);
+    Eigen::Vector3d energy_gradient, energy_curvature, curvature;
+    for(int k = 0; k < 3; ++k) {
+      const int c = 3 * t + k;
+      energy_gradient[k] = m_energy.first_derivative(alpha[c], m_beta[c]);
+      energy_curvature[k] = curvature[k] = m_energy.second_derivative(alpha[c], m_beta[c]);
+      if(m_with_constraint_curvature)
+        curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
+    }
+    local.force = -basis_of_sum_preserving_steps().transpose() * energy_gradient -
+                  plane_jacobian(local.cotangents).transpose() * gather(t, multipliers);
+    local.inverse = split(energy_curvature, curvature);
+    return local;
+  }
+
+  // Eqs. 10 and 17, together.
+  void substitute_back(Newton_step& step) const
+  {
+    step.angles.resize(m_beta.size());
+    step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
+      const Local_system& local = m_local[t];
+      const Eigen::Vector2d force =
+          local.force - plane_jacobian(local.cotangents).transpose() * gather(t, step.multipliers);
+      const Eigen::Vector2d d = local.inverse * force;
+      Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
+      return d.dot(force) / 2;
+    });
+  }
+
+  // The six entries of a vector that belong to the vertices of triangle `t`; zero at border vertices.
+  Local_constraints gather(int t, const Constraint_vector& vector) const
+  {
+    Local_constraints local = Local_constraints::Zero();
+    for(int k = 0; k < 3; ++k) {
+      const int i = m_chart.interior[m_chart.vertex[3 * t + k]];
+      if(i >= 0)
+        local.segment<2>(2 * k) = vector.segment<2>(2 * i);
+    }
+    return local;
+  }
+
+  const Chart& m_chart;
+  const std::vector<double>& m_beta;
+  Angle_energy m_energy;
+  bool m_with_constraint_curvature;
+  Triangle_assembly<2> m_assembly;
+  std::vector<Local_system> m_local; // of each triangle
+  Newton_equation m_equation;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_ANGLE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_ANGLE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Sine and cosine of the angle at corner `c` in the plane, regardless of orientation, times the lengths of its edges
+inline std::pair<double, double> scaled_sine_and_cosine(const Chart& chart,
+                                                        const std::vector<Chart::Point_2>& uv, int c)
+{
+  const Chart::Point_2& p = uv[chart.vertex[c]];
+  const auto a = uv[chart.vertex[next_corner(c)]] - p;
+  const auto b = uv[chart.vertex[previous_corner(c)]] - p;
+  return {std::abs(CGAL::determinant(a, b)), a * b};
+}
+
+// The angle at corner `c` in the plane, regardless of orientation.
+inline double planar_angle(const Chart& chart, const std::vector<Chart::Point_2>& uv, int c)
+{
+  const auto [sine, cosine] = scaled_sine_and_cosine(chart, uv, c);
+  return std::atan2(sine, cosine);
+}
+
+// The one with the largest cotangent.
+inline double smallest_angle(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  double largest = -(std::numeric_limits<double>::infinity)();
+  int corner = -1;
+  for(int c = 0; c < chart.number_of_corners(); ++c) {
+    const auto [sine, cosine] = scaled_sine_and_cosine(chart, uv, c);
+    const double cotangent =
+        sine == 0 && cosine == 0 ? (std::numeric_limits<double>::infinity)() : cosine / sine;
+    if(cotangent > largest) {
+      largest = cotangent;
+      corner = c;
+    }
+  }
+  return corner < 0 ? pi : planar_angle(chart, uv, corner);
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_ANGLE_H

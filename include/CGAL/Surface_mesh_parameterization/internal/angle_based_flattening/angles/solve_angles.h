@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SOLVE_ANGLES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SOLVE_ANGLES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/newton_step.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Where the solver stands: angles, multipliers, and what they are worth.
+struct Angle_iterate
+{
+  std::vector<double> alpha;
+  Constraint_vector multipliers;
+  Constraint_vector residual;
+  double energy = 0;
+
+  void evaluate(const Chart& chart, const Angle_energy& angle_energy, const std::vector<double>& beta)
+  {
+    residual = constraint_residuals(chart, alpha);
+    energy = angle_energy.value(alpha, beta);
+  }
+
+  double violation() const { return residual.cwiseAbs().sum(); }
+  double largest_residual() const { return residual.size() > 0 ? residual.cwiseAbs().maxCoeff() : 0; }
+
+  // The exact penalty function that steps must lower.
+  double merit(double penalty) const { return energy + penalty * violation(); }
+};
+
+// The longest step, at most the full one, that takes no angle further than a fraction 0.9 of its way to zero. As
+// triangles keep their sum, no angle comes near pi then either.
+inline double longest_step(const std::vector<double>& alpha, const std::vector<double>& direction)
+{
+  double length = 1;
+  for(std::size_t c = 0; c < alpha.size(); ++c)
+    if(-length * direction[c] > 0.9 * alpha[c])
+      length = -0.9 * alpha[c] / direction[c];
+  return length;
+}
+
+// The merit function decreases along a step if each violation weighs more than its multiplier.
+inline double sufficient_penalty(const Angle_iterate& iterate, const Newton_step& step)
+{
+  return step.multipliers.size() > 0 ? 1.5 * (iterate.multipliers + step.multipliers).cwiseAbs().maxCoeff()
+                                     : 0;
+}
+
+// Goes along the step, less and less far until the merit function decreases in proportion. Returns the part of the
+// step that was taken, or 0 if none would do.
+inline double take_step(const Chart& chart, const Angle_energy& energy, const std::vector<double>& beta,
+                        const Newton_step& step, double penalty, Angle_iterate& iterate)
+{
+  const double merit = iterate.merit(penalty), rounding = 1e-12 * merit;
+  const int corners = chart.number_of_corners();
+  const double slope =
+      parallel_sum(
+          corners,
+          [&](int c) { return energy.first_derivative(iterate.alpha[c], beta[c]) * step.angles[c]; }) -
+      penalty * iterate.violation();
+
+  Angle_iterate next;
+  next.alpha.resize(beta.size());
+  for(double length = longest_step(iterate.alpha, step.angles); length > 1e-8; length /= 2) {
+    parallel_for_blocks(corners, [&](int begin, int end) {
+      for(int c = begin; c < end; ++c)
+        next.alpha[c] = iterate.alpha[c] + length * step.angles[c];
+    });
+    next.evaluate(chart, energy, beta);
+    if(next.merit(penalty) <= merit + 1e-4 * length * slope + rounding) {
+      next.multipliers = iterate.multipliers + length * step.multipliers;
+      iterate = std::move(next);
+      return length;
+    }
+  }
+  return 0;
+}
+
+// How exactly the step from each iterate is to be solved for. An exact step would reduce the residuals about as much as
+// the last one did, squared; to solve for more is wasted. (Eisenstat and Walker 1996, their second choice.) Where it was
+// not enough, the next steps are more exact.
+class Step_accuracy
+{
+public:
+  explicit Step_accuracy(double tolerance) : m_tolerance(tolerance) {}
+
+  Iterative_accuracy next(double largest_residual)
+  {
+    const bool is_first = m_last_residual == 0;
+    const double change = is_first ? 0 : largest_residual / m_last_residual;
+    if(largest_residual > m_tolerance && change > 0.5)
+      m_caution /= 10;
+    m_last_residual = largest_residual;
+    Iterative_accuracy accuracy;
+    accuracy.relative_error = m_caution * 1e-2;
+    if(!is_first)
+      accuracy.largest_residual =
+          m_caution * (std::min)(0.1 * largest_residual,
+                                 (std::max)(change * change * largest_residual, 0.1 * m_tolerance));
+    return accuracy;
+  }
+
+  // Asks for more exact steps from now on; returns `false` if they could not be any more exact to any effect.
+  bool raise()
+  {
+    m_caution /= 10;
+    return m_caution > 1e-10;
+  }
+
+private:
+  double m_tolerance, m_caution = 1, m_last_residual = 0;
+};
+
+// The stopping rule: all constraints are met, and the last step had little left to gain. Both do not depend on the
+// resolution of the chart.
+inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_plus_step& last,
+                          std::size_t corners)
+{
+  const double rounding = 1e-15 * corners;
+  return last.constraint_residual <= options.tolerance &&
+         last.predicted_decrease <= options.energy_tolerance * last.energy + rounding;
+}
+
+// Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), starting from and
+// changing `alpha`. The outcome is in `report`: `converged`, `iterations`, `energy`, `constraint_residual`, `steps`.
+// Returns `false` if the linear solver fails. If
+// `scalar_solver` is not null it becomes a solver that may know the pattern of the layout's system.
+inline bool solve_angles(const Chart& chart, const std::vector<double>& beta,
+                         const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+                         std::vector<double>& alpha, ABF_plus_plus_report& report,
+                         std::unique_ptr<Linear_solver>* scalar_solver = nullptr)
+{
+  const Angle_energy energy{options.barrier};
+  Newton_system system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON, solvers,
+                       options.linear_solver == ABF_plus_plus_options::ITERATIVE);
+  Newton_step step;
+  Angle_iterate iterate;
+  iterate.alpha.swap(alpha);
+  iterate.multipliers = Constraint_vector::Zero(2 * chart.number_of_interior_vertices);
+  iterate.evaluate(chart, energy, beta);
+
+  Step_accuracy accuracy(options.tolerance);
+  bool solved = true;
+  double penalty = 0;
+  while(!report.converged && report.iterations < options.max_iterations) {
+    solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step,
+                            accuracy.next(iterate.largest_residual()));
+    if(!solved)
+      break;
+    penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
+    const double length = take_step(chart, energy, beta, step, penalty, iterate);
+    if(length == 0 && system.equation().steps() > 0 && accuracy.raise())
+      continue; // a more exact step may lower the merit function where this one did not
+    if(length == 0)
+      break;
+    report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
+                            step.predicted_decrease, length, system.equation().steps(),
+                            system.equation().factorizations(), system.equation().repeated_factorizations()});
+    visit_step(options.visitor, report.steps.back());
+    report.converged = has_converged(options, report.steps.back(), beta.size());
+  }
+  report.energy = iterate.energy;
+  report.constraint_residual = iterate.largest_residual();
+  alpha.swap(iterate.alpha);
+  if(scalar_solver != nullptr)
+    *scalar_solver = system.equation().scalar_solver();
+  return solved;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SOLVE_ANGLES_H

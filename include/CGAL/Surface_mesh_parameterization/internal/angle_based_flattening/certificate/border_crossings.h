@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_CROSSINGS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_CROSSINGS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
+
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+typedef CGAL::Box_intersection_d::Box_with_info_d<double, 2, int> Indexed_box;
+
+// The bounding boxes of those edges whose points are finite.
+template <typename Point>
+std::vector<Indexed_box> edge_boxes(const std::vector<Border_edge>& edges, const std::vector<Point>& uv)
+{
+  std::vector<Indexed_box> boxes;
+  for(std::size_t i = 0; i < edges.size(); ++i) {
+    const Point &p = uv[edges[i].source], &q = uv[edges[i].target];
+    if(is_finite_point(p) && is_finite_point(q))
+      boxes.emplace_back(p.bbox() + q.bbox(), static_cast<int>(i));
+  }
+  return boxes;
+}
+
+// The pairs of border edges that touch, as sorted pairs of their places in `edges`. It takes `O(b log b)` time to see
+// that there is none; else the pairs of edges whose bounding boxes intersect are looked at.
+template <typename Point>
+std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>& edges,
+                                                const std::vector<Point>& uv)
+{
+  std::vector<std::pair<int, int>> pairs;
+  if(!Border_sweep<Point>(edges, uv).finds_touching_edges())
+    return pairs;
+  std::vector<Indexed_box> boxes = edge_boxes(edges, uv);
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Indexed_box& a, const Indexed_box& b) {
+    if(touch(edges[a.info()], edges[b.info()], uv))
+      pairs.push_back(std::minmax({a.info(), b.info()}));
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// The pairs of border edges that touch, as the corners that face them.
+inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
+                                                         const std::vector<Chart::Point_2>& uv)
+{
+  std::vector<int> corners;
+  for(const std::vector<int>& border : chart.borders)
+    corners.insert(corners.end(), border.begin(), border.end());
+  std::vector<std::pair<int, int>> pairs = touching_edges(border_edges(chart), uv);
+  for(std::pair<int, int>& pair : pairs)
+    pair = {corners[pair.first], corners[pair.second]};
+  return pairs;
+}
+
+// Whether no two border edges touch: the borders are simple polygons, apart from one another.
+inline bool is_border_simple(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  return !Border_sweep<Chart::Point_2>(border_edges(chart), uv).finds_touching_edges();
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_CROSSINGS_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_SWEEP_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_SWEEP_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+
+#include <CGAL/Kernel_traits.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Whether two border edges have a point in common, other than a vertex of both. Their points are finite. An edge without
+// length touches those beside it.
+template <typename Point>
+bool touch(const Border_edge& e, const Border_edge& f, const std::vector<Point>& uv)
+{
+  typedef typename CGAL::Kernel_traits<Point>::Kernel::Segment_2 Segment_2;
+  const bool at_source = e.source == f.source || e.source == f.target;
+  const bool at_target = e.target == f.source || e.target == f.target;
+  if(at_source && at_target)
+    return true;
+  if(at_source || at_target) {
+    const int common = at_source ? e.source : e.target;
+    const Point& p = uv[at_source ? e.target : e.source];
+    const Point& q = uv[f.source == common ? f.target : f.source];
+    return CGAL::collinear(p, uv[common], q) &&
+           !CGAL::collinear_are_strictly_ordered_along_line(p, uv[common], q);
+  }
+  const Segment_2 s(uv[e.source], uv[e.target]), t(uv[f.source], uv[f.target]);
+  if(s.is_degenerate() || t.is_degenerate())
+    return s.is_degenerate() ? t.has_on(s.source()) : s.has_on(t.source());
+  return CGAL::do_intersect(s, t);
+}
+
+// Decides whether any two of the edges touch (Shamos and Hoey's sweep, with no construction but comparisons): in
+// `O(b log b)` time, for any number of borders. Loops and edges with points that are not finite are left out.
+template <typename Point>
+class Border_sweep
+{
+  // The order along the sweep line of edges that do not touch. Whatever is collinear does touch.
+  struct Is_below
+  {
+    Border_sweep* sweep;
+
+    bool operator()(int e, int f) const
+    {
+      if(e == f)
+        return false;
+      const int e_left = sweep->m_left[e], f_left = sweep->m_left[f];
+      if(e_left == f_left)
+        return sweep->turn(e, sweep->m_right[f]) == CGAL::LEFT_TURN;
+      return e_left < f_left ? sweep->turn(e, f_left) == CGAL::LEFT_TURN
+                             : sweep->turn(f, e_left) == CGAL::RIGHT_TURN;
+    }
+  };
+  typedef std::set<int, Is_below> Line;
+
+public:
+  Border_sweep(const std::vector<Border_edge>& edges, const std::vector<Point>& uv) : m_uv(uv)
+  {
+    for(const Border_edge& e : edges)
+      if(e.source != e.target && is_finite_point(uv[e.source]) && is_finite_point(uv[e.target]))
+        m_edges.push_back(e);
+    sort_vertices();
+    for(const Border_edge& e : m_edges) {
+      m_left.push_back((std::min)(m_rank[e.source], m_rank[e.target]));
+      m_right.push_back((std::max)(m_rank[e.source], m_rank[e.target]));
+    }
+  }
+
+  bool finds_touching_edges()
+  {
+    for(std::size_t i = 1; i < m_vertices.size(); ++i)
+      if(m_uv[m_vertices[i - 1]] == m_uv[m_vertices[i]])
+        return true;
+    const std::vector<int> by_left = sorted_by(m_left), by_right = sorted_by(m_right);
+    Line line(Is_below{this});
+    std::vector<typename Line::iterator> place(m_edges.size(), line.end());
+    std::size_t inserted = 0, removed = 0;
+    for(int rank = 0; rank < static_cast<int>(m_vertices.size()); ++rank) {
+      for(; removed < by_right.size() && m_right[by_right[removed]] == rank && !m_found; ++removed)
+        remove(line, place[by_right[removed]]);
+      for(; inserted < by_left.size() && m_left[by_left[inserted]] == rank && !m_found; ++inserted)
+        place[by_left[inserted]] = insert(line, by_left[inserted]);
+      if(m_found)
+        return true;
+    }
+    return false;
+  }
+
+private:
+  // Sets the vertices in the order in which they are swept, and the rank of each.
+  void sort_vertices()
+  {
+    for(const Border_edge& e : m_edges) {
+      m_vertices.push_back(e.source);
+      m_vertices.push_back(e.target);
+    }
+    std::sort(m_vertices.begin(), m_vertices.end());
+    m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
+    std::sort(m_vertices.begin(), m_vertices.end(),
+              [this](int v, int w) { return CGAL::compare_xy(m_uv[v], m_uv[w]) == CGAL::SMALLER; });
+    m_rank.resize(m_uv.size());
+    for(std::size_t i = 0; i < m_vertices.size(); ++i)
+      m_rank[m_vertices[i]] = static_cast<int>(i);
+  }
+
+  std::vector<int> sorted_by(const std::vector<int>& end) const
+  {
+    std::vector<int> order(m_edges.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int e, int f) { return end[e] < end[f]; });
+    return order;
+  }
+
+  CGAL::Orientation turn(int edge, int rank)
+  {
+    const CGAL::Orientation result = CGAL::orientation(
+        m_uv[m_vertices[m_left[edge]]], m_uv[m_vertices[m_right[edge]]], m_uv[m_vertices[rank]]);
+    m_found = m_found || result == CGAL::COLLINEAR;
+    return result;
+  }
+
+  void test(int e, int f) { m_found = m_found || touch(m_edges[e], m_edges[f], m_uv); }
+
+  typename Line::iterator insert(Line& line, int edge)
+  {
+    const auto place = line.insert(edge).first;
+    if(place != line.begin())
+      test(*std::prev(place), edge);
+    if(std::next(place) != line.end())
+      test(edge, *std::next(place));
+    return place;
+  }
+
+  void remove(Line& line, typename Line::iterator place)
+  {
+    const auto above = line.erase(place);
+    if(above != line.begin() && above != line.end())
+      test(*std::prev(above), *above);
+  }
+
+  const std::vector<Point>& m_uv;
+  std::vector<Border_edge> m_edges;
+  std::vector<int> m_vertices;      // in the order of the sweep
+  std::vector<int> m_rank;          // of each vertex in that order
+  std::vector<int> m_left, m_right; // of each edge: the ranks of its ends
+  bool m_found = false;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_SWEEP_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// An edge on the border, from vertex to vertex, with its triangle to the left.
+struct Border_edge
+{
+  int source;
+  int target;
+};
+
+// In the order of the chart's border cycles.
+inline std::vector<Border_edge> border_edges(const Chart& chart)
+{
+  std::vector<Border_edge> edges;
+  for(const std::vector<int>& border : chart.borders)
+    for(int c : border)
+      edges.push_back({chart.edge_source(c), chart.edge_target(c)});
+  return edges;
+}
+
+template <typename Point>
+bool is_finite_point(const Point& p)
+{
+  return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y());
+}
+
+// By an exact predicate, if the points' kernel has exact predicates.
+template <typename Point>
+bool is_positively_oriented(const Point& p, const Point& q, const Point& r)
+{
+  return is_finite_point(p) && is_finite_point(q) && is_finite_point(r) &&
+         CGAL::orientation(p, q, r) == CGAL::LEFT_TURN;
+}
+
+// The triangles that are not positively oriented in the plane. Coordinates that are not finite make a triangle
+// count as flipped. `vertex` holds the vertex of each corner.
+template <typename Point>
+std::vector<int> flipped_triangles(const std::vector<int>& vertex, const std::vector<Point>& uv)
+{
+  std::vector<int> flipped;
+  for(std::size_t c = 0; c < vertex.size(); c += 3)
+    if(!is_positively_oriented(uv[vertex[c]], uv[vertex[c + 1]], uv[vertex[c + 2]]))
+      flipped.push_back(static_cast<int>(c / 3));
+  return flipped;
+}
+
+inline std::vector<int> flipped_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  return flipped_triangles(chart.vertex, uv);
+}
+
+// Whether `p` lies in direction [0, pi) from `origin`, and not in [pi, 2 pi).
+template <typename Point>
+bool is_in_upper_half(const Point& p, const Point& origin)
+{
+  return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
+}
+
+// How often the triangles around each vertex sweep over the direction of the x-axis. A triangle takes less than half
+// a turn, and so does it exactly if it leads from the lower half of the plane to the upper one.
+template <typename Point>
+std::vector<int> sweeps_over_axis(const std::vector<int>& vertex, const std::vector<Point>& uv)
+{
+  std::vector<int> sweeps(uv.size(), 0);
+  for(int c = 0; c < static_cast<int>(vertex.size()); ++c) {
+    const Point& origin = uv[vertex[c]];
+    if(!is_in_upper_half(uv[vertex[next_corner(c)]], origin) &&
+       is_in_upper_half(uv[vertex[previous_corner(c)]], origin))
+      ++sweeps[vertex[c]];
+  }
+  return sweeps;
+}
+
+// Whether a fan of triangles around `origin`, from the edge to `first` counterclockwise to the one to `last`, is less
+// than a full turn.
+template <typename Point>
+bool is_fan_open(const Point& origin, const Point& first, const Point& last, int sweeps)
+{
+  if(sweeps != 1)
+    return sweeps == 0;
+  const bool first_in_upper = is_in_upper_half(first, origin), last_in_upper = is_in_upper_half(last, origin);
+  if(first_in_upper != last_in_upper)
+    return last_in_upper;
+  return CGAL::orientation(origin, first, last) == CGAL::RIGHT_TURN;
+}
+
+// Whether positively oriented triangles go around each interior vertex once, and around each border vertex less than
+// once, in a single fan. Every vertex must be in a triangle.
+template <typename Point>
+bool is_injective_at_vertices(const std::vector<int>& vertex, const std::vector<Border_edge>& border,
+                              const std::vector<Point>& uv)
+{
+  std::vector<int> next(uv.size(), -1), previous(uv.size(), -1);
+  for(const Border_edge& edge : border) {
+    if(next[edge.source] >= 0 || previous[edge.target] >= 0)
+      return false;
+    next[edge.source] = edge.target;
+    previous[edge.target] = edge.source;
+  }
+  const std::vector<int> sweeps = sweeps_over_axis(vertex, uv);
+  for(std::size_t v = 0; v < uv.size(); ++v)
+    if(next[v] < 0 ? sweeps[v] != 1 : !is_fan_open(uv[v], uv[next[v]], uv[previous[v]], sweeps[v]))
+      return false;
+  return true;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFY_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DIAGNOSE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DIAGNOSE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// What is wrong with a chart, and where.
+struct Chart_defect
+{
+  ABF_plus_plus_report::Diagnosis diagnosis = ABF_plus_plus_report::NOTHING_WRONG;
+  std::string message;
+  std::vector<int> vertices;
+  std::vector<int> triangles;
+
+  explicit operator bool() const { return diagnosis != ABF_plus_plus_report::NOTHING_WRONG; }
+};
+
+// What `parameterize()` returns for a defect.
+inline Error_code error_code(ABF_plus_plus_report::Diagnosis diagnosis)
+{
+  switch(diagnosis) {
+  case ABF_plus_plus_report::NOTHING_WRONG:
+    return OK;
+  case ABF_plus_plus_report::EMPTY_MESH:
+    return ERROR_EMPTY_MESH;
+  case ABF_plus_plus_report::NOT_TRIANGULATED:
+    return ERROR_NON_TRIANGULAR_MESH;
+  case ABF_plus_plus_report::PINCHED_VERTEX:
+  case ABF_plus_plus_report::SEVERAL_BORDERS:
+  case ABF_plus_plus_report::HANDLES:
+    return ERROR_NO_TOPOLOGICAL_DISC;
+  case ABF_plus_plus_report::PARALLEL_EDGES:
+    return ERROR_NO_1_TO_1_MAPPING;
+  default:
+    return ERROR_WRONG_PARAMETER;
+  }
+}
+
+inline std::string place(const Chart& chart, int v)
+{
+  std::ostringstream text;
+  const double s = chart.scale;
+  text << '(' << s * chart.points[v].x() << ", " << s * chart.points[v].y() << ", " << s * chart.points[v].z()
+       << ')';
+  return text.str();
+}
+
+inline Chart_defect find_non_finite_point(const Chart& chart)
+{
+  for(int v = 0; v < chart.number_of_vertices(); ++v)
+    for(int i = 0; i < 3; ++i)
+      if(!std::isfinite(chart.points[v][i]))
+        return {ABF_plus_plus_report::NON_FINITE_POINT,
+                "a vertex has coordinates " + place(chart, v) + ", which are not all finite numbers",
+                {v},
+                {}};
+  return {};
+}
+
+// Walks once around every vertex. A second fan of triangles at a vertex, or a neighbour met twice, is an error:
+// by Fary's theorem a disk can be drawn in the plane exactly if its edge graph has no loop and no parallel edges.
+inline Chart_defect find_bad_vertex(const Chart& chart)
+{
+  std::vector<char> walked(chart.vertex.size(), false);
+  std::vector<char> has_fan(chart.points.size(), false);
+  std::vector<int> neighbour_of(chart.points.size(), -1); // the last vertex that met this one as a neighbour
+
+  auto walk = [&](int first) -> Chart_defect {
+    const int v = chart.vertex[first];
+    if(has_fan[v])
+      return {ABF_plus_plus_report::PINCHED_VERTEX,
+              "the surface is pinched at the vertex at " + place(chart, v) +
+                  ": its triangles form more than one fan",
+              {v},
+              {}};
+    has_fan[v] = true;
+    auto meet = [&](int w) {
+      const bool again = w == v || neighbour_of[w] == v;
+      neighbour_of[w] = v;
+      return again;
+    };
+    int c = first;
+    do {
+      walked[c] = true;
+      int w = chart.vertex[previous_corner(c)];
+      bool again = meet(w);
+      const int next = chart.rotate(c);
+      if(next < 0 && !again)
+        again = meet(w = chart.vertex[next_corner(c)]);
+      if(again)
+        return {ABF_plus_plus_report::PARALLEL_EDGES,
+                "two edges, or a loop, join the vertices at " + place(chart, v) + " and " + place(chart, w) +
+                    ": no planar triangulation has that",
+                {v, w},
+                {c / 3}};
+      c = next;
+    } while(c >= 0 && c != first);
+    return {};
+  };
+
+  for(const std::vector<int>& border : chart.borders)
+    for(int c : border)
+      if(Chart_defect defect = walk(previous_corner(c)))
+        return defect;
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(!walked[c])
+      if(Chart_defect defect = walk(c))
+        return defect;
+  return {};
+}
+
+// A connected chart is a disk with holes exactly if its Euler characteristic is two less the number of borders.
+inline Chart_defect find_wrong_topology(const Chart& chart, bool allow_holes)
+{
+  int border_edges = 0;
+  for(const std::vector<int>& border : chart.borders)
+    border_edges += static_cast<int>(border.size());
+  const int edges = (chart.number_of_corners() - border_edges) / 2 + border_edges;
+  const int borders = static_cast<int>(chart.borders.size());
+  const int twice_genus = 2 - borders - (chart.number_of_vertices() - edges + chart.number_of_triangles());
+  if(twice_genus != 0)
+    return {ABF_plus_plus_report::HANDLES,
+            "the surface has " + std::to_string(twice_genus / 2) + " handle(s): cut it open to a disk first",
+            {},
+            {}};
+  if(borders > 1 && !allow_holes) {
+    const int v = chart.edge_source(chart.borders[1].front());
+    return {ABF_plus_plus_report::SEVERAL_BORDERS,
+            "the surface has " + std::to_string(borders) + " borders, a second one at the vertex at " +
+                place(chart, v) + ": fill the holes, or allow them",
+            {v},
+            {}};
+  }
+  return {};
+}
+
+// Finds what makes a chart impossible to flatten, in linear time.
+inline Chart_defect diagnose(const Chart& chart, bool allow_holes)
+{
+  if(Chart_defect defect = find_non_finite_point(chart))
+    return defect;
+  if(Chart_defect defect = find_bad_vertex(chart))
+    return defect;
+  return find_wrong_topology(chart, allow_holes);
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DIAGNOSE_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MEASURE_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MEASURE_CHART_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Everything about one triangle that is made from derivatives. `scale` enlarges the plane to the area of the surface.
+inline void measure_differential(const Triangle_differential& map, double scale,
+                                 Flattening_face_measures& face)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(!map.has_area()) {
+    face.shear = face.principal_shear = face.equal_stretch_error = 1;
+    face.l2_stretch = face.linf_stretch = face.quasi_conformal_ratio = infinity;
+    face.area_distortion = face.symmetric_dirichlet_energy = infinity;
+    return;
+  }
+  const double largest = map.largest_stretch() / scale, smallest = map.smallest_stretch() / scale;
+  const double squares = largest * largest + smallest * smallest;
+  face.shear = map.shear();
+  face.principal_shear = map.principal_shear();
+  face.equal_stretch_error = map.equal_stretch_error();
+  face.quasi_conformal_ratio = largest / smallest;
+  face.area_distortion = std::abs(std::log(map.area_stretch() / (scale * scale)));
+  face.l2_stretch = std::sqrt(squares / 2);
+  face.linf_stretch = largest;
+  face.symmetric_dirichlet_energy = squares + 1 / (largest * largest) + 1 / (smallest * smallest);
+}
+
+// Everything about one triangle that is made from angles.
+inline void measure_angles(const Chart& chart, const std::vector<double>& beta,
+                           const std::vector<Chart::Point_2>& uv, int t, Flattening_face_measures& face)
+{
+  const bool finite = std::isfinite(planar_area(chart, uv, t));
+  face.smallest_angle = pi;
+  for(int c = 3 * t; c < 3 * t + 3; ++c) {
+    const double alpha = finite ? planar_angle(chart, uv, c) : 0;
+    face.angular_distortion += Angle_energy{0}.value(alpha, beta[c]) / 3;
+    face.smallest_angle = (std::min)(face.smallest_angle, alpha);
+  }
+}
+
+// From the measures of triangles to those of the map.
+class Measure_totals
+{
+public:
+  Measure_totals(int triangles, double surface) : m_triangles(triangles), m_surface(surface)
+  {
+    m_totals.smallest_angle = pi;
+  }
+
+  void add(const Flattening_face_measures& face)
+  {
+    m_totals.angular_distortion += face.angular_distortion / m_triangles;
+    m_totals.smallest_angle = (std::min)(m_totals.smallest_angle, face.smallest_angle);
+    m_totals.flipped_triangles += face.flipped;
+
+    const double weight = m_surface > 0 ? face.area / m_surface : 1. / m_triangles;
+    if(weight == 0)
+      return; // before infinity is multiplied by it
+    m_totals.l2_stretch += weight * CGAL::square(face.l2_stretch);
+    m_totals.l2_shear += weight * CGAL::square(face.shear);
+    m_totals.l2_principal_shear += weight * CGAL::square(face.principal_shear);
+    m_totals.l2_equal_stretch_error += weight * CGAL::square(face.equal_stretch_error);
+    m_totals.l2_area_distortion += weight * CGAL::square(face.area_distortion);
+    m_totals.mean_quasi_conformal_ratio += weight * face.quasi_conformal_ratio;
+    m_totals.symmetric_dirichlet_energy += weight * face.symmetric_dirichlet_energy;
+    m_totals.linf_stretch = (std::max)(m_totals.linf_stretch, face.linf_stretch);
+    m_totals.max_quasi_conformal_ratio =
+        (std::max)(m_totals.max_quasi_conformal_ratio, face.quasi_conformal_ratio);
+  }
+
+  // Of all triangles, once they are added.
+  Flattening_measures measures() const
+  {
+    Flattening_measures result = m_totals;
+    for(double* mean_square : {&result.l2_stretch, &result.l2_shear, &result.l2_principal_shear,
+                               &result.l2_equal_stretch_error, &result.l2_area_distortion})
+      *mean_square = std::sqrt(*mean_square);
+    return result;
+  }
+
+private:
+  int m_triangles;
+  double m_surface;
+  Flattening_measures m_totals; // squares where roots are to be drawn
+};
+
+// `scale` enlarges the plane to the area of the surface.
+inline Flattening_face_measures measure_triangle(const Chart& chart, const std::vector<double>& beta,
+                                                 const std::vector<Chart::Point_2>& uv, double scale, int t)
+{
+  const int* v = &chart.vertex[3 * t];
+  Flattening_face_measures face;
+  face.area = surface_area(chart, t);
+  face.flipped = !is_positively_oriented(uv[v[0]], uv[v[1]], uv[v[2]]);
+  measure_angles(chart, beta, uv, t, face);
+  measure_differential(Triangle_differential(chart, uv, t), scale, face);
+  return face;
+}
+
+// Calls `visit(t, measures)` for each triangle `t`, in their order and one after the other. Measured are several at
+// once, so many of them before they are visited that their measures take a few megabytes.
+template <typename Visitor>
+Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::Point_2>& uv, Visitor&& visit)
+{
+  const Total_areas areas = total_areas(chart, uv);
+  const double scale = std::sqrt(areas.surface / areas.plane);
+  const std::vector<double> beta = target_angles(chart);
+  const int triangles = chart.number_of_triangles(), batch = 64 * block_size;
+  Measure_totals totals(triangles, areas.surface);
+  std::vector<Flattening_face_measures> faces((std::min)(triangles, batch));
+  for(int first = 0; first < triangles; first += batch) {
+    const int size = (std::min)(batch, triangles - first);
+    parallel_for_blocks(size, [&](int begin, int end) {
+      for(int i = begin; i < end; ++i)
+        faces[i] = measure_triangle(chart, beta, uv, scale, first + i);
+    });
+    for(int i = 0; i < size; ++i) {
+      totals.add(faces[i]);
+      visit(first + i, faces[i]);
+    }
+  }
+  Flattening_measures measures = totals.measures();
+  measures.border_is_simple = is_border_simple(chart, uv);
+  return measures;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MEASURE_CHART_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_DIFFERENTIAL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_DIFFERENTIAL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The derivatives of the map from the plane to the surface on triangle `t`, in orthonormal axes of its plane in
+// space, and times the determinant of its edges in the plane: what does not depend on scale needs no division by
+// that determinant.
+//
+// The singular values come from the conformal and the anticonformal part of the map, whose norms are half their sum
+// and half their difference. The eigenvalues of the first fundamental form would lose half of the digits where they
+// are nearly equal, which is the usual case here.
+class Triangle_differential
+{
+  typedef Chart::Kernel::Vector_2 Vector_2;
+
+public:
+  Triangle_differential(const Chart& chart, const std::vector<Chart::Point_2>& uv, int t)
+      : m_twice_area(2 * surface_area(chart, t))
+  {
+    const int* v = &chart.vertex[3 * t];
+    const Vector_2 p = uv[v[1]] - uv[v[0]], q = uv[v[2]] - uv[v[0]];
+    m_determinant = std::abs(CGAL::determinant(p, q));
+    if(!has_area())
+      return;
+    const auto edge = chart.points[v[1]] - chart.points[v[0]];
+    const double length = std::sqrt(edge.squared_length());
+    const double along = edge * (chart.points[v[2]] - chart.points[v[0]]) / length;
+    const double across = m_twice_area / length;
+    m_u = Vector_2(length * q.y() - along * p.y(), -across * p.y());
+    m_v = Vector_2(along * p.x() - length * q.x(), across * p.x());
+    m_conformal = std::hypot(m_u.x() + m_v.y(), m_u.y() - m_v.x()) / 2;
+    m_anticonformal = std::hypot(m_u.x() - m_v.y(), m_u.y() + m_v.x()) / 2;
+  }
+
+  // In space and in the plane; without, the other functions make no sense.
+  bool has_area() const { return std::isnormal(m_twice_area) && std::isnormal(m_determinant); }
+
+  double shear() const
+  {
+    return std::abs(m_u * m_v) / (std::sqrt(m_u.squared_length()) * std::sqrt(m_v.squared_length()));
+  }
+
+  double principal_shear() const
+  {
+    return 2 * m_conformal * m_anticonformal / (CGAL::square(m_conformal) + CGAL::square(m_anticonformal));
+  }
+
+  double equal_stretch_error() const
+  {
+    const double u = m_u.squared_length(), v = m_v.squared_length();
+    return std::abs(u - v) / (u + v);
+  }
+
+  double largest_stretch() const { return (m_conformal + m_anticonformal) / m_determinant; }
+
+  double smallest_stretch() const // from the product of both, which does not cancel
+  {
+    return (std::min)(area_stretch() / largest_stretch(), largest_stretch());
+  }
+
+  double area_stretch() const { return m_twice_area / m_determinant; }
+
+private:
+  double m_twice_area, m_determinant;
+  Vector_2 m_u, m_v;
+  double m_conformal = 0, m_anticonformal = 0;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_DIFFERENTIAL_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_MATRIX_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_MATRIX_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// A symmetric sparse matrix of small blocks, stored as a whole. One subscript serves for a block.
+template <int BlockSize>
+struct Block_matrix
+{
+  typedef Eigen::Matrix<double, BlockSize, BlockSize> Block;
+
+  std::vector<int> begin = {0}; // of each column of blocks: its first entry; and the end of the last column
+  std::vector<int> row;         // of each entry, ascending in a column
+  std::vector<Block> block;     // of each entry
+
+  int columns_of_blocks() const { return static_cast<int>(begin.size()) - 1; }
+  int size() const { return BlockSize * columns_of_blocks(); }
+
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& product) const
+  {
+    product.resize(x.size());
+    parallel_for_blocks(columns_of_blocks(), [&](int first, int last) {
+      for(int j = first; j < last; ++j) {
+        Block sum = Block::Zero(); // of products that do not wait for one another
+        for(int e = begin[j]; e < begin[j + 1]; ++e)
+          sum += x.template segment<BlockSize>(BlockSize * row[e]).asDiagonal() * block[e];
+        product.template segment<BlockSize>(BlockSize * j) = sum.colwise().sum();
+      }
+    });
+  }
+};
+
+// What solvers get of a matrix of blocks: the unknowns `first`, ..., `last - 1` of each block, without what couples them
+// to one another.
+template <int BlockSize>
+struct Diagonal_parts
+{
+  const Block_matrix<BlockSize>& matrix;
+  int first = 0, last = BlockSize;
+};
+
+// The parts as one matrix, all unknowns of one part before those of the next
+template <typename NT, int BlockSize>
+Eigen::SparseMatrix<NT> eigen_matrix(const Diagonal_parts<BlockSize>& parts)
+{
+  const Block_matrix<BlockSize>& blocks = parts.matrix;
+  const int n = blocks.columns_of_blocks(), entries = blocks.begin[n], number = parts.last - parts.first;
+  Eigen::SparseMatrix<NT> matrix(number * n, number * n);
+  matrix.resizeNonZeros(static_cast<std::size_t>(number) * entries);
+  for(int part = 0; part < number; ++part) {
+    const int k = parts.first + part, shift = part * entries;
+    for(int j = 0; j <= n; ++j)
+      matrix.outerIndexPtr()[part * n + j] = shift + blocks.begin[j];
+    for(int e = 0; e < entries; ++e) {
+      matrix.innerIndexPtr()[shift + e] = part * n + blocks.row[e];
+      matrix.valuePtr()[shift + e] = static_cast<NT>(blocks.block[e](k, k));
+    }
+  }
+  return matrix;
+}
+
+// The whole of it
+template <typename NT, int BlockSize>
+Eigen::SparseMatrix<NT> eigen_matrix(const Block_matrix<BlockSize>& blocks)
+{
+  Eigen::SparseMatrix<NT> matrix(blocks.size(), blocks.size());
+  matrix.resizeNonZeros(blocks.block.size() * BlockSize * BlockSize);
+  int* inner = matrix.innerIndexPtr();
+  NT* value = matrix.valuePtr();
+  for(int column = 0; column < blocks.size(); ++column) {
+    const int j = column / BlockSize;
+    for(int e = blocks.begin[j]; e < blocks.begin[j + 1]; ++e)
+      for(int i = 0; i < BlockSize; ++i) {
+        *inner++ = BlockSize * blocks.row[e] + i;
+        *value++ = static_cast<NT>(blocks.block[e](i, column % BlockSize));
+      }
+    matrix.outerIndexPtr()[column + 1] = static_cast<int>(inner - matrix.innerIndexPtr());
+  }
+  return matrix;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_MATRIX_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_PRECONDITIONER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_PRECONDITIONER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/preconditioning_system.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones. Of the matrix
+// of Eq. 16 these are the multipliers of planarity and those of reconstruction: two weakly coupled Laplacians. Each of
+// the two has a quarter of the entries of the whole, and can be factored while the other one is, if there can be two
+// solvers; else one solver gets both as one matrix. All matrices have one pattern, which is analyzed once.
+class Block_preconditioner
+{
+  typedef Preconditioning_system System;
+
+  template <typename Vector>
+  static auto every_other(Vector& vector, int first)
+  {
+    return vector(Eigen::seqN(first, vector.size() / 2, 2));
+  }
+
+public:
+  explicit Block_preconditioner(const Linear_solvers& solvers)
+      : m_solvers(solvers), m_first(solvers, solvers->low_precision())
+  {}
+
+  // Factors both diagonal blocks. Returns `false` if that fails.
+  bool set_matrix(const Block_matrix<2>& matrix)
+  {
+    if(!m_solvers->is_independent)
+      return m_first.set_matrix(Diagonal_parts<2>{matrix});
+    if(!m_second) {
+      m_first.analyze_pattern(Diagonal_parts<2>{matrix, 0, 1});
+      m_second.emplace(m_solvers, m_first.low_precision_solver());
+    }
+    std::array<bool, 2> done;
+    parallel_for(2, [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); });
+    return done[0] && done[1];
+  }
+
+  bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
+  {
+    const int number_of_systems = m_second ? 2 : 1;
+    const Eigen::Index n = residual.size() / number_of_systems;
+    Eigen::VectorXd sorted(residual.size());
+    sorted << every_other(residual, 0), every_other(residual, 1);
+    std::array<bool, 2> done = {true, true};
+    parallel_for(number_of_systems, [&](int k) {
+      Eigen::VectorXd solution;
+      done[k] = system(k).solve(sorted.segment(k * n, n), solution);
+      if(done[k])
+        sorted.segment(k * n, n) = solution;
+    });
+    correction.resize(residual.size());
+    every_other(correction, 0) = sorted.head(residual.size() / 2);
+    every_other(correction, 1) = sorted.tail(residual.size() / 2);
+    return done.front() && done.back();
+  }
+
+  // Factorizations of the last matrix that low precision was not enough for
+  int repeated_factorizations() const
+  {
+    return m_first.is_repeated() + (m_second && m_second->is_repeated());
+  }
+
+  // A solver that may know the pattern of one of the blocks, that of the one-rings of the interior vertices
+  std::unique_ptr<Linear_solver> low_precision_solver() const { return m_first.low_precision_solver(); }
+
+private:
+  System& system(int k) { return k == 0 ? m_first : *m_second; }
+
+  Linear_solvers m_solvers;
+  System m_first;
+  std::optional<System> m_second;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_PRECONDITIONER_H

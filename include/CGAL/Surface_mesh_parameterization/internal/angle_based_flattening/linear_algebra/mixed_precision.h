@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DEFINITE_SYSTEM_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DEFINITE_SYSTEM_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+typedef std::array<Eigen::VectorXd, 2> Two_vectors;
+
+// A definite system, solved in double precision for two right-hand sides. The counterpart of lower precision of the caller's
+// traits preconditions conjugate gradients; where these are slow, a copy of the caller's traits solves the system.
+class Definite_system
+{
+  static constexpr int max_steps = 30; // about as long as it takes to factor the matrix in double precision
+
+public:
+  Definite_system(const Linear_solvers& solvers, std::unique_ptr<Linear_solver> low)
+      : m_solvers(solvers), m_low(std::move(low))
+  {}
+
+  // Returns `false` if the linear solver fails.
+  bool solve(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides, Two_vectors& solutions)
+  {
+    m_is_repeated = false;
+    if(m_low->set_matrix(matrix) &&
+       (m_solvers->is_to_be_refined ? solve_iteratively(matrix, right_hand_sides, solutions)
+                                    : solve_directly(*m_low, right_hand_sides, solutions)))
+      return true;
+    if(!m_solvers->has_low_precision)
+      return false;
+    m_is_repeated = true;
+    const std::unique_ptr<Linear_solver> full = m_solvers->full_precision();
+    return full->set_matrix(matrix) && solve_directly(*full, right_hand_sides, solutions);
+  }
+
+  // Whether low precision was not enough for the matrix
+  bool is_repeated() const { return m_is_repeated; }
+
+private:
+  static bool solve_directly(Linear_solver& system, const Two_vectors& right_hand_sides,
+                             Two_vectors& solutions)
+  {
+    return system.solve(right_hand_sides[0], solutions[0]) && system.solve(right_hand_sides[1], solutions[1]);
+  }
+
+  bool solve_iteratively(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides,
+                         Two_vectors& solutions)
+  {
+    const Iterative_accuracy rounding = {1e-15};
+    std::array<bool, 2> solved;
+    const auto solve = [&](int k) {
+      solved[k] = conjugate_gradients(matrix, right_hand_sides[k], *m_low, rounding, max_steps, solutions[k])
+                      .status == Iterative_solution::SOLVED;
+    };
+    if(m_solvers->may_be_shared) {
+      parallel_for(2, solve);
+    } else {
+      solve(0);
+      solve(1);
+    }
+    return solved[0] && solved[1];
+  }
+
+  Linear_solvers m_solvers;
+  std::unique_ptr<Linear_solver> m_low;
+  bool m_is_repeated = false;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DEFINITE_SYSTEM_H

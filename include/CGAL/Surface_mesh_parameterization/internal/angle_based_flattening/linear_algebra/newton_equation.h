@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_preconditioner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Solves Eq. 16 for one Newton step after the other: as a whole, as in the paper, or iteratively, as exactly as asked
+// for. The factors of the preconditioner serve for several steps.
+class Newton_equation
+{
+  static constexpr int max_steps = 60;      // about as long as it takes to factor the whole matrix
+  static constexpr int steps_too_many = 20; // about as long as it takes to factor the preconditioner
+
+public:
+  Newton_equation(const Linear_solvers& solvers, bool iteratively)
+      : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors)
+  {}
+
+  bool solve(const Block_matrix<2>& matrix, const Eigen::VectorXd& right_hand_side,
+             const Iterative_accuracy& accuracy, Eigen::VectorXd& solution)
+  {
+    m_accuracy = accuracy;
+    m_steps = m_factorizations = m_repeated = 0;
+    if(right_hand_side.size() == 0) {
+      solution = right_hand_side;
+      return true;
+    }
+    if(m_iteratively) {
+      const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
+      if(status == Iterative_solution::SOLVED)
+        return true;
+      if(status == Iterative_solution::FAILED && !m_solvers->has_low_precision)
+        return false;
+    }
+    m_iteratively = false;
+    m_preconditioner.reset();
+    ++m_factorizations;
+    if(!m_whole_system)
+      m_whole_system = m_solvers->full_precision();
+    return m_whole_system->set_matrix(matrix) && m_whole_system->solve(right_hand_side, solution);
+  }
+
+  // Of the last solution: steps of conjugate gradients, matrices that were factored, and those of them for which low
+  // precision was not enough.
+  int steps() const { return m_steps; }
+  int factorizations() const { return m_factorizations; }
+  int repeated_factorizations() const { return m_repeated; }
+
+  // A solver that may know the pattern of the one-rings of the interior vertices already
+  std::unique_ptr<Linear_solver> scalar_solver() const
+  {
+    return m_preconditioner ? m_preconditioner->low_precision_solver() : m_solvers->low_precision();
+  }
+
+private:
+  Iterative_solution::Status solve_iteratively(const Block_matrix<2>& matrix,
+                                               const Eigen::VectorXd& right_hand_side,
+                                               Eigen::VectorXd& solution)
+  {
+    bool fresh = !m_preconditioner || m_preconditioner_is_stale;
+    if(fresh && !factor_preconditioner(matrix))
+      return Iterative_solution::FAILED;
+    for(;; fresh = true) {
+      const Iterative_solution result =
+          conjugate_gradients(matrix, right_hand_side, *m_preconditioner, m_accuracy, max_steps, solution);
+      m_steps += result.steps;
+      m_preconditioner_is_stale = result.steps > steps_too_many;
+      if(result.status != Iterative_solution::NOT_SOLVED || fresh)
+        return result.status;
+      if(!factor_preconditioner(matrix))
+        return Iterative_solution::FAILED;
+    }
+  }
+
+  bool factor_preconditioner(const Block_matrix<2>& matrix)
+  {
+    if(!m_preconditioner)
+      m_preconditioner.emplace(m_solvers);
+    m_factorizations += 2;
+    const bool done = m_preconditioner->set_matrix(matrix);
+    m_repeated += m_preconditioner->repeated_factorizations();
+    return done;
+  }
+
+  Linear_solvers m_solvers;
+  bool m_iteratively;
+  std::optional<Block_preconditioner> m_preconditioner;
+  bool m_preconditioner_is_stale = false;
+  std::unique_ptr<Linear_solver> m_whole_system;
+  Iterative_accuracy m_accuracy;
+  int m_steps = 0, m_factorizations = 0, m_repeated = 0;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H

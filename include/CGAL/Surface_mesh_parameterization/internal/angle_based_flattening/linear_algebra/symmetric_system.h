@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Eigen_matrix.h>
+#include <CGAL/Solver_traits_properties.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Whether the traits model `SparseLinearAlgebraWithFactorTraits_d`.
+template <typename SolverTraits, typename = void>
+struct Has_factor : std::false_type
+{};
+
+template <typename SolverTraits>
+struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().factor(
+                                    std::declval<typename SolverTraits::Matrix>(),
+                                    std::declval<typename SolverTraits::NT&>()))>> : std::true_type
+{};
+
+// Whether they can be told a pattern before the first matrix with it, as `Eigen::SimplicialLDLT` and
+// `SuperLU_solver_traits` can.
+template <typename SolverTraits, typename = void>
+struct Has_analyze_pattern : std::false_type
+{};
+
+template <typename SolverTraits>
+struct Has_analyze_pattern<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().analyze_pattern(
+                                             std::declval<const typename SolverTraits::Matrix&>()))>>
+    : std::true_type
+{};
+
+// Whether solving leaves them as they are, so that several threads may use one factorization.
+template <typename SolverTraits, typename = void>
+struct Has_const_solution : std::false_type
+{};
+
+template <typename SolverTraits>
+struct Has_const_solution<SolverTraits,
+                          std::void_t<decltype(std::declval<const SolverTraits&>().linear_solver(
+                              std::declval<const typename SolverTraits::Vector&>(),
+                              std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
+{};
+
+// A symmetric linear system, solved for one right-hand side after the other.
+class Linear_solver
+{
+public:
+  virtual ~Linear_solver() = default;
+
+  // Returns `false` if the matrix cannot be factored.
+  virtual bool set_matrix(const Block_matrix<1>& matrix) = 0;
+  virtual bool set_matrix(const Block_matrix<2>& matrix) = 0;
+  virtual bool set_matrix(const Diagonal_parts<2>& matrix) = 0;
+
+  // Analyzes the pattern of a matrix if that can be done beforehand; copies know it then.
+  virtual void analyze_pattern(const Diagonal_parts<2>& matrix) = 0;
+
+  // Returns `false` on failure, also if the solution is not finite.
+  virtual bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) = 0;
+
+  // A solver of the same kind, for another matrix
+  virtual std::unique_ptr<Linear_solver> copy() const = 0;
+};
+
+// Solves by any model of `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
+template <typename SolverTraits>
+class Symmetric_system : public Linear_solver
+{
+  typedef typename SolverTraits::NT NT;
+  typedef typename SolverTraits::Matrix Matrix;
+  typedef typename SolverTraits::Vector Vector;
+
+public:
+  explicit Symmetric_system(SolverTraits traits) : m_traits(std::move(traits)) {}
+
+  bool set_matrix(const Block_matrix<1>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
+  bool set_matrix(const Block_matrix<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
+  bool set_matrix(const Diagonal_parts<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
+
+  bool set_matrix(Eigen::SparseMatrix<NT> matrix)
+  {
+    m_matrix = own(std::move(matrix));
+    bool done = true;
+    if constexpr(Has_factor<SolverTraits>::value)
+      done = m_traits.factor(std::move(*m_matrix), m_denominator);
+    if(Has_independent_copies<SolverTraits>::value)
+      m_matrix.reset();
+    return done;
+  }
+
+  void analyze_pattern(const Diagonal_parts<2>& matrix) override
+  {
+    if constexpr(Has_analyze_pattern<SolverTraits>::value)
+      m_traits.analyze_pattern(*own(eigen_matrix<NT>(matrix))); // if that fails, so does the factorization
+    else
+      (void)matrix;
+  }
+
+  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) override
+  {
+    const int n = static_cast<int>(right_hand_side.size());
+    Vector b(n), x(n);
+    const double scale = right_hand_side_scale(right_hand_side);
+    for(int i = 0; i < n; ++i)
+      b[i] = static_cast<NT>(right_hand_side[i] / scale);
+    if constexpr(Has_factor<SolverTraits>::value) {
+      if(!m_traits.linear_solver(b, x))
+        return false;
+    } else if(!m_traits.linear_solver(*m_matrix, b, x, m_denominator)) {
+      return false;
+    }
+    solution.resize(n);
+    for(int i = 0; i < n; ++i)
+      solution[i] = x[i] / m_denominator * scale;
+    return solution.allFinite();
+  }
+
+  std::unique_ptr<Linear_solver> copy() const override
+  {
+    return std::make_unique<Symmetric_system>(m_traits);
+  }
+
+private:
+  // Right-hand sides of double precision must not vanish in single.
+  static double right_hand_side_scale(const Eigen::VectorXd& right_hand_side)
+  {
+    const double scale = std::is_same<NT, double>::value ? 1 : right_hand_side.cwiseAbs().maxCoeff();
+    return scale > 0 ? scale : 1;
+  }
+
+  static std::unique_ptr<Matrix> own(Eigen::SparseMatrix<NT> matrix)
+  {
+    if constexpr(std::is_base_of<Eigen_sparse_matrix<NT>, Matrix>::value) {
+      auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
+      result->eigen_object().swap(matrix);
+      return result;
+    } else {
+      auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
+      for(int j = 0; j < matrix.outerSize(); ++j)
+        for(typename Eigen::SparseMatrix<NT>::InnerIterator it(matrix, j); it; ++it)
+          result->set_coef(it.row(), it.col(), it.value(), true);
+      return result;
+    }
+  }
+
+  SolverTraits m_traits;
+  std::unique_ptr<Matrix> m_matrix; // the traits may keep a pointer to it
+  NT m_denominator = NT(1);
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_ASSEMBLY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_ASSEMBLY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <Eigen/Core>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// A symmetric sparse matrix that is the sum of a small matrix for each triangle, as a finite element stiffness
+// matrix is. A vertex has `BlockSize` unknowns or none. The pattern, that of the one-rings, is found once. Each column is
+// summed up by itself, in the order of the triangles.
+template <int BlockSize>
+class Triangle_assembly
+{
+public:
+  typedef Eigen::Matrix<double, 3 * BlockSize, BlockSize> Local_columns;
+
+  // `vertex` is the vertex of each corner; `unknown` of each vertex its rank among the `n` that have unknowns, or
+  // -1. Both are referred to later.
+  Triangle_assembly(const std::vector<int>& vertex, const std::vector<int>& unknown, int n)
+      : m_vertex(vertex), m_unknown(unknown)
+  {
+    find_corners(n);
+    find_pattern(n);
+  }
+
+  // The corners at the vertex with rank `j`, ascending
+  boost::iterator_range<const int*> corners(int j) const
+  {
+    return {m_corner.data() + m_first[j], m_corner.data() + m_first[j + 1]};
+  }
+
+  // Sets the matrix to the sum of those of all triangles. `columns(c)` returns the columns that belong to corner `c` of
+  // its triangle's matrix; several threads call it at once.
+  template <typename Columns>
+  void assemble(const Columns& columns)
+  {
+    m_matrix.block.resize(m_matrix.row.size());
+    parallel_for_blocks(m_matrix.columns_of_blocks(), [&](int first, int last) {
+      for(int j = first; j < last; ++j) {
+        std::fill(m_matrix.block.begin() + m_matrix.begin[j], m_matrix.block.begin() + m_matrix.begin[j + 1],
+                  Block_matrix<BlockSize>::Block::Zero());
+        for(const int c : corners(j))
+          add(j, c, columns(c));
+      }
+    });
+  }
+
+  const Block_matrix<BlockSize>& matrix() const { return m_matrix; }
+
+private:
+  int unknown(int corner) const { return m_unknown[m_vertex[corner]]; }
+
+  void add(int column, int corner, const Local_columns& local)
+  {
+    for(int a = 0; a < 3; ++a)
+      if(const int row = unknown(corner / 3 * 3 + a); row >= 0) {
+        int entry = m_matrix.begin[column];
+        while(m_matrix.row[entry] != row)
+          ++entry;
+        m_matrix.block[entry] += local.template middleRows<BlockSize>(BlockSize * a);
+      }
+  }
+
+  void find_corners(int n)
+  {
+    const int corners = static_cast<int>(m_vertex.size());
+    m_first.assign(n + 1, 0);
+    for(int c = 0; c < corners; ++c)
+      if(const int j = unknown(c); j >= 0)
+        ++m_first[j + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_corner.resize(m_first.back());
+    std::vector<int> end(m_first.begin(), m_first.end() - 1);
+    for(int c = 0; c < corners; ++c)
+      if(const int j = unknown(c); j >= 0)
+        m_corner[end[j]++] = c;
+  }
+
+  void find_pattern(int n)
+  {
+    std::vector<int>& begin = m_matrix.begin;
+    begin.assign(n + 1, 0);
+    for_each_ring(n,
+                  [&](int j, const std::vector<int>& ring) { begin[j + 1] = static_cast<int>(ring.size()); });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    m_matrix.row.resize(begin.back());
+    for_each_ring(n, [&](int j, const std::vector<int>& ring) {
+      std::copy(ring.begin(), ring.end(), m_matrix.row.begin() + begin[j]);
+    });
+  }
+
+  // Calls `visit` with each column and its rows, ascending, several at once.
+  template <typename Visitor>
+  void for_each_ring(int n, const Visitor& visit) const
+  {
+    parallel_for_blocks(n, [&](int first, int last) {
+      std::vector<int> ring;
+      for(int j = first; j < last; ++j) {
+        ring.clear();
+        for(const int corner : corners(j))
+          for(int c = corner / 3 * 3; c < corner / 3 * 3 + 3; ++c)
+            if(unknown(c) >= 0)
+              ring.push_back(unknown(c));
+        std::sort(ring.begin(), ring.end());
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        visit(j, ring);
+      }
+    });
+  }
+
+  const std::vector<int>& m_vertex;
+  const std::vector<int>& m_unknown;
+  std::vector<int> m_first, m_corner; // the corners at each vertex
+  Block_matrix<BlockSize> m_matrix;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_ASSEMBLY_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_ANGLE_STAR_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_ANGLE_STAR_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The triangles around one vertex in the plane, with the target angles of all their corners: to move the vertex to where
+// the energy of the direct method is least.
+struct Angle_star : Planar_star_base
+{
+  struct Triangle
+  {
+    Planar_point p, q;
+    double beta_v, beta_p, beta_q;
+  };
+
+  class Energy;
+
+  std::vector<Triangle> triangles; // clockwise
+  const std::vector<double>& beta; // target angle of each corner
+  Angle_energy energy;
+
+  Angle_star(const std::vector<double>& target_angles, const Angle_energy& angle_energy)
+      : beta(target_angles), energy(angle_energy)
+  {}
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    triangles.clear();
+    gather_ring(mesh, uv, v, [&](int c, int p, int q) {
+      triangles.push_back({uv[p], uv[q], beta[c], beta[next_corner(c)], beta[previous_corner(c)]});
+    });
+  }
+};
+
+// The energy of the angles of a star as a function of the place of its vertex. The Hessian is that of Gauss and Newton,
+// which is never indefinite. Infinite where the star is not valid.
+class Angle_star::Energy
+{
+public:
+  double value = 0;
+  Planar_point gradient = Planar_point::Zero();
+  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+
+  Energy(const Angle_star& star, const Planar_point& x, bool with_derivatives)
+  {
+    for(const Triangle& t : star.triangles) {
+      const Planar_point to_p = t.p - x, to_q = t.q - x, pq = t.q - t.p;
+      const double twice_area = cross(to_p, to_q);
+      if(!(twice_area > star.least_area)) {
+        value = (std::numeric_limits<double>::infinity)();
+        return;
+      }
+      const double alpha_p = std::atan2(twice_area, -to_p.dot(pq));
+      const double alpha_q = std::atan2(twice_area, to_q.dot(pq));
+      const double alpha_v = std::atan2(twice_area, to_p.dot(to_q));
+      value += star.energy.value(alpha_v, t.beta_v) + star.energy.value(alpha_p, t.beta_p) +
+               star.energy.value(alpha_q, t.beta_q);
+      if(!with_derivatives)
+        continue;
+      // Moving x across the edge to p changes the angle at p, and along it does not.
+      const Planar_point along_p = Planar_point(to_p.y(), -to_p.x()) / to_p.squaredNorm();
+      const Planar_point along_q = Planar_point(-to_q.y(), to_q.x()) / to_q.squaredNorm();
+      add(star.energy, alpha_p, t.beta_p, along_p);
+      add(star.energy, alpha_q, t.beta_q, along_q);
+      add(star.energy, alpha_v, t.beta_v, -along_p - along_q);
+    }
+  }
+
+private:
+  void add(const Angle_energy& energy, double alpha, double beta, const Planar_point& angle_gradient)
+  {
+    gradient += energy.first_derivative(alpha, beta) * angle_gradient;
+    hessian += energy.second_derivative(alpha, beta) * angle_gradient * angle_gradient.transpose();
+  }
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_ANGLE_STAR_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSEN_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSEN_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Makes a chart coarser level by level. The vertices that a level removes are independent: none is a neighbour of
+// another one, so that they can be put back in any order.
+class Coarsening
+{
+public:
+  explicit Coarsening(Chart& chart) : m_mesh(chart), m_level_begin{0}
+  {
+    for(int v = 0; v < chart.number_of_vertices(); ++v)
+      m_alive.push_back(v);
+  }
+
+  const Edge_collapses& mesh() const { return m_mesh; }
+  Edge_collapses& mesh() { return m_mesh; }
+  int number_of_levels() const { return static_cast<int>(m_level_begin.size()) - 1; }
+  int number_of_vertices() const { return static_cast<int>(m_alive.size()); }
+  const std::vector<int>& alive() const { return m_alive; }
+
+  // Adds levels until at most `target` vertices are left, or hardly any more can be removed. For `extreme_angle` see
+  // `Collapse_cost`.
+  void coarsen(int target, double extreme_angle, Flattening_visitor* visitor = nullptr)
+  {
+    while(number_of_vertices() > target) {
+      const int before = number_of_vertices();
+      add_level((std::min)(before - target, before / 4 + 1), extreme_angle);
+      visit_level(visitor, number_of_vertices(), m_mesh.chart().number_of_vertices());
+      if(before - number_of_vertices() < 0.01 * before)
+        break;
+    }
+  }
+
+  // Undoes the coarsest level. Returns the vertices that it had removed.
+  std::vector<int> undo_level()
+  {
+    m_level_begin.pop_back();
+    std::vector<int> restored;
+    while(static_cast<int>(m_mesh.records().size()) > m_level_begin.back())
+      restored.push_back(m_mesh.undo());
+    // in order of their numbers neighbours are near to each other in memory
+    std::sort(restored.begin(), restored.end());
+    const auto middle = m_alive.insert(m_alive.end(), restored.begin(), restored.end());
+    std::inplace_merge(m_alive.begin(), middle, m_alive.end());
+    return restored;
+  }
+
+private:
+  void add_level(int quota, double extreme_angle)
+  {
+    const std::vector<Collapse_candidate> candidates = cheapest_collapses(extreme_angle);
+    Collapse_cost cost(m_mesh, extreme_angle);
+    const Chart& chart = m_mesh.chart();
+    std::vector<char> locked(chart.points.size(), false);
+    for(int i : ranked(candidates)) {
+      if(quota == 0)
+        break;
+      const int v = m_alive[i];
+      if(locked[v])
+        continue;
+      // only where the stars of both are as they were, there is nothing to look at
+      if(locked[m_mesh.kept_vertex(candidates[i].record)] && !cost.is_still_allowed(v, candidates[i].record))
+        continue;
+      m_mesh.for_each_corner(v, [&](int c) {
+        locked[chart.vertex[next_corner(c)]] = locked[chart.vertex[previous_corner(c)]] = true;
+      });
+      m_mesh.collapse(candidates[i].record);
+      --quota;
+    }
+    m_alive.erase(std::remove_if(m_alive.begin(), m_alive.end(), [&](int v) { return !m_mesh.is_alive(v); }),
+                  m_alive.end());
+    m_level_begin.push_back(static_cast<int>(m_mesh.records().size()));
+  }
+
+  // The cheapest collapse of each vertex that is there
+  std::vector<Collapse_candidate> cheapest_collapses(double extreme_angle) const
+  {
+    std::vector<Collapse_candidate> candidates(m_alive.size());
+    parallel_for_blocks(number_of_vertices(), [&](int begin, int end) {
+      Collapse_cost cost(m_mesh, extreme_angle);
+      for(int i = begin; i < end; ++i)
+        candidates[i] = cost.best(m_alive[i]);
+    });
+    return candidates;
+  }
+
+  // The numbers of all collapses that are allowed, cheaper ones first. Those whose costs differ by less than a factor of
+  // two remain in the order of the vertices, as going back and forth in memory takes longer than all else.
+  static std::vector<int> ranked(const std::vector<Collapse_candidate>& candidates)
+  {
+    std::map<int, std::vector<int>> of_exponent;
+    for(std::size_t i = 0; i < candidates.size(); ++i)
+      if(candidates[i])
+        of_exponent[std::ilogb(candidates[i].cost)].push_back(static_cast<int>(i));
+    std::vector<int> result;
+    for(const auto& [exponent, numbers] : of_exponent)
+      result.insert(result.end(), numbers.begin(), numbers.end());
+    return result;
+  }
+
+  Edge_collapses m_mesh;
+  std::vector<int> m_level_begin; // first record of each level
+  std::vector<int> m_alive;       // the vertices that are there, sorted
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSEN_H

@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COLLAPSE_COST_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COLLAPSE_COST_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/quadric.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+struct Collapse_candidate
+{
+  double cost = (std::numeric_limits<double>::infinity)();
+  Edge_collapses::Record record = 0;
+
+  explicit operator bool() const { return std::isfinite(cost); }
+};
+
+// Ranks and vetoes the collapses of one vertex after the other.
+class Collapse_cost
+{
+  typedef Eigen::Vector3d Vector;
+
+  // Of the collapses of a vertex of large degree only the cheapest ones are looked at.
+  static constexpr std::size_t max_candidates = 32;
+
+  // A border vertex with more stays: where the plane has about a full turn as well, it could not be inserted again.
+  static constexpr double largest_border_turn = 1.9 * pi;
+
+public:
+  // No angle shall be smaller than `extreme_angle` (in radians), or larger than pi less that, unless there is one as
+  // bad around the vertex already. If `extreme_angle` is 0, shapes do not matter at all, only the connectivity does.
+  Collapse_cost(const Edge_collapses& mesh, double extreme_angle)
+      : m_mesh(mesh), m_any_shape(extreme_angle == 0), m_least_cotangent(1 / std::tan(extreme_angle))
+  {}
+
+  // The cheapest collapse of vertex `v` that is allowed.
+  //
+  // The cost is the sum of the squared volumes between the old star and the new one, d' A d with A = sum n n' over the
+  // normals of the star, along the way d of the vertex. A little of the trace of A is added, so that flat places are
+  // not free, and triangles keep their shapes.
+  Collapse_candidate best(int v)
+  {
+    gather_star(v);
+    if(m_on_border && !m_any_shape && surface_turn() > largest_border_turn)
+      return {};
+    const double shape = 1e-2 * m_quadric.trace();
+    m_candidates.clear();
+    for(std::size_t i = 0; i < m_ring.size(); ++i) {
+      if(!is_collapsible(i))
+        continue;
+      const Vector d = m_points[i] - m_centre;
+      m_candidates.push_back({m_quadric(d) + shape * d.squaredNorm(), static_cast<int>(i)});
+    }
+    for(std::size_t looked_at = 0; looked_at < max_candidates && !m_candidates.empty(); ++looked_at) {
+      const auto next = std::min_element(m_candidates.begin(), m_candidates.end(), is_cheaper);
+      if((m_any_shape || keeps_shape(next->record)) && fulfils_link_condition(next->record))
+        return {next->cost, record(next->record)};
+      *next = m_candidates.back();
+      m_candidates.pop_back();
+    }
+    return {};
+  }
+
+  // Whether a collapse that was allowed still is after others, none of which changed the star of `v`.
+  bool is_still_allowed(int v, Edge_collapses::Record wanted)
+  {
+    gather_ring(v);
+    for(std::size_t i = 0; i < m_ring.size(); ++i)
+      if(is_collapsible(i) && record(static_cast<int>(i)) == wanted)
+        return fulfils_link_condition(static_cast<int>(i));
+    return false;
+  }
+
+private:
+  static bool is_cheaper(const Collapse_candidate& a, const Collapse_candidate& b)
+  {
+    return a.cost < b.cost || (a.cost == b.cost && a.record < b.record);
+  }
+
+  Vector point(int v) const
+  {
+    const Chart::Point_3& p = m_mesh.chart().points[v];
+    return Vector(p.x(), p.y(), p.z());
+  }
+
+  // Triangle i of the star has its corners at the vertex, at ring vertices i + 1 and i.
+  void gather_ring(int v)
+  {
+    const Chart& chart = m_mesh.chart();
+    m_corners.clear();
+    m_ring.clear();
+    m_sorted_ring.clear();
+    m_mesh.for_each_corner(v, [&](int c) {
+      m_corners.push_back(c);
+      m_ring.push_back(chart.vertex[previous_corner(c)]);
+    });
+    m_on_border = chart.interior[v] < 0;
+    if(m_on_border)
+      m_ring.push_back(chart.vertex[next_corner(m_corners.back())]);
+    m_ring_bits = 0;
+    for(int w : m_ring)
+      m_ring_bits |= std::uint64_t(1) << (w % 64);
+  }
+
+  void gather_star(int v)
+  {
+    gather_ring(v);
+    m_centre = point(v);
+    Quadric quadric;
+    m_points.clear();
+    m_normals.clear();
+    for(int w : m_ring)
+      m_points.push_back(point(w));
+    m_worst_cotangent = CGAL::square(m_least_cotangent);
+    for(std::size_t i = 0; i < m_corners.size(); ++i) {
+      const Vector a = m_points[after(i)] - m_centre, b = m_points[i] - m_centre;
+      const Vector normal = a.cross(b);
+      m_normals.push_back(normal);
+      quadric.add(normal, 1);
+      const double dot = largest_dot_product(a, b);
+      if(dot * dot > m_worst_cotangent * normal.squaredNorm())
+        m_worst_cotangent = dot * dot / normal.squaredNorm();
+    }
+    if(m_on_border)
+      for(const Vector& end : {m_points.front(), m_points.back()}) {
+        const Vector e = end - m_centre;
+        const double square = e.squaredNorm();
+        quadric.add(e, -square);
+        quadric.add_identity(square * square);
+      }
+    m_quadric = quadric;
+  }
+
+  // The sum of the angles at the vertex
+  double surface_turn() const
+  {
+    double turn = 0;
+    for(std::size_t i = 0; i < m_corners.size(); ++i)
+      turn += std::atan2(m_normals[i].norm(), (m_points[after(i)] - m_centre).dot(m_points[i] - m_centre));
+    return turn;
+  }
+
+  // The number of the ring vertex before number i in counterclockwise order, that is the next one clockwise.
+  std::size_t after(std::size_t i) const { return i + 1 < m_ring.size() ? i + 1 : 0; }
+
+  // For the triangle with edges `a` and `b` from a vertex: this divided by twice its area is its largest absolute cotangent.
+  static double largest_dot_product(const Vector& a, const Vector& b)
+  {
+    const double ab = a.dot(b), aa = a.squaredNorm(), bb = b.squaredNorm();
+    return (std::max)({std::abs(ab), std::abs(aa - ab), std::abs(bb - ab)});
+  }
+
+  // Border vertices go along the border only, and not if the triangle that vanishes is all that holds its other two
+  // edges together.
+  bool is_collapsible(std::size_t i) const
+  {
+    if(!m_on_border)
+      return true;
+    const bool is_first = i == 0;
+    if(!is_first && i + 1 != m_ring.size())
+      return false;
+    const int c = is_first ? m_corners.front() : m_corners.back();
+    const int kept = is_first ? previous_corner(c) : next_corner(c);
+    return m_mesh.chart().opposite[c] >= 0 || m_mesh.chart().opposite[kept] >= 0;
+  }
+
+  // Whether the triangles that stay keep their sides and are no worse than allowed once the vertex is at ring vertex i.
+  bool keeps_shape(std::size_t i) const
+  {
+    const Vector& target = m_points[i];
+    for(std::size_t t = 0; t < m_corners.size(); ++t) {
+      if(t == i || after(t) == i)
+        continue;
+      const Vector a = m_points[after(t)] - target, b = m_points[t] - target;
+      const Vector normal = a.cross(b);
+      const double turn = normal.dot(m_normals[t]), squared_norm = normal.squaredNorm();
+      if(!(turn > 0 && turn * turn > 0.04 * squared_norm * m_normals[t].squaredNorm()) ||
+         CGAL::square(largest_dot_product(a, b)) > m_worst_cotangent * squared_norm)
+        return false;
+    }
+    return true;
+  }
+
+  // The neighbours that the two vertices of the edge have in common are those in the triangles at the edge.
+  bool fulfils_link_condition(int i)
+  {
+    const Chart& chart = m_mesh.chart();
+    int common = 0;
+    const auto count = [&](int u) { common += is_in_ring(u); };
+    m_mesh.for_each_corner(m_ring[i], [&](int c) {
+      count(chart.vertex[previous_corner(c)]);
+      if(chart.opposite[previous_corner(c)] < 0)
+        count(chart.vertex[next_corner(c)]);
+    });
+    return common == (m_on_border ? 1 : 2);
+  }
+
+  // Nearly always a look at a bit is enough.
+  bool is_in_ring(int u)
+  {
+    if(!(m_ring_bits >> (u % 64) & 1))
+      return false;
+    if(m_ring.size() <= 32)
+      return std::find(m_ring.begin(), m_ring.end(), u) != m_ring.end();
+    if(m_sorted_ring.empty()) {
+      m_sorted_ring = m_ring;
+      std::sort(m_sorted_ring.begin(), m_sorted_ring.end());
+    }
+    return std::binary_search(m_sorted_ring.begin(), m_sorted_ring.end(), u);
+  }
+
+  // In clockwise order the triangle before ring vertex i has it next to the vertex's corner.
+  Edge_collapses::Record record(int i) const
+  {
+    if(!m_on_border)
+      return m_corners[i == 0 ? m_corners.size() - 1 : i - 1];
+    return i == 0 ? ~m_corners.front() : m_corners.back();
+  }
+
+  const Edge_collapses& m_mesh;
+  bool m_any_shape;
+  double m_least_cotangent;
+
+  std::vector<int> m_corners, m_ring, m_sorted_ring;
+  std::vector<Vector> m_points;  // of the ring
+  std::vector<Vector> m_normals; // of the triangles, as long as twice their areas
+  std::vector<Collapse_candidate> m_candidates;
+  Quadric m_quadric;
+  Vector m_centre;
+  double m_worst_cotangent = 0;  // squared
+  std::uint64_t m_ring_bits = 0; // for each vertex of the ring that of its number, modulo 64
+  bool m_on_border = false;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COLLAPSE_COST_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_INSERT_VERTEX_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_INSERT_VERTEX_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The place of a vertex with harmonic weights (Section 5.2, step 1), at the border that of Eq. 22. (The paper prints
+// the same cotangent twice there; it is those of both other corners.)
+inline Planar_point harmonic_place(const Planar_star& star)
+{
+  Planar_point sum(0, 0);
+  double weights = 0;
+  for(const Planar_star::Triangle& t : star.triangles) {
+    sum += t.cot_q * t.p + t.cot_p * t.q;
+    if(star.on_border)
+      sum += Planar_point(t.p.y() - t.q.y(), t.q.x() - t.p.x());
+    weights += t.cot_p + t.cot_q;
+  }
+  return sum / weights;
+}
+
+// The same with mean value weights, which are positive: less extreme where there are obtuse angles.
+inline Planar_point mean_value_place(const Planar_star& star)
+{
+  Planar_point sum(0, 0);
+  double weights = 0;
+  for(const Planar_star::Triangle& t : star.triangles) {
+    const double half_tangent = std::sqrt(1 + t.cot_v * t.cot_v) - t.cot_v;
+    const double twice_area = 2 * t.area;
+    // The edges from the vertex have squared lengths twice_area * (cot_v + cot_q) and (cot_v + cot_p).
+    const double weight_p = half_tangent / std::sqrt(twice_area * (t.cot_v + t.cot_p));
+    const double weight_q = half_tangent / std::sqrt(twice_area * (t.cot_v + t.cot_q));
+    sum += weight_p * t.p + weight_q * t.q;
+    weights += weight_p + weight_q;
+  }
+  return sum / weights;
+}
+
+// The part of a convex polygon that is left of the line from `a` to `b`.
+inline std::vector<Planar_point> clipped(const std::vector<Planar_point>& polygon, const Planar_point& a,
+                                         const Planar_point& b)
+{
+  std::vector<Planar_point> result;
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const Planar_point &x = polygon[i], &y = polygon[(i + 1) % polygon.size()];
+    const double at_x = cross(b - a, x - a), at_y = cross(b - a, y - a);
+    if(at_x >= 0)
+      result.push_back(x);
+    if((at_x > 0 && at_y < 0) || (at_x < 0 && at_y > 0))
+      result.push_back(x + at_x / (at_x - at_y) * (y - x));
+  }
+  return result;
+}
+
+// The centre of the kernel of the star (Section 5.2, step 2), or something that is not a number if there is none.
+inline Planar_point kernel_centre(const Planar_star& star)
+{
+  Planar_point low = star.triangles.front().p, high = low;
+  for(const Planar_star::Triangle& t : star.triangles) {
+    low = low.cwiseMin(t.p).cwiseMin(t.q);
+    high = high.cwiseMax(t.p).cwiseMax(t.q);
+  }
+  if(star.on_border) {
+    const Planar_point margin = (high - low).maxCoeff() * Planar_point(1, 1);
+    low -= margin;
+    high += margin;
+  }
+  std::vector<Planar_point> kernel{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  for(const Planar_star::Triangle& t : star.triangles)
+    kernel = clipped(kernel, t.p, t.q);
+  if(kernel.empty())
+    return Planar_point::Constant((std::numeric_limits<double>::quiet_NaN)());
+  Planar_point sum(0, 0);
+  for(const Planar_point& x : kernel)
+    sum += x;
+  return sum / static_cast<double>(kernel.size());
+}
+
+enum Insertion
+{
+  INSERTED,
+  INSERTED_IN_KERNEL,
+  NOT_INSERTED
+};
+
+// Finds a place for a vertex in its star.
+inline Insertion insert_vertex(const Planar_star& star, Planar_point& place)
+{
+  place = harmonic_place(star);
+  if(is_valid(star, place))
+    return INSERTED;
+  place = mean_value_place(star);
+  if(is_valid(star, place))
+    return INSERTED;
+  place = kernel_centre(star);
+  return is_valid(star, place) ? INSERTED_IN_KERNEL : NOT_INSERTED;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_INSERT_VERTEX_H

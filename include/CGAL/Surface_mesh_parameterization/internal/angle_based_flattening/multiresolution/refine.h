@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_REFINE_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_REFINE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// Puts back the vertices that collapses removed, level by level, and relaxes what is there (Section 5.2).
+class Refinement
+{
+public:
+  Refinement(Coarsening& coarsening, std::vector<Planar_point>& uv, Hierarchical_report& report)
+      : m_coarsening(coarsening), m_uv(uv), m_report(report)
+  {}
+
+  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no place in its star.
+  bool run(int sweeps, Flattening_visitor* visitor)
+  {
+    sweep(sweeps);
+    while(m_coarsening.number_of_levels() > 0) {
+      if(!insert(m_coarsening.undo_level()))
+        return false;
+      visit_level(visitor, m_coarsening.number_of_vertices(),
+                  m_coarsening.mesh().chart().number_of_vertices());
+      // Errors with long waves are smoothed where vertices are few, and on the largest levels it costs most.
+      const int large_levels = 3;
+      sweep(m_coarsening.number_of_levels() < large_levels ? (std::min)(sweeps, 1) : sweeps);
+    }
+    return true;
+  }
+
+  // Sweeps over the finest level that lower the energy of the direct method.
+  void lower_angle_energy(int sweeps, double barrier)
+  {
+    const std::vector<double> beta =
+        sweeps > 0 ? target_angles(m_coarsening.mesh().chart()) : std::vector<double>();
+    for(int i = 0; i < sweeps; ++i)
+      relax_all(Angle_star(beta, Angle_energy{barrier}));
+  }
+
+private:
+  void sweep(int times)
+  {
+    for(int i = 0; i < times; ++i)
+      relax_all(Relaxation_star());
+  }
+
+  // What happened to the vertices of a block
+  struct Tally
+  {
+    int moves = 0, rejected_moves = 0, kernel_insertions = 0;
+    bool complete = true;
+    std::vector<int> put_off;
+  };
+
+  // Vertices of a level are not neighbours, so that all can be inserted at once.
+  bool insert(const std::vector<int>& vertices)
+  {
+    const int n = static_cast<int>(vertices.size());
+    const int blocks = number_of_blocks(n);
+    std::vector<Tally> tallies(blocks);
+    parallel_for(blocks, [&](int b) {
+      Planar_star star;
+      const int end = begin_of_block(b + 1, blocks, n);
+      for(int i = begin_of_block(b, blocks, n); tallies[b].complete && i < end; ++i) {
+        star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
+        if(star.on_border) { // until then it is where it does not change the border
+          m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
+          tallies[b].put_off.push_back(vertices[i]);
+        } else {
+          insert(star, vertices[i], tallies[b]);
+        }
+      }
+    });
+    Planar_star star;
+    bool complete = true;
+    for(Tally& tally : tallies) {
+      for(std::size_t i = 0; tally.complete && i < tally.put_off.size(); ++i) {
+        star.gather(m_coarsening.mesh(), m_uv, tally.put_off[i]);
+        insert(star, tally.put_off[i], tally);
+      }
+      m_report.kernel_insertions += tally.kernel_insertions;
+      complete = complete && tally.complete;
+    }
+    return complete;
+  }
+
+  void insert(const Planar_star& star, int v, Tally& tally)
+  {
+    const Planar_point before = m_uv[v];
+    Insertion insertion = insert_vertex(star, m_uv[v]);
+    if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v, before))
+      insertion = insert_cautiously(star, v, before);
+    tally.kernel_insertions += insertion == INSERTED_IN_KERNEL;
+    tally.complete = insertion != NOT_INSERTED;
+  }
+
+  // Where the border stays as it is, or nearly: the tip of an ear a little outside of the edge between its neighbours, any
+  // other vertex next to one of them, in the middle of what it takes over of its triangles. With the one that it had
+  // been merged into, that is valid.
+  Insertion insert_cautiously(const Planar_star& star, int v, const Planar_point& before)
+  {
+    const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
+    const Planar_point outwards(b.y() - a.y(), a.x() - b.x());
+    for(double distance : {0.5, 0.1, 0.01, 0.001, 0.0001})
+      for(const Planar_point& place :
+          {Planar_point((a + b) / 2 + distance * outwards), next_to_end(star, true, distance),
+           next_to_end(star, false, distance)}) {
+        m_uv[v] = place;
+        if(is_valid(star, place) && !border_overlaps(v, before))
+          return INSERTED_IN_KERNEL;
+      }
+    return NOT_INSERTED;
+  }
+
+  // A place next to the first or the last vertex of the ring of a border vertex, in the middle of the triangles between
+  // that and the others; `distance` is relative to the nearest one.
+  static Planar_point next_to_end(const Planar_star& star, bool first, double distance)
+  {
+    const Planar_star::Triangle &front = star.triangles.front(), &back = star.triangles.back();
+    const Planar_point &end = first ? front.q : back.p, &neighbour = first ? front.p : back.q;
+    double nearest = (neighbour - end).norm(), angle = 0;
+    for(const Planar_star::Triangle& t : star.triangles)
+      if(&t != (first ? &front : &back)) {
+        const Planar_point p = t.p - end, q = t.q - end;
+        nearest = (std::min)({nearest, p.norm(), q.norm()});
+        angle += std::atan2(cross(p, q), p.dot(q));
+      }
+    const Planar_point along = (neighbour - end).normalized();
+    const double c = std::cos(angle / 2), s = first ? -std::sin(angle / 2) : std::sin(angle / 2);
+    return end +
+           distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
+  }
+
+  // Whether the triangles around border vertex `v` or a neighbour of it on the border take a full turn, but do not with `v` at
+  // `before`. Vertices could come to lie in triangles twice there, with all of them positively oriented. Where a chart
+  // overlaps itself anyway, that is no reason to refuse a place.
+  bool border_overlaps(int v, const Planar_point& before)
+  {
+    const unsigned now = full_turns(v);
+    if(now == 0)
+      return false;
+    const Planar_point place = m_uv[v];
+    m_uv[v] = before;
+    const unsigned then = full_turns(v);
+    m_uv[v] = place;
+    return (now & ~then) != 0;
+  }
+
+  // One bit for border vertex `v` and one for each of its neighbours on the border
+  unsigned full_turns(int v) const
+  {
+    const Edge_collapses& mesh = m_coarsening.mesh();
+    const int first = mesh.first_corner(v);
+    int last = first;
+    for(int c = first; c >= 0; c = mesh.chart().rotate(c))
+      last = c;
+    unsigned bits = 0;
+    for(int w : {v, mesh.chart().vertex[previous_corner(first)], mesh.chart().vertex[next_corner(last)]})
+      bits = 2 * bits + (turn(w) > 2 * pi - 1e-3);
+    return bits;
+  }
+
+  // The angle of all triangles around `v` together
+  double turn(int v) const
+  {
+    const Chart& chart = m_coarsening.mesh().chart();
+    double result = 0;
+    m_coarsening.mesh().for_each_corner(v, [&](int c) {
+      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
+                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
+      result += std::atan2(cross(a, b), a.dot(b));
+    });
+    return result;
+  }
+
+  // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices of the border, and those with
+  // neighbours in another block, are put off until all blocks are done, so that the result does not depend on the number
+  // of threads.
+  template <typename Star>
+  void relax_all(const Star& empty)
+  {
+    const std::vector<int>& vertices = m_coarsening.alive();
+    const int n = static_cast<int>(vertices.size());
+    const int blocks = number_of_blocks(n);
+    std::vector<Tally> tallies(blocks);
+    parallel_for(blocks, [&](int b) {
+      const int begin = begin_of_block(b, blocks, n), end = begin_of_block(b + 1, blocks, n);
+      Star star = empty;
+      for(int i = begin; i < end; ++i) {
+        const bool on_border = m_coarsening.mesh().chart().interior[vertices[i]] < 0;
+        if(!on_border)
+          star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
+        if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
+          tallies[b].put_off.push_back(vertices[i]);
+        else
+          relax(star, vertices[i], tallies[b]);
+      }
+    });
+    Star star = empty;
+    for(Tally& tally : tallies) {
+      for(int v : tally.put_off) {
+        star.gather(m_coarsening.mesh(), m_uv, v);
+        relax(star, v, tally);
+      }
+      m_report.moves += tally.moves;
+      m_report.rejected_moves += tally.rejected_moves;
+    }
+  }
+
+  template <typename Star>
+  void relax(const Star& star, int v, Tally& tally)
+  {
+    const Planar_point place = m_uv[v];
+    bool moved = relax_vertex(star, m_uv[v]);
+    if(moved && star.on_border && border_overlaps(v, place)) {
+      m_uv[v] = place;
+      moved = false;
+    }
+    ++(moved ? tally.moves : tally.rejected_moves);
+  }
+
+  // Small blocks have many neighbours in others.
+  static int number_of_blocks(int n) { return (std::min)(1 + n / 4096, 16); }
+
+  static int begin_of_block(int b, int blocks, int n)
+  {
+    return static_cast<int>(std::int64_t(n) * b / blocks);
+  }
+
+  Coarsening& m_coarsening;
+  std::vector<Planar_point>& m_uv;
+  Hierarchical_report& m_report;
+};
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_REFINE_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_RELAX_VERTEX_H
+#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_RELAX_VERTEX_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+namespace internal {
+
+// The triangles around one vertex, in the plane and in space: to move the vertex to where the triangles are most alike.
+struct Relaxation_star : Planar_star_base
+{
+  // A triangle (v, p, q), counterclockwise. Twice its area on the surface times the cotangent of an angle is the dot
+  // product of the edges there: neither roots nor divisions are needed.
+  struct Triangle
+  {
+    Planar_point p, q;
+    double dot_v, dot_p, dot_q;
+  };
+
+  class Energy;
+
+  std::vector<Triangle> triangles; // clockwise
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    const std::vector<Chart::Point_3>& points = mesh.chart().points;
+    const Chart::Point_3& origin = points[v];
+    triangles.clear();
+    Chart::Kernel::Vector_3 b;
+    double bb = 0;
+    gather_ring(mesh, uv, v, [&](int, int p, int q) {
+      if(triangles.empty()) {
+        b = points[q] - origin;
+        bb = b.squared_length();
+      }
+      const Chart::Kernel::Vector_3 a = points[p] - origin;
+      const double aa = a.squared_length(), ab = a * b;
+      triangles.push_back({uv[p], uv[q], ab, aa - ab, bb - ab});
+      b = a;
+      bb = aa;
+    });
+  }
+};
+
+// The energy of a star as a function of the place of its vertex, with derivatives: of each triangle the area on the
+// surface times the ratio of its Dirichlet energy to its area in the plane, times four. The ratio is one for similar
+// triangles, and grows without bound as a triangle collapses. Infinite where the star is not valid.
+class Relaxation_star::Energy
+{
+public:
+  double value = 0;
+  Planar_point gradient = Planar_point::Zero();
+  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+
+  Energy(const Relaxation_star& star, const Planar_point& x, bool with_derivatives)
+  {
+    for(const Triangle& t : star.triangles) {
+      const Planar_point xp = x - t.p, xq = x - t.q, pq = t.q - t.p;
+      const double twice_area = cross(xp, xq);
+      if(!(twice_area > star.least_area)) {
+        value = (std::numeric_limits<double>::infinity)();
+        return;
+      }
+      const double inverse = 1 / twice_area;
+      const double ratio =
+          (t.dot_q * xp.squaredNorm() + t.dot_p * xq.squaredNorm() + t.dot_v * pq.squaredNorm()) * inverse;
+      value += ratio;
+      if(with_derivatives)
+        add_derivatives(t, xp, xq, Planar_point(-pq.y(), pq.x()), ratio, inverse);
+    }
+  }
+
+private:
+  void add_derivatives(const Triangle& t, const Planar_point& xp, const Planar_point& xq,
+                       const Planar_point& area_gradient, double ratio, double inverse)
+  {
+    const Planar_point dirichlet_gradient = 2 * (t.dot_q * xp + t.dot_p * xq);
+    const Planar_point ratio_gradient = (dirichlet_gradient - ratio * area_gradient) * inverse;
+    gradient += ratio_gradient;
+    const Planar_point mixed = (2 * inverse) * area_gradient;
+    const double squared_edge = 2 * inverse * (t.dot_p + t.dot_q);
+    const double off_diagonal = ratio_gradient.x() * mixed.y() + ratio_gradient.y() * mixed.x();
+    hessian(0, 0) += squared_edge - ratio_gradient.x() * mixed.x();
+    hessian(1, 1) += squared_edge - ratio_gradient.y() * mixed.y();
+    hessian(0, 1) -= off_diagonal / 2;
+    hessian(1, 0) -= off_diagonal / 2;
+  }
+};
+
+// Moves a vertex by one step of Newton's method towards the least energy of its star. Returns `false` if it stays
+// where it is.
+template <typename Star>
+bool relax_vertex(const Star& star, Planar_point& place)
+{
+  typedef typename Star::Energy Energy;
+  const Energy here(star, place, true);
+  if(!std::isfinite(here.value))
+    return false;
+  const double determinant =
+      here.hessian(0, 0) * here.hessian(1, 1) - here.hessian(0, 1) * here.hessian(0, 1);
+  Planar_point step;
+  if(determinant > 0 && here.hessian.trace() > 0)
+    step = Planar_point(here.hessian(0, 1) * here.gradient.y() - here.hessian(1, 1) * here.gradient.x(),
+                        here.hessian(0, 1) * here.gradient.x() - here.hessian(0, 0) * here.gradient.y()) /
+           determinant;
+  else
+    step = -here.gradient / (here.hessian.cwiseAbs().sum() + (std::numeric_limits<double>::min)());
+  for(int halvings = 0; halvings < 5; ++halvings, step /= 2) {
+    const Planar_point next = place + step;
+    if(Energy(star, next, false).value < here.value) {
+      place = next;
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace internal
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_RELAX_VERTEX_H
