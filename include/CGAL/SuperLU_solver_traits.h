@@ -27,6 +27,10 @@
 
 namespace CGAL {
 
+#ifndef DOXYGEN_RUNNING
+inline namespace CGAL_SUPERLU_TYPES {
+#endif
+
 /*!
 \ingroup PkgSolverInterfaceLS
 
@@ -336,6 +340,10 @@ private:
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   bool m_ordering_reused = false;
 };
+
+#ifndef DOXYGEN_RUNNING
+} // namespace CGAL_SUPERLU_TYPES
+#endif
 
 template <class FT>
 struct Has_independent_copies<SuperLU_solver_traits<FT>> : std::true_type

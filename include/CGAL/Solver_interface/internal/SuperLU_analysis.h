@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace internal {
 
-// What the pattern of a matrix alone determines: an ordering of the columns, its elimination tree, and the room that
+// What the pattern of a matrix alone determines: an ordering of the columns, its elimination tree, and the memory that
 // SuperLU needs for the factors. It is computed here and not by SuperLU because SuperLU does not postorder in its
 // symmetric mode, ends the program where memory lacks, and only finds out the size of the factors while it computes them.
 //
@@ -28,7 +28,7 @@ namespace internal {
 // SuperLU makes one dense block, a relaxed supernode, of a maximal subtree of at most `relax` columns. It stores such a
 // block without looking whether its array of subscripts is full afterwards, and the next column then writes
 // beyond the end (SuperLU 5.3, `dsnode_dfs` and `dcolumn_dfs`). So these subtrees are ordered before all other
-// columns. Their subscripts depend on the pattern only, not on the pivots, and there is room for them.
+// columns. Their subscripts depend on the pattern only, not on the pivots, and there is memory for them.
 // The others are checked one by one, so that the array grows in time if pivots are not as foreseen.
 class SuperLU_analysis
 {

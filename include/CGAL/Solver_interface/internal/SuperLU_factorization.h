@@ -22,6 +22,7 @@
 
 namespace CGAL {
 namespace internal {
+inline namespace CGAL_SUPERLU_TYPES {
 
 // A factorization that can be trusted: what is singular is refused, what is not definite is not taken for it, and
 // solutions are refined where they need it. Once `factor()` has returned `FACTORED` the object does not change any
@@ -247,6 +248,7 @@ private:
   std::unique_ptr<const Columns> m_matrix; // the scaled matrix, if refinement is needed
 };
 
+} // namespace CGAL_SUPERLU_TYPES
 } // namespace internal
 } // namespace CGAL
 

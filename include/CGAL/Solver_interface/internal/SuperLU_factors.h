@@ -8,9 +8,6 @@
 
 #include <CGAL/SuperLU_options.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
-#include <CGAL/Solver_interface/internal/SuperLU_blas_threads.h>
-#include <CGAL/Solver_interface/internal/SuperLU_functions.h>
-#include <CGAL/Solver_interface/internal/SuperLU_headers.h>
 #include <CGAL/Solver_interface/internal/SuperLU_library.h>
 #include <CGAL/Solver_interface/internal/Supernodal_solution.h>
 
@@ -25,6 +22,7 @@
 
 namespace CGAL {
 namespace internal {
+inline namespace CGAL_SUPERLU_TYPES {
 
 // The triangular factors of one matrix, and all calls of SuperLU.
 //
@@ -165,12 +163,12 @@ private:
   const superlu::SCformat& lower() const { return *static_cast<const superlu::SCformat*>(m_lower.Store); }
 
   // SuperLU counts panels and relaxed supernodes of each width up to the larger one of its own parameters, and its work
-  // arrays have room for supernodes of the larger one of two others.
+  // arrays hold supernodes as wide as the larger one of two others.
   static int width(int asked_for, int usual)
   {
     const int counted = (std::max)(superlu::sp_ienv(1), superlu::sp_ienv(2));
-    const int room = (std::max)(superlu::sp_ienv(3), superlu::sp_ienv(7));
-    return (std::min)({asked_for > 0 ? asked_for : usual, counted, room});
+    const int largest = (std::max)(superlu::sp_ienv(3), superlu::sp_ienv(7));
+    return (std::min)({asked_for > 0 ? asked_for : usual, counted, largest});
   }
 
   // The largest number of columns up to `width` with which no size overflows in SuperLU, or 0 if one does even with one column
@@ -191,21 +189,24 @@ private:
     return (std::max)(integers, reals);
   }
 
-  // The number of entries for which SuperLU shall allocate memory initially; it makes room for at least a quarter as many
+  // The number of entries for which SuperLU shall allocate memory initially; it allocates at least a quarter as many
   // subscripts. That is all it will need, if that is known. Otherwise bounds beyond its default tend to be pessimistic,
   // and it may grow its arrays.
   double initial_size(const Columns& a) const
   {
     const double needed = (std::max)(static_cast<double>(m_analysis->factor_size()),
-                                     room_for_subscripts(m_analysis->subscripts()));
+                                     allocation_for_subscripts(m_analysis->subscripts()));
     if(is_symmetric())
       return needed;
     const double usual = (std::max)(1., double(superlu::sp_ienv(6))) * static_cast<double>(a.nonZeros());
-    return (std::min)(needed, (std::max)(usual, room_for_subscripts(m_analysis->relaxed_subscripts())));
+    return (std::min)(needed, (std::max)(usual, allocation_for_subscripts(m_analysis->relaxed_subscripts())));
   }
 
   // SuperLU grows the array of subscripts as soon as it is full, and not only when it needs more.
-  static double room_for_subscripts(std::size_t number) { return 4. * (static_cast<double>(number) + 1); }
+  static double allocation_for_subscripts(std::size_t number)
+  {
+    return 4. * (static_cast<double>(number) + 1);
+  }
 
   bool call_superlu(const Columns& a, double entries, int width, superlu::SuperLUStat_t& statistics)
   {
@@ -290,6 +291,7 @@ private:
   int m_expansions = 0;
 };
 
+} // namespace CGAL_SUPERLU_TYPES
 } // namespace internal
 } // namespace CGAL
 

@@ -18,7 +18,8 @@
 // - A file that also includes SuperLU itself, or `<Eigen/SuperLUSupport>`, has to do so *before* this
 //   file, and both then use the types in the global namespace. In the other order the compiler reports
 //   that declarations of C functions contradict: a C function has one signature in a program, and it
-//   would mention two sets of types.
+//   would mention two sets of types. What is made of the types has another name in such a file
+//   (`CGAL_SUPERLU_TYPES` is an inline namespace), so that the linker does not take one for the other.
 // - SuperLU_DIST and SuperLU_MT reuse the names of these headers for other contents and
 //   cannot be used in the same file.
 
@@ -43,7 +44,11 @@
 #undef __SUPERLU_sSP_DEFS
 
 // (the types are shared with the global namespace in that case)
-#ifndef __SUPERLU_UTIL
+#ifdef __SUPERLU_UTIL
+#define CGAL_SUPERLU_TYPES global_superlu_types
+#else
+#define CGAL_SUPERLU_TYPES hidden_superlu_types
+#define CGAL_SUPERLU_TYPES_ARE_HIDDEN
 #define CGAL_SUPERLU_HEADERS_HIDE_TYPES
 #pragma push_macro("__SUPERLU_CNAMES")
 #undef __SUPERLU_CNAMES
