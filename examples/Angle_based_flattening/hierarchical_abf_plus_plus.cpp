@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
   std::cout << report.triangles << " triangles, " << report.coarse_triangles << " after " << report.levels
             << " levels of collapses\n"
             << report.flipped_triangles << " flipped, smallest angle " << report.smallest_angle << "\n"
-            << "seconds: coarsen " << report.seconds.coarsen << ", solve " << report.seconds.solve
+            << "seconds: coarsen " << report.seconds.coarsen << ", solve " << report.seconds.coarse_chart
             << ", refine " << report.seconds.refine << ", in all " << report.seconds.total() << "\n";
 
   std::ofstream out("hierarchical_abf_plus_plus.off");

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
 
-template std::shared_ptr<const CGAL::Surface_mesh_parameterization::internal::Solver_source>
-CGAL::Surface_mesh_parameterization::internal::solver_source(const CGAL::SuperLU_solver_traits<>&);
+template std::shared_ptr<const CGAL::Surface_mesh_parameterization::internal::ABF::Solver_source>
+CGAL::Surface_mesh_parameterization::internal::ABF::solver_source(const CGAL::SuperLU_solver_traits<>&);

@@ -122,7 +122,7 @@ inline Infeasible_chart bow_tie(int n, std::mt19937& random)
     w = w == last ? v : w;
   chart.points.pop_back();
   find_borders(chart);
-  return {chart, Report::PINCHED_VERTEX, {{v}}};
+  return {chart, Report::NON_MANIFOLD_VERTEX, {{v}}};
 }
 
 inline Infeasible_chart non_finite_point(Chart chart, std::mt19937& random)
@@ -149,7 +149,7 @@ inline Infeasible_chart two_borders(int n)
 
 inline Infeasible_chart handle(int n)
 {
-  return {torus_with_hole(n), Report::HANDLES, {{}}};
+  return {torus_with_hole(n), Report::NONZERO_GENUS, {{}}};
 }
 
 } // namespace test_charts

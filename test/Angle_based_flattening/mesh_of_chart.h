@@ -19,9 +19,9 @@ namespace test_charts {
 // Makes the mesh of a chart, corner by corner: with everything that functions for polygons refuse, such as parallel
 // edges and pinched vertices. Vertices and faces are in the order of the chart.
 template <typename Mesh>
-void make_mesh(const CGAL::Surface_mesh_parameterization::internal::Chart& chart, Mesh& mesh)
+void make_mesh(const CGAL::Surface_mesh_parameterization::internal::ABF::Chart& chart, Mesh& mesh)
 {
-  namespace abf = CGAL::Surface_mesh_parameterization::internal;
+  namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
   typedef boost::graph_traits<Mesh> Graph_traits;
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type Point_map;
   typedef typename boost::property_traits<Point_map>::value_type Point;
@@ -59,7 +59,7 @@ void make_mesh(const CGAL::Surface_mesh_parameterization::internal::Chart& chart
 }
 
 template <typename Mesh>
-Mesh mesh_of_chart(const CGAL::Surface_mesh_parameterization::internal::Chart& chart)
+Mesh mesh_of_chart(const CGAL::Surface_mesh_parameterization::internal::ABF::Chart& chart)
 {
   Mesh mesh;
   make_mesh(chart, mesh);

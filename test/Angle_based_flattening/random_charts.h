@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef ANGLE_BASED_FLATTENING_RUBBISH_CHARTS_H
-#define ANGLE_BASED_FLATTENING_RUBBISH_CHARTS_H
+#ifndef ANGLE_BASED_FLATTENING_RANDOM_CHARTS_H
+#define ANGLE_BASED_FLATTENING_RANDOM_CHARTS_H
 
 #include "hard_charts.h"
 
@@ -94,7 +94,7 @@ private:
 };
 
 // Any connectivity, with random points in space.
-inline Chart rubbish(int operations, std::mt19937& random)
+inline Chart random_chart(int operations, std::mt19937& random)
 {
   const Random_triangulation triangulation(operations, random);
   std::vector<Point_3> points;
@@ -103,7 +103,7 @@ inline Chart rubbish(int operations, std::mt19937& random)
   return make_chart(points, triangulation.triangles());
 }
 
-// A third corner of some triangles is moved to a place on its edge across, but for `distance`, relative to the edge.
+// A third corner of some triangles is moved to a point on its edge across, but for `distance`, relative to the edge.
 inline Chart slivers(Chart chart, int number, double distance, std::mt19937& random)
 {
   for(int i = 0; i < number; ++i) {
@@ -115,7 +115,7 @@ inline Chart slivers(Chart chart, int number, double distance, std::mt19937& ran
   return chart;
 }
 
-// Vertices in the places of their neighbours.
+// Vertices at the positions of their neighbours.
 inline Chart duplicated_points(Chart chart, int number, std::mt19937& random)
 {
   for(int i = 0; i < number; ++i) {
@@ -148,4 +148,4 @@ inline Chart scaled(Chart chart, double factor)
 
 } // namespace test_charts
 
-#endif // ANGLE_BASED_FLATTENING_RUBBISH_CHARTS_H
+#endif // ANGLE_BASED_FLATTENING_RANDOM_CHARTS_H

@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(random_charts)
 {
   std::mt19937 random(1);
   for(int i = 0; i < 1000; ++i) {
-    const test_charts::Chart chart = test_charts::rubbish(20 + 10 * (i % 100), random);
+    const test_charts::Chart chart = test_charts::random_chart(20 + 10 * (i % 100), random);
     const int relax = 1 + i % 20, panel = 1 + i / 20 % 20;
     if(const int n = chart.number_of_interior_vertices)
       check_that_nothing_grows<float>(laplacian(chart, chart.interior, n), relax, panel);
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(arrays_that_grow)
   std::mt19937 random(3);
   int grown = 0;
   for(int i = 0; i < 300; ++i) {
-    const test_charts::Chart chart = test_charts::rubbish(50 + i, random);
+    const test_charts::Chart chart = test_charts::random_chart(50 + i, random);
     std::vector<int> all(chart.number_of_vertices());
     std::iota(all.begin(), all.end(), 0);
     Columns a = laplacian(chart, all, static_cast<int>(all.size()));

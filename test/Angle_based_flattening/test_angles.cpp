@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From target angles to planar angles: every room by itself, on charts made by hand.
+// From target angles to planar angles: every stage by itself, on charts made by hand.
 
 #include <boost/test/unit_test.hpp>
 
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -34,7 +34,6 @@ BOOST_AUTO_TEST_SUITE(test_angles)
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_options Options;
 typedef CGAL::SuperLU_solver_traits<> Solver;
 typedef Eigen::MatrixXd Matrix;
@@ -60,13 +59,13 @@ Vector random_vector(Eigen::Index n, unsigned int seed)
 // The Jacobian of planarity and reconstruction (J_2 of Eq. 11), dense.
 Matrix constraint_jacobian(const Chart& chart, const std::vector<double>& alpha)
 {
-  Matrix jacobian = Matrix::Zero(2 * chart.number_of_interior_vertices, alpha.size());
+  Matrix jacobian = Matrix::Zero(2 * chart.number_of_nodes(), alpha.size());
   for(int c = 0; c < chart.number_of_corners(); ++c)
-    if(const int i = chart.interior[chart.vertex[c]]; i >= 0) {
+    if(const int i = chart.node_of_corner(c); i >= 0) {
       const int next = abf::next_corner(c), previous = abf::previous_corner(c);
-      jacobian(2 * i, c) = 1;
-      jacobian(2 * i + 1, next) = 1 / std::tan(alpha[next]);
-      jacobian(2 * i + 1, previous) = -1 / std::tan(alpha[previous]);
+      jacobian(2 * i, c) += chart.nodes[i].has_planarity;
+      jacobian(2 * i + 1, next) += chart.nodes[i].has_reconstruction / std::tan(alpha[next]);
+      jacobian(2 * i + 1, previous) -= chart.nodes[i].has_reconstruction / std::tan(alpha[previous]);
     }
   return jacobian;
 }
@@ -75,20 +74,21 @@ Matrix constraint_jacobian(const Chart& chart, const std::vector<double>& alpha)
 Matrix full_jacobian(const Chart& chart, const std::vector<double>& alpha)
 {
   const int n_f = chart.number_of_triangles();
-  Matrix jacobian = Matrix::Zero(n_f + 2 * chart.number_of_interior_vertices, alpha.size());
+  Matrix jacobian = Matrix::Zero(n_f + 2 * chart.number_of_nodes(), alpha.size());
   for(int c = 0; c < chart.number_of_corners(); ++c)
     jacobian(c / 3, c) = 1;
-  jacobian.bottomRows(2 * chart.number_of_interior_vertices) = constraint_jacobian(chart, alpha);
+  jacobian.bottomRows(2 * chart.number_of_nodes()) = constraint_jacobian(chart, alpha);
   return jacobian;
 }
 
-Report solve(const Chart& chart, const Options& options, std::vector<double>& alpha)
+abf::Angle_solution solve(const Chart& chart, const Options& options, std::vector<double>& alpha)
 {
-  Report report;
   const std::vector<double> beta = abf::target_angles(chart);
-  alpha = abf::starting_angles(beta);
-  BOOST_REQUIRE(abf::solve_angles(chart, beta, options, Solver(), alpha, report));
-  return report;
+  abf::Angle_solution solution =
+      abf::solve_angles(chart, beta, options, Solver(), abf::starting_angles(beta));
+  BOOST_REQUIRE(solution.is_solved);
+  alpha = solution.alpha;
+  return solution;
 }
 
 } // namespace
@@ -216,13 +216,13 @@ BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(matrix_splits)
+BOOST_AUTO_TEST_SUITE(reduced_hessian)
 
 // The P of Eq. 17
 Eigen::Matrix3d inverse_on_plane(const Eigen::Vector3d& energy, const Eigen::Vector3d& hessian)
 {
   const abf::Sum_preserving_steps& basis = abf::basis_of_sum_preserving_steps();
-  return basis * abf::split(energy, hessian) * basis.transpose();
+  return basis * abf::reduced_hessian_inverse(energy, hessian) * basis.transpose();
 }
 
 BOOST_AUTO_TEST_CASE(invert_the_hessian_on_steps_that_keep_the_sum)
@@ -272,6 +272,22 @@ BOOST_AUTO_TEST_CASE(assemble_the_matrix_of_equation_16)
              1e-12 * equation_16.cwiseAbs().maxCoeff());
 }
 
+// Which makes the limit of size one that `int` can count to.
+BOOST_AUTO_TEST_CASE(have_at_most_14_numbers_for_each_triangle)
+{
+  static_assert(14ll * abf::largest_number_of_triangles <= (std::numeric_limits<int>::max)());
+  static_assert(14ll * (abf::largest_number_of_triangles + 1ll) > (std::numeric_limits<int>::max)());
+  double most = 0;
+  for(const Chart& chart : {bump(2, 1), bump(60, 1), pyramid(3, 1), pyramid(500, 1), annulus(20)}) {
+    const std::vector<double> beta = abf::target_angles(chart);
+    abf::Newton_system system(chart, beta, abf::Angle_energy{0}, false, Solver());
+    const double entries = 4. * static_cast<double>(system.matrix().row.size());
+    BOOST_TEST(entries <= 14. * chart.number_of_triangles());
+    most = (std::max)(most, entries / chart.number_of_triangles());
+  }
+  BOOST_TEST(most > 13); // so that no larger limit would do
+}
+
 void check_step_against_dense_kkt(const Chart& chart, double barrier, bool curvature,
                                   const std::vector<double>& alpha, const Vector& multipliers)
 {
@@ -296,6 +312,9 @@ void check_step_against_dense_kkt(const Chart& chart, double barrier, bool curva
   }
   kkt.topRightCorner(n_alpha, j.rows()) = j.transpose();
   kkt.bottomLeftCorner(j.rows(), n_alpha) = j;
+  for(Eigen::Index row = 0; row < j.rows(); ++row)
+    if(j.row(row).isZero(0)) // a constraint that is not there: its multiplier stays 0
+      kkt(n_alpha + row, n_alpha + row) = 1;
   rhs.head(n_alpha) -= j.bottomRows(multipliers.size()).transpose() * multipliers;
   rhs.tail(residual.size()) = -residual;
   const Vector solution = kkt.partialPivLu().solve(rhs);
@@ -342,6 +361,34 @@ BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
     BOOST_TEST(iterative.equation().factorizations() == (last_steps == 0 ? 2 : 0));
     last_steps = iterative.equation().steps();
   }
+}
+
+// Two interior vertices with added equations, two with one equation each, and two border vertices with an angle alone
+Chart bump_with_other_nodes()
+{
+  Chart chart = bump(5, 7);
+  chart.nodes[0].angle_sum += chart.nodes[1].angle_sum;
+  std::replace(chart.node.begin(), chart.node.end(), 1, 0);
+  chart.nodes[1] = {3, true, false}; // where a border vertex is now
+  chart.nodes[4].has_reconstruction = false;
+  chart.nodes[5].has_planarity = false;
+  chart.node[chart.edge_source(chart.borders[0][3])] = 1;
+  chart.node[chart.edge_source(chart.borders[0][8])] = chart.number_of_nodes();
+  chart.nodes.push_back({2.5, true, false});
+  return chart;
+}
+
+BOOST_AUTO_TEST_CASE(give_the_step_of_equation_6_for_any_nodes)
+{
+  const Chart chart = bump_with_other_nodes();
+  const std::vector<double> alpha = abf::starting_angles(abf::target_angles(chart));
+  Vector multipliers = 0.01 * random_vector(2 * chart.number_of_nodes(), 9);
+  for(int i = 0; i < chart.number_of_nodes(); ++i) {
+    multipliers[2 * i] *= chart.nodes[i].has_planarity;
+    multipliers[2 * i + 1] *= chart.nodes[i].has_reconstruction;
+  }
+  for(bool curvature : {false, true})
+    check_step_against_dense_kkt(chart, 0.1, curvature, alpha, multipliers);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -551,6 +598,31 @@ BOOST_AUTO_TEST_CASE(adds_up_local_matrices)
   }
 }
 
+// The entries of a long column are found by bisection.
+BOOST_AUTO_TEST_CASE(adds_up_at_hubs)
+{
+  const int n = 100000;
+  std::vector<Point_3> points{Point_3(0, 0, 1)};
+  Triangles triangles;
+  for(int ring : {1, 2})
+    for(int i = 0; i < n; ++i)
+      points.emplace_back(ring * std::cos(2 * CGAL_PI * i / n), ring * std::sin(2 * CGAL_PI * i / n), 0);
+  for(int i = 0; i < n; ++i) {
+    const int a = 1 + i, b = 1 + (i + 1) % n;
+    triangles.push_back({0, a, b});
+    triangles.push_back({a, n + a, n + b});
+    triangles.push_back({a, n + b, b});
+  }
+  const Chart chart = make_chart(points, triangles);
+  BOOST_REQUIRE(chart.number_of_interior_vertices == n + 1);
+  abf::Triangle_assembly<2> assembly(chart.vertex, chart.node, chart.number_of_nodes());
+  assembly.assemble([](int) -> abf::Triangle_assembly<2>::Local_columns {
+    return abf::Triangle_assembly<2>::Local_columns::Ones();
+  });
+  BOOST_TEST(assembly.diagonal_block(0)(0, 0) == n);
+  BOOST_TEST(assembly.matrix().begin[1] == n + 1);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(angle_solver)
@@ -559,9 +631,9 @@ BOOST_AUTO_TEST_CASE(keeps_the_angles_of_a_planar_chart)
 {
   const Chart chart = flat_grid(10, 12);
   std::vector<double> alpha;
-  const Report report = solve(chart, Options(), alpha);
-  BOOST_TEST(report.converged);
-  BOOST_TEST(report.iterations == 1);
+  const abf::Angle_solution solution = solve(chart, Options(), alpha);
+  BOOST_TEST(solution.converged);
+  BOOST_TEST(solution.iterations == 1);
   const std::vector<double> expected = planar_angles(chart, projected(chart));
   BOOST_TEST((as_vector(alpha) - as_vector(expected)).cwiseAbs().maxCoeff() < 1e-12);
 }
@@ -588,11 +660,11 @@ BOOST_AUTO_TEST_CASE(finds_a_constrained_minimum)
     options.barrier = barrier;
     options.energy_tolerance = 1e-16;
     std::vector<double> newton, sequential;
-    const Report report = solve(chart, options, newton);
-    BOOST_TEST(report.converged);
-    BOOST_TEST(report.constraint_residual <= options.tolerance);
+    const abf::Angle_solution solution = solve(chart, options, newton);
+    BOOST_TEST(solution.converged);
+    BOOST_TEST(solution.constraint_residual <= options.tolerance);
     BOOST_TEST(distance_from_stationarity(chart, barrier, newton) < 1e-6);
-    BOOST_TEST(report.iterations == static_cast<int>(report.steps.size()));
+    BOOST_TEST(solution.iterations == static_cast<int>(solution.steps.size()));
 
     options.step = Options::SEQUENTIAL_LINEARLY_CONSTRAINED;
     BOOST_TEST(solve(chart, options, sequential).converged);
@@ -600,17 +672,78 @@ BOOST_AUTO_TEST_CASE(finds_a_constrained_minimum)
   }
 }
 
+std::vector<double> angle_sums(const Chart& chart, const std::vector<double>& alpha)
+{
+  std::vector<double> sums(chart.nodes.size(), 0);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(const int i = chart.node_of_corner(c); i >= 0)
+      sums[i] += alpha[c];
+  return sums;
+}
+
+void check_angle_sums(const Chart& chart, const std::vector<double>& alpha, double tolerance)
+{
+  const std::vector<double> sums = angle_sums(chart, alpha);
+  for(int i = 0; i < chart.number_of_nodes(); ++i)
+    if(chart.nodes[i].has_planarity)
+      BOOST_TEST(std::abs(sums[i] - chart.nodes[i].angle_sum) <= tolerance);
+}
+
+// The angles at the border are prescribed, but for one, which follows from the others.
+BOOST_AUTO_TEST_CASE(makes_a_rectangle_of_prescribed_border_angles)
+{
+  const int n = 10;
+  Chart chart = bump(n, 3, 0.3);
+  for(int v = 1; v < chart.number_of_vertices(); ++v)
+    if(chart.interior[v] < 0) {
+      const bool is_corner = v == n || v == n * (n + 1) || v == n * (n + 2);
+      chart.node[v] = chart.number_of_nodes();
+      chart.nodes.push_back({is_corner ? CGAL_PI / 2 : CGAL_PI, true, false});
+    }
+  for(auto linear_solver : {Options::ITERATIVE, Options::DIRECT}) {
+    Options options;
+    options.linear_solver = linear_solver;
+    std::vector<double> alpha;
+    BOOST_TEST(solve(chart, options, alpha).converged);
+    check_angle_sums(chart, alpha, options.tolerance);
+    double free_corner = 0;
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      free_corner += chart.vertex[c] == 0 ? alpha[c] : 0;
+    BOOST_TEST(std::abs(free_corner - CGAL_PI / 2) <= 1e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(binds_several_vertices_to_one_node)
+{
+  Chart bound = bump(8, 5, 1);
+  const Chart free = bound;
+  for(int v = 0; v < bound.number_of_vertices(); ++v) // two nodes that are left, and one without equations
+    if(bound.node[v] >= 2)
+      bound.node[v] %= 2;
+  bound.nodes.resize(3);
+  for(int i : {0, 1})
+    bound.nodes[i].angle_sum = 2 * CGAL_PI * std::count(bound.node.begin(), bound.node.end(), i);
+  bound.nodes[2] = {0, false, false};
+  std::vector<double> alpha, free_alpha;
+  const abf::Angle_solution solution = solve(bound, Options(), alpha);
+  BOOST_TEST(solution.converged);
+  check_angle_sums(bound, alpha, Options().tolerance);
+  BOOST_TEST(solution.constraint_residual <= Options().tolerance);
+  BOOST_TEST(solve(free, Options(), free_alpha).converged);
+  BOOST_TEST((as_vector(alpha) - as_vector(free_alpha)).cwiseAbs().maxCoeff() > 1e-3);
+}
+
 BOOST_AUTO_TEST_CASE(converges_quadratically)
 {
   std::vector<double> alpha;
   Options options;
   options.energy_tolerance = 1e-16;
-  const Report report = solve(bump(20, 14, 1), options, alpha);
-  BOOST_REQUIRE(report.converged);
-  const auto& last = report.steps.back();
-  const auto& before = report.steps[report.steps.size() - 2];
+  const abf::Angle_solution solution = solve(bump(20, 14, 1), options, alpha);
+  BOOST_REQUIRE(solution.converged);
+  const auto& last = solution.steps.back();
+  const auto& before = solution.steps[solution.steps.size() - 2];
   BOOST_TEST(last.predicted_decrease < 1e-2 * before.predicted_decrease);
-  BOOST_TEST(report.iterations < 10);
+  BOOST_TEST(solution.iterations < 10);
 }
 
 BOOST_AUTO_TEST_CASE(stays_inside_the_open_interval)

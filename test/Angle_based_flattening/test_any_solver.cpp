@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(conjugate_gradient)
 BOOST_AUTO_TEST_CASE(bi_cg_stab)
 {
   CGAL::Eigen_solver_traits<Eigen::BiCGSTAB<Columns>> traits;
-  static_assert(!SMP::internal::Has_factor<decltype(traits)>::value, "solves in one call");
+  static_assert(!SMP::internal::ABF::Has_factor<decltype(traits)>::value, "solves in one call");
   traits.solver().setTolerance(1e-13);
   traits.solver().setMaxIterations(10000);
   check_same_angles(test_meshes::bump<Surface_mesh>(16), traits);
@@ -331,7 +331,7 @@ Calls check_archetype(int denominator)
 
 BOOST_AUTO_TEST_CASE(archetype)
 {
-  static_assert(!SMP::internal::Has_factor<Archetype_traits>::value, "solves in one call");
+  static_assert(!SMP::internal::ABF::Has_factor<Archetype_traits>::value, "solves in one call");
   BOOST_TEST(check_archetype<Archetype_traits>(1).one_call_solves > 0);
 }
 
@@ -339,7 +339,7 @@ BOOST_AUTO_TEST_CASE(archetype)
 // is solved again for a correction.
 BOOST_AUTO_TEST_CASE(archetype_with_factor)
 {
-  static_assert(SMP::internal::Has_factor<Archetype_factor_traits>::value, "factors");
+  static_assert(SMP::internal::ABF::Has_factor<Archetype_factor_traits>::value, "factors");
   const Calls calls = check_archetype<Archetype_factor_traits>(1);
   BOOST_TEST(calls.one_call_solves == 0);
   BOOST_TEST(calls.factorizations > 0);

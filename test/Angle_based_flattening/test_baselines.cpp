@@ -14,8 +14,8 @@
 #include "../../benchmark/Angle_based_flattening/methods/original_abf.h"
 #include "../../benchmark/Angle_based_flattening/methods/paper_abf_plus_plus.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,11 @@ std::vector<double> our_angles(const Chart& chart)
   options.barrier = 0;
   options.tolerance = 1e-12;
   options.energy_tolerance = 1e-18;
-  SMP::ABF_plus_plus_report report;
   const std::vector<double> beta = abf::target_angles(chart);
-  std::vector<double> alpha = abf::starting_angles(beta);
-  BOOST_TEST_REQUIRE(abf::solve_angles(chart, beta, options, Solver(), alpha, report));
-  BOOST_TEST_REQUIRE(report.converged);
-  return alpha;
+  abf::Angle_solution solution =
+      abf::solve_angles(chart, beta, options, Solver(), abf::starting_angles(beta));
+  BOOST_TEST_REQUIRE(solution.converged);
+  return solution.alpha;
 }
 
 template <typename Method>

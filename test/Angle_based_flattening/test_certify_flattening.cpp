@@ -17,6 +17,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -34,10 +35,11 @@
 BOOST_AUTO_TEST_SUITE(test_certify_flattening)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace abf = SMP::internal;
+namespace abf = SMP::internal::ABF;
 using test_charts::Chart;
-using test_charts::Point_2;
 using test_charts::Point_3;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Exact_kernel;
+typedef Exact_kernel::Point_2 Point_2;
 typedef CGAL::Surface_mesh<Point_3> Surface_mesh;
 typedef Surface_mesh::Vertex_index Vertex;
 typedef Surface_mesh::Face_index Face;
@@ -50,7 +52,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 const double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // A mesh whose uv map is its projection along the z-axis.
-template <typename Mesh = Surface_mesh, typename Kernel = Chart::Kernel>
+template <typename Mesh = Surface_mesh, typename Kernel = Exact_kernel>
 struct Planar
 {
   typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
@@ -480,14 +482,14 @@ BOOST_AUTO_TEST_CASE(crossings_of_a_chart)
 {
   const Chart chart = ribbon(
       99, [](int i) { return 0.07 * i; }, [](int) { return std::pair(1., 2.); });
-  const std::vector<Point_2> uv = test_charts::projected(chart);
+  const std::vector<Chart::Point_2> uv = test_charts::projected(chart);
   const auto pairs = abf::border_crossings(chart, uv);
   BOOST_TEST(!pairs.empty());
   BOOST_TEST(!abf::is_border_simple(chart, uv));
   for(const auto& [c, d] : pairs) {
     BOOST_TEST((chart.opposite[c] < 0 && chart.opposite[d] < 0));
     BOOST_TEST(abf::touch({chart.edge_source(c), chart.edge_target(c)},
-                          {chart.edge_source(d), chart.edge_target(d)}, uv));
+                          {chart.edge_source(d), chart.edge_target(d)}, abf::exact_points(uv)));
   }
   const Chart grid = test_charts::flat_grid(5, 1);
   BOOST_TEST(abf::is_border_simple(grid, test_charts::projected(grid)));
@@ -499,7 +501,7 @@ BOOST_AUTO_TEST_CASE(long_borders)
 {
   const int n = 50000;
   auto check = [](const char* name, const Chart& chart) {
-    const std::vector<Point_2> uv = test_charts::projected(chart);
+    const std::vector<Chart::Point_2> uv = test_charts::projected(chart);
     CGAL::Real_timer timer;
     timer.start();
     BOOST_TEST(abf::is_border_simple(chart, uv));

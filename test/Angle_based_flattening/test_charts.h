@@ -6,9 +6,9 @@
 #ifndef ANGLE_BASED_FLATTENING_TEST_CHARTS_H
 #define ANGLE_BASED_FLATTENING_TEST_CHARTS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <array>
 #include <cmath>
@@ -18,10 +18,10 @@
 #include <utility>
 #include <vector>
 
-// Charts made by hand, for tests of single rooms.
+// Charts made by hand, for tests of single stages.
 namespace test_charts {
 
-namespace abf = CGAL::Surface_mesh_parameterization::internal;
+namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 typedef abf::Chart Chart;
 typedef Chart::Point_2 Point_2;
 typedef Chart::Point_3 Point_3;

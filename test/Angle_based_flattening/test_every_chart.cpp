@@ -69,13 +69,13 @@ struct Run
   {
     if(SMP::is_locally_injective(mesh, uv))
       return "";
-    const SMP::internal::Planar_map<Surface_mesh, decltype(uv)> map(mesh, mesh.faces(), uv);
-    if(!SMP::internal::flipped_triangles(map.vertex, map.points).empty())
+    const SMP::internal::ABF::Planar_map<Surface_mesh, decltype(uv)> map(mesh, mesh.faces(), uv);
+    if(!SMP::internal::ABF::flipped_triangles(map.vertex, map.points).empty())
       return "OK with flipped triangles";
     std::vector<char> on_border(map.points.size(), false);
     for(const auto& edge : map.border)
       on_border[edge.source] = true;
-    const std::vector<int> sweeps = SMP::internal::sweeps_over_axis(map.vertex, map.points);
+    const std::vector<int> sweeps = SMP::internal::ABF::winding_numbers(map.vertex, map.points);
     for(std::size_t v = 0; v < sweeps.size(); ++v)
       if(!on_border[v] && sweeps[v] != 1)
         return "OK with triangles that wind around an interior vertex more than once";
@@ -88,7 +88,8 @@ struct Run
   std::string contradiction() const
   {
     const SMP::ABF_plus_plus_report& report = parameterizer.report();
-    if(report.status != code || (report.diagnosis == Report::NOTHING_WRONG) != (code == SMP::OK) ||
+    if(error_code(report.diagnosis) != code ||
+       (report.diagnosis == Report::NOTHING_WRONG) != (code == SMP::OK) ||
        report.message.empty() != (code == SMP::OK))
       return "the report contradicts the error code";
     if(code == SMP::OK)
@@ -264,12 +265,14 @@ BOOST_AUTO_TEST_CASE(cut_open)
   check_feasible("sphere", [](auto& random) { return cut_sphere(uniform_int(random, 0, 3), random); });
 }
 
-BOOST_AUTO_TEST_CASE(rubbish_geometry)
+BOOST_AUTO_TEST_CASE(random_charts)
 {
-  check_feasible("rubbish", [](auto& random) { return rubbish(uniform_int(random, 1, 100), random); });
-  check_feasible("more rubbish", [](auto& random) { return rubbish(uniform_int(random, 100, 500), random); });
+  check_feasible("random charts",
+                 [](auto& random) { return random_chart(uniform_int(random, 1, 100), random); });
+  check_feasible("larger random charts",
+                 [](auto& random) { return random_chart(uniform_int(random, 100, 500), random); });
   check_feasible(
-      "large rubbish", [](auto& random) { return rubbish(5000, random); }, 3);
+      "large random charts", [](auto& random) { return random_chart(5000, random); }, 3);
 }
 
 BOOST_AUTO_TEST_CASE(degenerate)

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The hierarchical method: every room by itself, and the parameterizer.
+// The hierarchical method: every stage by itself, and the parameterizer.
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_hierarchical)
@@ -53,7 +54,7 @@ Chart cone(int n)
 // A coarse solver that gives up.
 struct No_solver
 {
-  bool operator()(const Chart&, std::vector<Point_2>&) const { return false; }
+  std::optional<std::vector<Point_2>> operator()(const Chart&) const { return std::nullopt; }
 };
 
 std::vector<Planar_point> planar_points(const Chart& chart)
@@ -144,7 +145,7 @@ BOOST_AUTO_TEST_CASE(removes_independent_vertices_and_border_vertices_along_the_
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(places)
+BOOST_AUTO_TEST_SUITE(positions)
 
 // In a planar chart a vertex belongs where it is: also at the border, which is what Eq. 22 is about.
 BOOST_AUTO_TEST_CASE(reproduce_a_planar_chart)
@@ -155,9 +156,9 @@ BOOST_AUTO_TEST_CASE(reproduce_a_planar_chart)
   abf::Planar_star star;
   for(int v = 0; v < chart.number_of_vertices(); ++v) {
     star.gather(mesh, uv, v);
-    BOOST_TEST((abf::harmonic_place(star) - uv[v]).norm() < 1e-13);
+    BOOST_TEST((abf::harmonic_position(star) - uv[v]).norm() < 1e-13);
     if(chart.interior[v] >= 0)
-      BOOST_TEST((abf::mean_value_place(star) - uv[v]).norm() < 1e-13);
+      BOOST_TEST((abf::mean_value_position(star) - uv[v]).norm() < 1e-13);
     BOOST_TEST(abf::is_valid(star, uv[v]));
     BOOST_TEST(abf::is_valid(star, abf::kernel_centre(star)));
   }
@@ -176,13 +177,13 @@ abf::Planar_star star_of(const std::vector<Planar_point>& counterclockwise)
 BOOST_AUTO_TEST_CASE(kernel_is_the_last_resort)
 {
   const abf::Planar_star narrow = star_of({{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}});
-  Planar_point place;
-  BOOST_TEST(abf::insert_vertex(narrow, place) == abf::INSERTED_IN_KERNEL);
-  BOOST_TEST((place - Planar_point(0.5, 0.5)).norm() < 1e-12);
+  Planar_point position;
+  BOOST_TEST(abf::insert_vertex(narrow, position) == abf::INSERTED_IN_KERNEL);
+  BOOST_TEST((position - Planar_point(0.5, 0.5)).norm() < 1e-12);
 
   const abf::Planar_star none =
       star_of({{0, 0}, {10, 0}, {10, 10}, {9, 10}, {9, 1}, {1, 1}, {1, 10}, {0, 10}});
-  BOOST_TEST(abf::insert_vertex(none, place) == abf::NOT_INSERTED);
+  BOOST_TEST(abf::insert_vertex(none, position) == abf::NOT_INSERTED);
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_the_energy_match_finite_differences)
@@ -190,14 +191,14 @@ BOOST_AUTO_TEST_CASE(derivatives_of_the_energy_match_finite_differences)
   Chart chart = bump(6, 7, 1);
   const abf::Edge_collapses mesh(chart);
   const std::vector<Planar_point> uv = planar_points(chart);
-  abf::Relaxation_star star;
+  abf::MIPS_star star;
   const double h = 1e-6;
   for(int v = 0; v < chart.number_of_vertices(); ++v) {
     star.gather(mesh, uv, v);
-    const abf::Relaxation_star::Energy here(star, uv[v], true);
+    const abf::MIPS_star::Energy here(star, uv[v], true);
     for(int i : {0, 1}) {
-      const abf::Relaxation_star::Energy more(star, uv[v] + h * Planar_point::Unit(i), true);
-      const abf::Relaxation_star::Energy less(star, uv[v] - h * Planar_point::Unit(i), true);
+      const abf::MIPS_star::Energy more(star, uv[v] + h * Planar_point::Unit(i), true);
+      const abf::MIPS_star::Energy less(star, uv[v] - h * Planar_point::Unit(i), true);
       const double scale = here.hessian.norm();
       BOOST_TEST(std::abs((more.value - less.value) / (2 * h) - here.gradient[i]) < 1e-6 * scale);
       BOOST_TEST(((more.gradient - less.gradient) / (2 * h) - here.hessian.col(i)).norm() < 1e-5 * scale);
@@ -230,14 +231,14 @@ BOOST_AUTO_TEST_CASE(relaxation_keeps_stars_valid_and_lowers_the_energy)
   Chart chart = bump(10, 8, 2);
   const abf::Edge_collapses mesh(chart);
   std::vector<Planar_point> uv = planar_points(chart);
-  abf::Relaxation_star star;
+  abf::MIPS_star star;
   for(int sweep = 0; sweep < 5; ++sweep)
     for(int v = 0; v < chart.number_of_vertices(); ++v) {
       star.gather(mesh, uv, v);
-      const double before = abf::Relaxation_star::Energy(star, uv[v], false).value;
+      const double before = abf::MIPS_star::Energy(star, uv[v], false).value;
       const Planar_point old = uv[v];
       if(abf::relax_vertex(star, uv[v]))
-        BOOST_TEST(abf::Relaxation_star::Energy(star, uv[v], false).value < before);
+        BOOST_TEST(abf::MIPS_star::Energy(star, uv[v], false).value < before);
       else
         BOOST_TEST((uv[v] == old));
       BOOST_TEST(abf::is_valid(star, uv[v]));
@@ -256,11 +257,10 @@ BOOST_AUTO_TEST_CASE(always_valid_start)
     all.push_back(bump(24, 4, height));
   for(const Chart& original : all) {
     Chart chart = original;
-    std::vector<Point_2> uv;
-    Report report;
-    BOOST_TEST(abf::flatten_hierarchically(chart, Options(), No_solver(), uv, report));
-    BOOST_TEST(report.start == Report::WITHOUT_SOLVER);
-    BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
+    const auto result = abf::flatten_hierarchically(chart, Options(), No_solver());
+    BOOST_TEST(result.succeeded());
+    BOOST_TEST(result.report.start == Report::PROGRESSIVE_EMBEDDING);
+    BOOST_TEST(abf::flipped_triangles(chart, result.uv).empty());
     BOOST_TEST((chart.vertex == original.vertex));
   }
 }

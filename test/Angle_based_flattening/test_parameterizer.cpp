@@ -7,9 +7,10 @@
 
 #include <boost/test/unit_test.hpp>
 
-// First, so that they are seen to need nothing before them.
+// First, which shows that they need nothing before them.
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 
 #include "test_meshes.h"
@@ -28,6 +29,8 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -85,7 +88,7 @@ void check_valid(Mesh& mesh)
   BOOST_TEST(flattening.uv.size() == num_vertices(mesh));
 
   const Report& report = flattening.parameterizer.report(); // survives the call by value
-  BOOST_TEST(report.status == SMP::OK);
+  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
   BOOST_TEST(report.converged);
   BOOST_TEST(report.message.empty());
   BOOST_TEST(report.vertices == static_cast<int>(num_vertices(mesh)));
@@ -113,7 +116,7 @@ void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Erro
              code);
   BOOST_TEST(flattening.uv.empty());
   const Report& report = flattening.parameterizer.report();
-  BOOST_TEST(report.status == code);
+  BOOST_TEST(error_code(report.diagnosis) == code);
   BOOST_TEST(report.diagnosis == diagnosis);
   BOOST_TEST(!report.message.empty());
   check_peak_memory(report);
@@ -125,9 +128,10 @@ void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Erro
 // Memory that was returned counts, in bytes.
 BOOST_AUTO_TEST_CASE(peak_memory_is_that_of_the_process)
 {
-  const std::size_t before = SMP::internal::peak_resident_size(), size = before + (std::size_t(64) << 20);
+  const std::size_t before = SMP::internal::ABF::peak_resident_size(),
+                    size = before + (std::size_t(64) << 20);
   BOOST_TEST(std::vector<char>(size, 'x').back() == 'x');
-  const std::size_t after = SMP::internal::peak_resident_size();
+  const std::size_t after = SMP::internal::ABF::peak_resident_size();
   BOOST_TEST(after > size);
   BOOST_TEST(after < before + 2 * size);
 }
@@ -251,13 +255,12 @@ BOOST_AUTO_TEST_CASE(float_kernel)
 BOOST_AUTO_TEST_CASE(rounding_to_floats)
 {
   typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;
-  namespace abf = SMP::internal;
+  namespace abf = SMP::internal::ABF;
   std::vector<abf::Chart::Point_2> uv;
   for(int i = 1; i <= 7; ++i)
     uv.push_back(abf::Chart::Point_2(1. / (3 * i), 1e10 / (7 * i)));
   const std::vector<abf::Chart::Point_2> exact = uv;
-  abf::Rounded_points<boost::associative_property_map<std::map<int, Float_point>>> round;
-  round(uv);
+  abf::round_to_points<Float_point>(uv);
   for(std::size_t i = 0; i < uv.size(); ++i) {
     const volatile float x = static_cast<float>(exact[i].x()), y = static_cast<float>(exact[i].y());
     BOOST_TEST(uv[i].x() == double(x));
@@ -385,6 +388,16 @@ BOOST_AUTO_TEST_CASE(wrong_options)
     BOOST_TEST(flattening.parameterizer.report().diagnosis == Report::WRONG_OPTION);
     BOOST_TEST(!flattening.parameterizer.report().message.empty());
   }
+}
+
+BOOST_AUTO_TEST_CASE(diagnoses_have_names)
+{
+  std::set<std::string> names;
+  for(int diagnosis = Report::NOTHING_WRONG; diagnosis <= Report::CANCELLED; ++diagnosis)
+    names.insert(to_string(static_cast<Report::Diagnosis>(diagnosis)));
+  BOOST_TEST(names.size() == Report::CANCELLED + 1u);
+  BOOST_TEST(names.count("") == 0u);
+  BOOST_TEST(names.count("NON_MANIFOLD_VERTEX") == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_topology)

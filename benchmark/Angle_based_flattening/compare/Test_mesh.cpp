@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 // Throws an exception if it is no disk.
 Test_mesh read_disk(const fs::path& file)
 {
-  namespace abf = CGAL::Surface_mesh_parameterization::internal;
+  namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
   const Mesh mesh = read_mesh(file.string());
   abf::Chart_reader<Mesh> reader(mesh);
   auto defect = reader.read(CGAL::Polygon_mesh_processing::longest_border(mesh).first);

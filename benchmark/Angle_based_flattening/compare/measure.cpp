@@ -30,7 +30,7 @@ namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef ABF_benchmark::Point_2 Point_2;
-typedef SMP::internal::Chart_reader<Mesh> Reader;
+typedef SMP::internal::ABF::Chart_reader<Mesh> Reader;
 typedef boost::graph_traits<Mesh>::halfedge_descriptor Halfedge;
 
 // Seconds and bytes of a method, from where it has the surface in its own form.

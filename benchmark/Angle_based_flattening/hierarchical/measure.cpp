@@ -33,7 +33,7 @@ typedef SMP::ABF_plus_plus_report::Seconds Direct_seconds;
 const std::vector<std::pair<std::string, double Seconds::*>>& seconds_of_stages()
 {
   static const std::vector<std::pair<std::string, double Seconds::*>> stages = {
-      {"read", &Seconds::read},     {"coarsen", &Seconds::coarsen}, {"solve", &Seconds::solve},
+      {"read", &Seconds::read},     {"coarsen", &Seconds::coarsen}, {"solve", &Seconds::coarse_chart},
       {"refine", &Seconds::refine}, {"polish", &Seconds::polish},   {"certify", &Seconds::certify},
       {"write", &Seconds::write}};
   return stages;
@@ -104,7 +104,7 @@ void take_report(const SMP::Hierarchical_report& report, Measurement& measuremen
   numbers["levels"] = report.levels;
   numbers["coarse_triangles"] = report.coarse_triangles;
   numbers["retries"] = report.retries;
-  numbers["without_solver"] = report.start == SMP::Hierarchical_report::WITHOUT_SOLVER;
+  numbers["without_solver"] = report.start == SMP::Hierarchical_report::PROGRESSIVE_EMBEDDING;
   numbers["kernel_insertions"] = report.kernel_insertions;
   numbers["polished"] = report.polished;
   numbers["newton_steps"] = report.polish_iterations;

@@ -18,16 +18,15 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <boost/heap/d_ary_heap.hpp>
 
@@ -38,16 +37,16 @@
 namespace hierarchical {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace rooms = CGAL::Surface_mesh_parameterization::internal;
+namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 
-inline void neighbours(const rooms::Edge_collapses& mesh, const int v, std::vector<int>& ring)
+inline void neighbours(const abf::Edge_collapses& mesh, const int v, std::vector<int>& ring)
 {
-  const rooms::Chart& chart = mesh.chart();
+  const abf::Chart& chart = mesh.chart();
   ring.clear();
   mesh.for_each_corner(v, [&](const int c) {
-    ring.push_back(chart.vertex[rooms::previous_corner(c)]);
+    ring.push_back(chart.vertex[abf::previous_corner(c)]);
     if(chart.rotate(c) < 0) {
-      ring.push_back(chart.vertex[rooms::next_corner(c)]);
+      ring.push_back(chart.vertex[abf::next_corner(c)]);
     }
   });
 }
@@ -56,7 +55,7 @@ inline void neighbours(const rooms::Edge_collapses& mesh, const int v, std::vect
 class Sequential_coarsening
 {
 public:
-  Sequential_coarsening(rooms::Edge_collapses& mesh, const double extreme_angle)
+  Sequential_coarsening(abf::Edge_collapses& mesh, const double extreme_angle)
       : m_mesh(mesh), m_cost(mesh, extreme_angle), m_handles(mesh.chart().points.size())
   {
     for(int v = 0; v < m_mesh.chart().number_of_vertices(); ++v) {
@@ -83,7 +82,7 @@ public:
 private:
   struct Entry
   {
-    rooms::Collapse_candidate candidate;
+    abf::Collapse_candidate candidate;
     int vertex;
 
     // The top of the queue is the largest entry.
@@ -108,8 +107,8 @@ private:
     }
   }
 
-  rooms::Edge_collapses& m_mesh;
-  rooms::Collapse_cost m_cost;
+  abf::Edge_collapses& m_mesh;
+  abf::Collapse_cost m_cost;
   Queue m_queue;
   std::vector<Queue::handle_type> m_handles; // of each vertex
   std::vector<int> m_ring;
@@ -119,7 +118,7 @@ private:
 class Sequential_refinement
 {
 public:
-  Sequential_refinement(rooms::Edge_collapses& mesh, std::vector<rooms::Planar_point>& uv,
+  Sequential_refinement(abf::Edge_collapses& mesh, std::vector<abf::Planar_point>& uv,
                         SMP::Hierarchical_report& report)
       : m_mesh(mesh), m_uv(uv), m_report(report)
   {}
@@ -143,13 +142,13 @@ private:
   bool insert(const int v)
   {
     m_star.gather(m_mesh, m_uv, v);
-    m_uv[v] = rooms::harmonic_place(m_star);
-    if(rooms::is_valid(m_star, m_uv[v])) {
+    m_uv[v] = abf::harmonic_position(m_star);
+    if(abf::is_valid(m_star, m_uv[v])) {
       return true;
     }
     ++m_report.kernel_insertions;
-    m_uv[v] = rooms::kernel_centre(m_star);
-    return rooms::is_valid(m_star, m_uv[v]);
+    m_uv[v] = abf::kernel_centre(m_star);
+    return abf::is_valid(m_star, m_uv[v]);
   }
 
   // Step 3: the neighbours, and then the vertex itself
@@ -165,18 +164,18 @@ private:
   void smooth(const int v)
   {
     m_star.gather(m_mesh, m_uv, v);
-    const rooms::Planar_point place = rooms::harmonic_place(m_star);
-    const bool valid = rooms::is_valid(m_star, place);
+    const abf::Planar_point place = abf::harmonic_position(m_star);
+    const bool valid = abf::is_valid(m_star, place);
     if(valid) {
       m_uv[v] = place;
     }
     ++(valid ? m_report.moves : m_report.rejected_moves);
   }
 
-  rooms::Edge_collapses& m_mesh;
-  std::vector<rooms::Planar_point>& m_uv;
+  abf::Edge_collapses& m_mesh;
+  std::vector<abf::Planar_point>& m_uv;
   SMP::Hierarchical_report& m_report;
-  rooms::Planar_star m_star;
+  abf::Planar_star m_star;
   std::vector<int> m_ring;
 };
 
@@ -196,53 +195,55 @@ public:
   SMP::Error_code parameterize(Mesh& mesh, const halfedge_descriptor border, UV_map uvmap, Index_map vimap,
                                Parameterized_map)
   {
-    m_outcome = {};
-    rooms::Stopwatch stopwatch;
-    rooms::Chart_reader<Mesh> reader(mesh);
-    const bool sound = m_outcome.read(reader, border, vimap, m_options.allow_holes);
-    m_outcome.report.seconds.read = stopwatch.lap();
-    if(!sound || !flatten(reader.chart)) {
-      return m_outcome.report.status;
-    }
-    stopwatch.lap();
-    Layout uv = certified(reader.chart);
-    rooms::Rounded_points<UV_map> rounded;
-    rounded(uv);
-    rounded.write(reader, uvmap);
-    m_outcome.report.seconds.certify = stopwatch.lap();
-    return m_outcome.report.status;
+    m_outcome = abf::run_parameterizer<SMP::Hierarchical_report>(
+        mesh, border, uvmap, vimap, m_options,
+        [&](abf::Chart& chart, abf::Rounding round) { return flatten(chart, round); });
+    return error_code(m_outcome.report.diagnosis);
   }
 
 private:
-  typedef std::vector<rooms::Chart::Point_2> Layout;
+  typedef std::vector<abf::Chart::Point_2> Layout;
+  typedef abf::Flattening<SMP::Hierarchical_report> Flattening;
 
-  bool flatten(rooms::Chart& chart)
+  Flattening flatten(abf::Chart& chart, const abf::Rounding round)
   {
-    SMP::Hierarchical_report& report = m_outcome.report;
-    m_uv.assign(chart.points.size(), rooms::Planar_point(0, 0));
-    rooms::Stopwatch stopwatch;
-    rooms::Edge_collapses collapses(chart);
-    coarsen(collapses);
-    report.seconds.coarsen = stopwatch.lap();
-    const bool solved = solve_coarse(collapses);
-    report.seconds.solve = stopwatch.lap();
-    const bool refined = solved && Sequential_refinement(collapses, m_uv, report).run();
-    report.seconds.refine = stopwatch.lap();
-    if(!refined) {
-      rooms::fail(report, SMP::ERROR_NO_1_TO_1_MAPPING, SMP::ABF_plus_plus_report::NO_CONVERGENCE,
-                  solved ? "a vertex has no place in its star" : "the coarse chart cannot be solved");
+    Flattening result;
+    SMP::Hierarchical_report& report = result.report = abf::report_of<SMP::Hierarchical_report>(chart);
+    m_uv.assign(chart.points.size(), abf::Planar_point(0, 0));
+    abf::Edge_collapses collapses(chart);
+    {
+      const abf::Stage stage(nullptr, SMP::Flattening_visitor::COARSEN, report.seconds.coarsen);
+      coarsen(collapses);
     }
-    return refined;
+    bool solved = false, refined = false;
+    {
+      const abf::Stage stage(nullptr, SMP::Flattening_visitor::COARSE_CHART, report.seconds.coarse_chart);
+      solved = solve_coarse(collapses, report);
+    }
+    {
+      const abf::Stage stage(nullptr, SMP::Flattening_visitor::REFINE, report.seconds.refine);
+      refined = solved && Sequential_refinement(collapses, m_uv, report).run();
+    }
+    if(!refined) {
+      abf::fail(report, SMP::Flattening_report::NO_CONVERGENCE,
+                solved ? "a vertex has no valid position in its star" : "the coarse chart cannot be solved");
+      return result;
+    }
+    {
+      const abf::Stage stage(nullptr, SMP::Flattening_visitor::CERTIFY, report.seconds.certify);
+      certify(chart, round, result);
+    }
+    return result;
   }
 
-  void coarsen(rooms::Edge_collapses& collapses) const
+  void coarsen(abf::Edge_collapses& collapses) const
   {
     const double target = (1 - m_options.simplification_rate) * collapses.chart().number_of_vertices();
     Sequential_coarsening(collapses, m_options.extreme_angle)
         .coarsen((std::max)(static_cast<int>(target), 100));
   }
 
-  bool solve_coarse(const rooms::Edge_collapses& collapses)
+  bool solve_coarse(const abf::Edge_collapses& collapses, SMP::Hierarchical_report& report)
   {
     std::vector<int> alive;
     for(int v = 0; v < collapses.chart().number_of_vertices(); ++v) {
@@ -250,40 +251,39 @@ private:
         alive.push_back(v);
       }
     }
-    const rooms::Coarse_chart coarse(collapses, alive);
-    m_outcome.report.coarse_vertices = coarse.chart.number_of_vertices();
-    m_outcome.report.coarse_triangles = coarse.chart.number_of_triangles();
+    const abf::Coarse_chart coarse(collapses, alive);
+    report.coarse_vertices = coarse.chart.number_of_vertices();
+    report.coarse_triangles = coarse.chart.number_of_triangles();
     SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh> parameterizer;
-    Layout uv;
-    if(!rooms::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart, uv)) {
+    const auto uv = abf::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart);
+    if(!uv) {
       return false;
     }
-    for(std::size_t v = 0; v < uv.size(); ++v) {
-      m_uv[alive[v]] = rooms::Planar_point(uv[v].x(), uv[v].y());
+    for(std::size_t v = 0; v < uv->size(); ++v) {
+      m_uv[alive[v]] = abf::Planar_point((*uv)[v].x(), (*uv)[v].y());
     }
     return true;
   }
 
   // The map, scaled like that of the library. Flipped triangles are counted and an error.
-  Layout certified(const rooms::Chart& chart)
+  void certify(const abf::Chart& chart, const abf::Rounding round, Flattening& result) const
   {
-    Layout uv;
-    for(const rooms::Planar_point& p : m_uv) {
-      uv.emplace_back(p.x(), p.y());
+    for(const abf::Planar_point& p : m_uv) {
+      result.uv.emplace_back(p.x(), p.y());
     }
-    rooms::scale_to_surface_area(chart, uv);
-    SMP::Hierarchical_report& report = m_outcome.report;
-    report.flipped_triangles = static_cast<int>(rooms::flipped_triangles(chart, uv).size());
-    if(report.flipped_triangles > 0) {
-      rooms::fail(report, SMP::ERROR_NO_1_TO_1_MAPPING, SMP::ABF_plus_plus_report::FLIPPED_TRIANGLES,
-                  std::to_string(report.flipped_triangles) + " flipped triangle(s)");
+    abf::scale_to_surface_area(chart, result.uv);
+    round(result.uv);
+    result.invalid = abf::flipped_triangles(chart, result.uv);
+    result.report.flipped_triangles = static_cast<int>(result.invalid.size());
+    if(!result.invalid.empty()) {
+      abf::fail(result.report, SMP::Flattening_report::FLIPPED_TRIANGLES,
+                std::to_string(result.invalid.size()) + " flipped triangle(s)");
     }
-    return uv;
   }
 
   SMP::Hierarchical_options m_options;
-  rooms::Outcome<Mesh, SMP::Hierarchical_report> m_outcome;
-  std::vector<rooms::Planar_point> m_uv; // of each vertex that is there
+  abf::Outcome<Mesh, SMP::Hierarchical_report> m_outcome;
+  std::vector<abf::Planar_point> m_uv; // of each vertex that is there
 };
 
 } // namespace hierarchical

@@ -21,11 +21,10 @@ namespace ABF_benchmark {
 // Our ABF++, where relaxations start.
 inline bool flatten_by_abf_plus_plus(const Chart& chart, std::vector<Point_2>& uv, Run_report& report)
 {
-  std::vector<int> flipped;
-  SMP::ABF_plus_plus_report start;
   const auto no_rounding = [](std::vector<Point_2>&) {};
-  return abf::flatten_chart(chart, SMP::ABF_plus_plus_options(), Solver(), no_rounding, uv, flipped, start) ||
-         fail(report, "no start: " + start.message);
+  const auto start = abf::flatten_chart(chart, SMP::ABF_plus_plus_options(), Solver(), no_rounding);
+  uv = start.uv;
+  return start.succeeded() || fail(report, "no start: " + start.report.message);
 }
 
 // Minimizes an energy of the map, border and all, from a valid one: by Newton's method with line search, which lets no

@@ -20,7 +20,7 @@
 namespace ABF_benchmark {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace abf = CGAL::Surface_mesh_parameterization::internal;
+namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 typedef abf::Chart Chart;
 typedef Chart::Point_2 Point_2;
 

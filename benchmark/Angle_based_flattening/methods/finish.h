@@ -8,8 +8,8 @@
 
 #include "Run_report.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
 #include <CGAL/SuperLU_solver_traits.h>
 
 #include <utility>
@@ -33,8 +33,10 @@ inline bool lay_out_by_least_squares(const Chart& chart, const std::vector<doubl
                                      const std::pair<int, int>& pinned, std::vector<Point_2>& uv,
                                      Run_report& report)
 {
-  if(!abf::Least_squares_layout(chart, alpha, pinned).solve(Solver(), uv))
+  const auto solution = abf::Least_squares_layout(chart, alpha, pinned).solve(Solver());
+  if(!solution)
     return fail(report, "the linear system of the layout was not solved");
+  uv = *solution;
   return finish(chart, uv, report);
 }
 

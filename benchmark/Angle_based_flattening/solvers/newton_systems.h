@@ -15,8 +15,8 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/newton_step.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 
 #include <stdexcept>
 #include <vector>
@@ -50,7 +50,7 @@ inline Linear_system planarity_block(const Linear_system& full)
 // The linear system of the first Newton step: Eq. 16 at the angles where the solver starts.
 inline Linear_system first_newton_system(const Mesh& mesh)
 {
-  namespace abf = CGAL::Surface_mesh_parameterization::internal;
+  namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
   abf::Chart_reader<Mesh> reader(mesh);
   if(const auto defect = reader.read(CGAL::Polygon_mesh_processing::longest_border(mesh).first)) {
     throw std::runtime_error("the mesh cannot be flattened: " + defect.message);

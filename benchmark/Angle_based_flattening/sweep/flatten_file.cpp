@@ -94,7 +94,7 @@ void flatten(Mesh& mesh, const Halfedge border, Parameterizer parameterizer, Run
     run.code = code;
     run.message = parameterizer.report().message;
     run.fault = fault_of_map(mesh, border, uv, code);
-    if(run.fault.empty() && parameterizer.report().status != code) {
+    if(run.fault.empty() && error_code(parameterizer.report().diagnosis) != code) {
       run.fault = "the report has another error code";
     } else if(run.fault.empty() && run.message.empty() != (code == SMP::OK)) {
       run.fault = code == SMP::OK ? "OK with a message of an error" : "an error without a message";

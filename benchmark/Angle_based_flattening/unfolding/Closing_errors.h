@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,14 +53,15 @@ inline std::vector<Point_2> lay_out(const Chart& chart, const std::vector<double
 {
   if(kind == GREEDY)
     return unfold_greedily(chart, alpha);
-  abf::Layout layout;
-  const bool solved =
-      kind == EXACT
-          ? abf::exact_layout(chart, alpha, Solver(), abf::Linear_solvers(Solver())->low_precision(), layout)
-          : abf::Least_squares_layout(chart, alpha).solve(Solver(), layout.uv);
-  if(!solved)
+  std::optional<std::vector<Point_2>> uv;
+  if(kind == LEAST_SQUARES)
+    uv = abf::Least_squares_layout(chart, alpha).solve(Solver());
+  else if(auto layout =
+              abf::exact_layout(chart, alpha, Solver(), abf::Linear_solvers(Solver())->low_precision()))
+    uv = layout->uv;
+  if(!uv)
     throw std::runtime_error("the linear system of a layout was not solved");
-  return layout.uv;
+  return *uv;
 }
 
 inline Closing_errors measure(const Chart& chart, double tolerance)

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 
 namespace CGAL {
@@ -18,7 +19,7 @@ namespace Surface_mesh_parameterization {
 ///
 /// The options of `ABF_plus_plus_parameterizer_3`. The default values suit every mesh we know of; none
 /// depends on the scale or the resolution of the mesh.
-struct ABF_plus_plus_options
+struct ABF_plus_plus_options : Flattening_options
 {
   /// How the second derivatives of the constraints enter a step of the angle solver.
   enum Step_type
@@ -45,11 +46,6 @@ struct ABF_plus_plus_options
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
-  /// Weight \f$\kappa\f$ of the barrier that keeps angles away from zero; `0` is exactly the energy of the
-  /// paper. The barrier has its minimum where the energy has, so that ordinary charts hardly change. It has no unit,
-  /// and must not be negative.
-  double barrier = 0.1;
-
   /// Largest violation of a constraint at a vertex that is accepted, in radians; positive. That of the reconstruction
   /// constraint is the logarithm of a ratio of lengths. The layout closes what is left: with the default value, measures
   /// of distortion have four or more right digits.
@@ -59,7 +55,7 @@ struct ABF_plus_plus_options
   /// Newton's method converges quadratically, what is left then is far less.
   double energy_tolerance = 1e-4;
 
-  /// Largest number of Newton steps on each rung of the ladder. What needs more is laid out as far as it came, and accepted
+  /// Largest number of Newton steps of each strategy. What needs more is laid out as far as it came, and accepted
   /// only if no triangle is flipped.
   int max_iterations = 100;
 
@@ -69,21 +65,9 @@ struct ABF_plus_plus_options
 
   Layout_type layout = AUTOMATIC_LAYOUT; ///< Way from angles to coordinates.
 
-  /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
-  /// with `CGAL::TBB_support`, and none on the result.
-  int threads = 0;
-
-  /// Whether charts with more than one border are flattened. The angles leave the closing of a hole open, and
-  /// the least squares layout spreads what is missing; the result is checked as always. Without this, such a
-  /// chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`.
-  bool allow_holes = false;
-
-  /// Whether other ways are tried where Newton's method from the target angles gives no valid map; which of them did is
-  /// in the report, `ABF_plus_plus_report::rung`. Otherwise that is an error.
-  bool ladder = true;
-
-  /// Is told of the progress and may stop the computation, if not null.
-  Flattening_visitor* visitor = nullptr;
+  /// Whether fallback strategies are tried where Newton's method from the target angles gives no valid map; which of them
+  /// did is in the report, `ABF_plus_plus_report::strategy`. Otherwise that is an error.
+  bool fallbacks = true;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -14,19 +14,12 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <functional>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -57,9 +50,9 @@ namespace Surface_mesh_parameterization {
 ///         If `Has_independent_copies<SolverTraits_>`, two are factored at once.<br>
 ///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`
 ///
-/// Copies of a parameterizer share their report, so that it can be read after
-/// `CGAL::Surface_mesh_parameterization::parameterize()`, which takes its parameterizer by value. Different threads
-/// need parameterizers that are not copies of one another.
+/// Each copy of a parameterizer has a report of its own, and many charts can be flattened at once, each by a copy. At the end of
+/// a run, a copy passes its report on to the parameterizer that it was copied from, so that it can be read there after
+/// `CGAL::Surface_mesh_parameterization::parameterize()`, which takes its parameterizer by value.
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`
 /// \sa `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3`
@@ -92,7 +85,7 @@ public:
   /// copies. A visitor in the options has to outlive the calls of `parameterize()`.
   explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
                                          Solver_traits sparse_la = Solver_traits())
-      : m_options(options), m_linear_algebra(std::move(sparse_la)), m_outcome(std::make_shared<Outcome>())
+      : m_options(options), m_linear_algebra(std::move(sparse_la))
   {}
 
   /// flattens the connected component of `bhd`.
@@ -125,11 +118,11 @@ public:
   /// - `ERROR_EMPTY_MESH`: there is no face at `bhd`;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border
-  ///    where `ABF_plus_plus_options::allow_holes` is not set;
+  ///    where `Flattening_options::allow_holes` is not set;
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a visitor
   ///    stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
-  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 238 million
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 153 million
   ///    triangles, or an option is out of its range or does not apply.
   ///
   /// \exception std::bad_alloc if the memory does not suffice. Exceptions that a visitor or a property map throws pass, too.
@@ -137,11 +130,14 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    Error_code result = OK;
-    internal::with_threads(m_options.threads, [&]() {
-      result = m_outcome->of_run([&]() { return run(mesh, bhd, uvmap, vimap); });
-    });
-    return result;
+    m_outcome.set(Outcome());
+    const Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
+        mesh, bhd, uvmap, vimap, m_options,
+        [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+          return internal::ABF::flatten_chart(chart, m_options, m_linear_algebra, round);
+        });
+    m_outcome.set(outcome);
+    return error_code(outcome.report.diagnosis);
   }
 
   /// returns the traits object that was given; what is factored is factored by copies of it.
@@ -150,62 +146,33 @@ public:
     return m_linear_algebra;
   }
 
-  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call changes it.
+  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call changes it, so
+  /// it must not be read while a copy runs.
   const ABF_plus_plus_report& report() const
   {
-    return m_outcome->report;
+    return m_outcome.get().report;
   }
 
   /// returns the vertices that the last call's diagnosis is about: one that is pinched, on a second border, or has a coordinate
   /// that is not finite; or the two that parallel edges join. It is empty for other diagnoses.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
-    return m_outcome->offending_vertices;
+    return m_outcome.get().offending_vertices;
   }
 
   /// returns the faces that the last call's diagnosis is about: one that is not a triangle, or is at a parallel edge; or all that would
   /// be flipped, or wind around a vertex more than once. It is empty for other diagnoses.
   const std::vector<face_descriptor>& offending_faces() const
   {
-    return m_outcome->offending_faces;
+    return m_outcome.get().offending_faces;
   }
 
 private:
-  typedef internal::Outcome<Triangle_mesh, ABF_plus_plus_report> Outcome;
-
-  template <typename VertexUVmap, typename VertexIndexMap>
-  Error_code run(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap)
-  {
-    *m_outcome = Outcome();
-    ABF_plus_plus_report& report = m_outcome->report;
-    if(!m_outcome->accept(internal::wrong_option(m_options)))
-      return report.status;
-    internal::Stopwatch stopwatch;
-    internal::visit_stage(m_options.visitor, Flattening_visitor::READ);
-    internal::Chart_reader<Triangle_mesh> reader(mesh);
-    const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
-    report.seconds.read = stopwatch.lap();
-    if(!sound)
-      return report.status;
-
-    internal::Rounded_points<VertexUVmap> round;
-    std::vector<internal::Chart::Point_2> uv;
-    std::vector<int> flipped;
-    if(!internal::flatten_chart(reader.chart, m_options, m_linear_algebra, std::ref(round), uv, flipped,
-                                report)) {
-      m_outcome->name_offenders(reader, {}, flipped);
-      return report.status;
-    }
-    stopwatch.lap();
-    internal::visit_stage(m_options.visitor, Flattening_visitor::WRITE);
-    round.write(reader, uvmap);
-    report.seconds.write = stopwatch.lap();
-    return OK;
-  }
+  typedef internal::ABF::Outcome<Triangle_mesh, ABF_plus_plus_report> Outcome;
 
   ABF_plus_plus_options m_options;
   Solver_traits m_linear_algebra;
-  std::shared_ptr<Outcome> m_outcome;
+  internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -18,16 +18,17 @@ namespace Surface_mesh_parameterization {
 ///
 /// Is told how far `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have come, and may stop them: any of
 /// its functions that returns `false` ends the computation. `parameterize()` then returns `ERROR_NO_1_TO_1_MAPPING` with
-/// the diagnosis `ABF_plus_plus_report::CANCELLED`, and leaves the caller's property maps as they were. Exceptions
-/// that a function throws pass through `parameterize()` in the same manner.
+/// the diagnosis `Flattening_report::CANCELLED`, and leaves the caller's property maps as they were. The report then has
+/// the size of the chart, but nothing of the steps that were taken. Exceptions that a function throws pass through
+/// `parameterize()` in the same manner.
 ///
 /// All functions are called one after the other, never by two threads at once; with \tbb and a number of threads in the options,
 /// this may be another thread than the caller of `parameterize()`. Those of the base class do nothing.
 class Flattening_visitor
 {
 public:
-  /// What is about to be done. The same may be done again where the ladder of the direct method tries another way; its
-  /// third way simplifies the chart and refines it, as the hierarchical method does.
+  /// What is about to be done. The same may be done again where the direct method tries another strategy; its
+  /// third one simplifies the chart and refines it, as the hierarchical method does.
   enum Stage
   {
     READ,          ///< From the mesh to flat arrays, and the check of the input.

@@ -17,7 +17,7 @@ namespace Surface_mesh_parameterization {
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// The options of `Hierarchical_parameterizer_3`.
-struct Hierarchical_options
+struct Hierarchical_options : Flattening_options
 {
   /// Part of the vertices that is removed before the coarse chart is solved, in (0, 1). The paper uses 0.95.
   double simplification_rate = 0.95;
@@ -37,13 +37,6 @@ struct Hierarchical_options
   /// where there are slivers.
   int angle_sweeps = 0;
 
-  /// Weight of the barrier in that energy; see `ABF_plus_plus_options::barrier`.
-  double barrier = 0.1;
-
-  /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
-  /// with `CGAL::TBB_support`, and none on the result.
-  int threads = 0;
-
   /// How often a coarse chart that cannot be solved is replaced by a finer one, before the refinement starts from one
   /// triangle without any solver.
   int max_retries = 3;
@@ -54,14 +47,6 @@ struct Hierarchical_options
 
   /// Options of the direct solver that polishes. What solves its linear systems is named to the parameterizer.
   ABF_plus_plus_options polish_options;
-
-  /// Is told of the progress and may stop the computation, if not null. The coarse parameterizer and `polish_options` have
-  /// visitors of their own.
-  Flattening_visitor* visitor = nullptr;
-
-  /// Whether charts with more than one border are flattened; see `ABF_plus_plus_options::allow_holes`. The coarse
-  /// parameterizer has to accept them, too.
-  bool allow_holes = false;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -14,21 +14,14 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/outcome.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <functional>
-#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -39,7 +32,7 @@ namespace CGAL {
 
 namespace Surface_mesh_parameterization {
 
-namespace internal {
+namespace internal::ABF {
 
 // The solver traits that a parameterizer gives access to, or the default ones
 template <typename Parameterizer, typename = void>
@@ -70,15 +63,15 @@ struct Solver_traits_of<Parameterizer,
   }
 };
 
-} // namespace internal
+} // namespace internal::ABF
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer: a
-/// `Surface_mesh` with points of `Exact_predicates_inexact_constructions_kernel`.
+/// `Surface_mesh` with points of `Simple_cartesian<double>`.
 ///
 /// Other coarse parameterizers are made for this type of mesh, as `LSCM_parameterizer_3<Hierarchical_coarse_mesh>`.
-typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
+typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_mesh;
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
@@ -108,7 +101,7 @@ typedef CGAL::Surface_mesh<internal::Chart::Point_3> Hierarchical_coarse_mesh;
 ///         <b>%Default:</b> `CoarseParameterizer_::Solver_traits`, as a copy of the object of the coarse parameterizer, if that has
 ///         a member `solver_traits()`, as `ABF_plus_plus_parameterizer_3` has; otherwise `CGAL::SuperLU_solver_traits<>`.
 ///
-/// Copies of a parameterizer share their report. Different threads need parameterizers that are not copies of one another.
+/// Each copy of a parameterizer has a report of its own; see `ABF_plus_plus_parameterizer_3`.
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::ABF_plus_plus_parameterizer_3`
 template <typename TriangleMesh_, typename CoarseParameterizer_ = Default, typename SolverTraits_ = Default>
@@ -130,8 +123,9 @@ public:
 #endif
 
 #ifndef DOXYGEN_RUNNING
-  typedef typename Default::Get<
-      SolverTraits_, typename internal::Solver_traits_of<Coarse_parameterizer>::type>::type Solver_traits;
+  typedef typename Default::Get<SolverTraits_,
+                                typename internal::ABF::Solver_traits_of<Coarse_parameterizer>::type>::type
+      Solver_traits;
 #else
   /// Solver traits type of polishing
   typedef SolverTraits_ Solver_traits;
@@ -152,9 +146,8 @@ public:
   explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options(),
                                         Coarse_parameterizer coarse_parameterizer = Coarse_parameterizer())
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
-        m_linear_algebra(internal::Solver_traits_of<Coarse_parameterizer>::template get<Solver_traits>(
-            m_coarse_parameterizer)),
-        m_outcome(std::make_shared<Outcome>())
+        m_linear_algebra(internal::ABF::Solver_traits_of<Coarse_parameterizer>::template get<Solver_traits>(
+            m_coarse_parameterizer))
   {}
 
   /// constructs a parameterizer from `options`, the parameterizer of the coarse chart, and a traits object for the linear
@@ -162,7 +155,7 @@ public:
   Hierarchical_parameterizer_3(const Hierarchical_options& options, Coarse_parameterizer coarse_parameterizer,
                                Solver_traits sparse_la)
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
-        m_linear_algebra(std::move(sparse_la)), m_outcome(std::make_shared<Outcome>())
+        m_linear_algebra(std::move(sparse_la))
   {}
 
   /// flattens the connected component of `bhd`.
@@ -180,11 +173,15 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    Error_code result = OK;
-    internal::with_threads(m_options.threads, [&]() {
-      result = m_outcome->of_run([&]() { return run(mesh, bhd, uvmap, vimap); });
-    });
-    return result;
+    m_outcome.set(Outcome());
+    const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
+        mesh, bhd, uvmap, vimap, m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+          const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
+          return internal::ABF::flatten_chart_hierarchically(chart, m_options, flatten_coarse,
+                                                             m_linear_algebra, round);
+        });
+    m_outcome.set(outcome);
+    return error_code(outcome.report.diagnosis);
   }
 
   /// returns the traits object that solves the linear systems of polishing.
@@ -196,7 +193,7 @@ public:
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
   const Hierarchical_report& report() const
   {
-    return m_outcome->report;
+    return m_outcome.get().report;
   }
 
   /// returns the parameterizer of the coarse chart: with the default one, its report is that of the last coarse chart.
@@ -208,53 +205,22 @@ public:
   /// returns the vertices that the last call's diagnosis is about; see `ABF_plus_plus_parameterizer_3::offending_vertices()`.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
-    return m_outcome->offending_vertices;
+    return m_outcome.get().offending_vertices;
   }
 
   /// returns the faces that the last call's diagnosis is about; see `ABF_plus_plus_parameterizer_3::offending_faces()`.
   const std::vector<face_descriptor>& offending_faces() const
   {
-    return m_outcome->offending_faces;
+    return m_outcome.get().offending_faces;
   }
 
 private:
-  typedef internal::Outcome<Triangle_mesh, Hierarchical_report> Outcome;
-
-  template <typename VertexUVmap, typename VertexIndexMap>
-  Error_code run(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap, VertexIndexMap vimap)
-  {
-    *m_outcome = Outcome();
-    Hierarchical_report& report = m_outcome->report;
-    if(!m_outcome->accept(internal::wrong_option(m_options)))
-      return report.status;
-    internal::Stopwatch stopwatch;
-    internal::visit_stage(m_options.visitor, Flattening_visitor::READ);
-    internal::Chart_reader<Triangle_mesh> reader(mesh);
-    const bool sound = m_outcome->read(reader, bhd, vimap, m_options.allow_holes);
-    report.seconds.read = stopwatch.lap();
-    if(!sound)
-      return report.status;
-
-    internal::Rounded_points<VertexUVmap> round;
-    std::vector<internal::Chart::Point_2> uv;
-    std::vector<int> flipped;
-    const internal::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
-    if(!internal::flatten_chart_hierarchically(reader.chart, m_options, flatten_coarse, m_linear_algebra,
-                                               std::ref(round), uv, flipped, report)) {
-      m_outcome->name_offenders(reader, {}, flipped);
-      return report.status;
-    }
-    stopwatch.lap();
-    internal::visit_stage(m_options.visitor, Flattening_visitor::WRITE);
-    round.write(reader, uvmap);
-    report.seconds.write = stopwatch.lap();
-    return OK;
-  }
+  typedef internal::ABF::Outcome<Triangle_mesh, Hierarchical_report> Outcome;
 
   Hierarchical_options m_options;
   Coarse_parameterizer m_coarse_parameterizer;
   Solver_traits m_linear_algebra;
-  std::shared_ptr<Outcome> m_outcome;
+  internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 
 #ifndef DOXYGEN_RUNNING
-namespace internal {
+namespace internal::ABF {
 
 template <typename TriangleMesh, typename VertexUVMap>
 Planar_map<TriangleMesh, VertexUVMap> planar_map(const TriangleMesh& mesh, VertexUVMap uvmap)
@@ -62,7 +62,7 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
   return out;
 }
 
-} // namespace internal
+} // namespace internal::ABF
 #endif
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -90,7 +90,7 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const TriangleMesh& mesh, VertexUVMap uvmap, FaceOutputIterator out)
 {
-  return internal::flipped_faces(internal::planar_map(mesh, uvmap), out);
+  return internal::ABF::flipped_faces(internal::ABF::planar_map(mesh, uvmap), out);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -102,7 +102,7 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                                  VertexUVMap uvmap, FaceOutputIterator out)
 {
-  return internal::flipped_faces(internal::planar_map(mesh, h, uvmap), out);
+  return internal::ABF::flipped_faces(internal::ABF::planar_map(mesh, h, uvmap), out);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -117,7 +117,7 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_locally_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 {
-  return internal::planar_map(mesh, uvmap).is_locally_injective();
+  return internal::ABF::planar_map(mesh, uvmap).is_locally_injective();
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -128,7 +128,7 @@ bool is_locally_injective(const TriangleMesh& mesh,
                           typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                           VertexUVMap uvmap)
 {
-  return internal::planar_map(mesh, h, uvmap).is_locally_injective();
+  return internal::ABF::planar_map(mesh, h, uvmap).is_locally_injective();
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -152,7 +152,7 @@ bool is_locally_injective(const TriangleMesh& mesh,
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 {
-  return internal::planar_map(mesh, uvmap).is_injective();
+  return internal::ABF::planar_map(mesh, uvmap).is_injective();
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -162,7 +162,7 @@ template <typename TriangleMesh, typename VertexUVMap>
 bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                   VertexUVMap uvmap)
 {
-  return internal::planar_map(mesh, h, uvmap).is_injective();
+  return internal::ABF::planar_map(mesh, h, uvmap).is_injective();
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -187,7 +187,7 @@ template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutp
 HalfedgePairOutputIterator crossing_border_edges(const TriangleMesh& mesh, VertexUVMap uvmap,
                                                  HalfedgePairOutputIterator out)
 {
-  return internal::crossing_border_edges(internal::planar_map(mesh, uvmap), out);
+  return internal::ABF::crossing_border_edges(internal::ABF::planar_map(mesh, uvmap), out);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -199,7 +199,7 @@ crossing_border_edges(const TriangleMesh& mesh,
                       typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, VertexUVMap uvmap,
                       HalfedgePairOutputIterator out)
 {
-  return internal::crossing_border_edges(internal::planar_map(mesh, h, uvmap), out);
+  return internal::ABF::crossing_border_edges(internal::ABF::planar_map(mesh, h, uvmap), out);
 }
 
 } // namespace Surface_mesh_parameterization

@@ -12,8 +12,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 
 #include <CGAL/number_utils.h>
 
@@ -60,13 +60,13 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
                                        typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                                        VertexUVMap uvmap, FaceVisitor visitor)
 {
-  internal::Chart_reader<TriangleMesh> reader(mesh);
-  if(const internal::Chart_defect defect = reader.read(bhd))
+  internal::ABF::Chart_reader<TriangleMesh> reader(mesh);
+  if(const internal::ABF::Chart_defect defect = reader.read(bhd))
     throw std::invalid_argument(defect.message);
-  if(const internal::Chart_defect defect = internal::find_non_finite_point(reader.chart))
+  if(const internal::ABF::Chart_defect defect = internal::ABF::find_non_finite_point(reader.chart))
     throw std::invalid_argument(defect.message);
 
-  std::vector<internal::Chart::Point_2> uv;
+  std::vector<internal::ABF::Chart::Point_2> uv;
   uv.reserve(reader.vertex_descriptors.size());
   double largest = 0;
   for(auto v : reader.vertex_descriptors) {
@@ -74,10 +74,11 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
     uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
     largest = (std::max)({largest, std::abs(uv.back().x()), std::abs(uv.back().y())});
   }
-  const double scale = internal::power_of_two(largest); // of the layout; the measures do not depend on it
-  for(internal::Chart::Point_2& p : uv)
-    p = internal::Chart::Point_2(p.x() / scale, p.y() / scale);
-  return internal::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
+  const double scale =
+      internal::ABF::power_of_two(largest); // of the layout; the measures do not depend on it
+  for(internal::ABF::Chart::Point_2& p : uv)
+    p = internal::ABF::Chart::Point_2(p.x() / scale, p.y() / scale);
+  return internal::ABF::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
     visitor(reader.face_descriptors[t], face);
   });
 }

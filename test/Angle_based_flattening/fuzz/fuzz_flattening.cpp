@@ -56,7 +56,7 @@ void require_consistent(const AnyReport& report, SMP::Error_code code)
                                              SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,
                                              SMP::ERROR_WRONG_PARAMETER};
   require(documented.count(code) == 1, "a code not documented for triangles: " + std::to_string(code));
-  require(report.status == code, "another error code in the report");
+  require(error_code(report.diagnosis) == code, "another error code in the report");
   require((report.diagnosis == Report::NOTHING_WRONG) == (code == SMP::OK),
           "a diagnosis that contradicts the code");
   require(report.message.empty() == (code == SMP::OK), "a message that contradicts the code");

@@ -1,6 +1,6 @@
 # Installs the package into its build tree, then builds and runs the project in this folder against it.
 # Called by ctest with BUILD_DIR, NAME, GENERATOR, COMPILER, CONFIG and its FLAGS; with DPKG_DEB it is installed from a Debian package,
-# and with WITHOUT_TBB the project does not find TBB.
+# with WITHOUT_TBB the project does not find TBB, and COMPONENTS is what it asks for.
 set(root ${BUILD_DIR}/${NAME}_root)
 set(project ${BUILD_DIR}/${NAME})
 file(REMOVE_RECURSE ${root} ${project})
@@ -27,5 +27,5 @@ endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${project} -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS} -D CMAKE_PREFIX_PATH=${prefix}
-  -D CMAKE_DISABLE_FIND_PACKAGE_TBB=${WITHOUT_TBB} -D WITHOUT_TBB=${WITHOUT_TBB})
+  -D CMAKE_DISABLE_FIND_PACKAGE_TBB=${WITHOUT_TBB} -D WITHOUT_TBB=${WITHOUT_TBB} -D COMPONENTS=${COMPONENTS})
 run(${CMAKE_COMMAND} --build ${project} --config ${CONFIG} --target run)

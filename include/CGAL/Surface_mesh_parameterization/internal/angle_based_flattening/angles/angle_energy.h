@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLE_ENERGY_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLE_ENERGY_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_ENERGY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_ENERGY_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -13,11 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The energy of one corner as a function of its angle alpha, with t = alpha / beta:
 //   (t - 1)^2 + barrier (t - 1 - ln t)
@@ -49,10 +45,6 @@ struct Angle_energy
   }
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLE_ENERGY_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_ENERGY_H

@@ -3,54 +3,56 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONSTRAINTS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONSTRAINTS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-namespace Surface_mesh_parameterization {
-
-namespace internal {
-
-// The constraints of interior vertex number i are numbers 2i (planarity) and 2i + 1 (reconstruction). Those of
-// the triangles (Eq. 2) hold at the start and are kept by every step.
+// The constraints of node number i are numbers 2i (planarity) and 2i + 1 (reconstruction). Those of the triangles
+// (Eq. 2) hold at the start and are kept by every step.
 typedef Eigen::VectorXd Constraint_vector;
 
-// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi.
+// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi, those at any other node to what it says.
 // Reconstruction (Eq. 4), as the logarithm of the ratio of its two products:
 //   sum ln sin alpha_{k+1} - sum ln sin alpha_{k-1} = 0
 // It has the same solutions, cannot underflow, and its second derivative is diagonal.
 inline Constraint_vector constraint_residuals(const Chart& chart, const std::vector<double>& alpha)
 {
-  Constraint_vector residual = Constraint_vector::Zero(2 * chart.number_of_interior_vertices);
-  for(int i = 0; i < chart.number_of_interior_vertices; ++i)
-    residual[2 * i] = -2 * pi;
+  Constraint_vector residual = Constraint_vector::Zero(2 * chart.number_of_nodes());
+  for(int i = 0; i < chart.number_of_nodes(); ++i)
+    residual[2 * i] = -chart.nodes[i].angle_sum;
   std::vector<double> log_sines(alpha.size());
   parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
     for(int c = begin; c < end; ++c)
       log_sines[c] = std::log(std::sin(alpha[c]));
   });
   for(int c = 0; c < chart.number_of_corners(); ++c) {
-    const int i = chart.interior[chart.vertex[c]];
+    const int i = chart.node_of_corner(c);
     if(i >= 0)
       residual[2 * i] += alpha[c];
-    const int before = chart.interior[chart.vertex[previous_corner(c)]];
-    const int after = chart.interior[chart.vertex[next_corner(c)]];
+    const int before = chart.node_of_corner(previous_corner(c));
+    const int after = chart.node_of_corner(next_corner(c));
     if(before >= 0)
       residual[2 * before + 1] += log_sines[c];
     if(after >= 0)
       residual[2 * after + 1] -= log_sines[c];
+  }
+  for(int i = 0; i < chart.number_of_nodes(); ++i) {
+    if(!chart.nodes[i].has_planarity)
+      residual[2 * i] = 0;
+    if(!chart.nodes[i].has_reconstruction)
+      residual[2 * i + 1] = 0;
   }
   return residual;
 }
@@ -68,17 +70,13 @@ inline Eigen::Vector3d cotangents(const std::vector<double>& alpha, int triangle
 inline double constraint_curvature(const Chart& chart, const Constraint_vector& multipliers, int c,
                                    double cotangent)
 {
-  const int before = chart.interior[chart.vertex[previous_corner(c)]];
-  const int after = chart.interior[chart.vertex[next_corner(c)]];
+  const int before = chart.node_of_corner(previous_corner(c));
+  const int after = chart.node_of_corner(next_corner(c));
   const double difference =
       (before >= 0 ? multipliers[2 * before + 1] : 0) - (after >= 0 ? multipliers[2 * after + 1] : 0);
   return -difference * (1 + cotangent * cotangent);
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONSTRAINTS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H

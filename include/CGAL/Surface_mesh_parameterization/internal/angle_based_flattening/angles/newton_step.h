@@ -3,30 +3,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/reduced_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/newton_equation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace CGAL {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-namespace Surface_mesh_parameterization {
-
-namespace internal {
-
-// A step of the angles and of the multipliers of the constraints at interior vertices.
+// A step of the angles and of the multipliers of the constraints at the nodes.
 struct Newton_step
 {
   std::vector<double> angles;
@@ -36,7 +32,7 @@ struct Newton_step
 
 // Computes steps by solving Eq. 16, whose matrix is a sum over triangles:
 //   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
-// with P = T (T' H T)^-1 T', as `split()` says, and r minus the gradient of the Lagrangian. This S is positive
+// with P = T (T' H T)^-1 T', as `reduced_hessian_inverse()` says, and r minus the gradient of the Lagrangian. This S is positive
 // definite.
 class Newton_system
 {
@@ -45,9 +41,13 @@ public:
                 bool with_constraint_curvature, const Linear_solvers& solvers, bool iteratively = false)
       : m_chart(chart), m_beta(beta), m_energy(energy),
         m_with_constraint_curvature(with_constraint_curvature),
-        m_assembly(chart.vertex, chart.interior, chart.number_of_interior_vertices),
-        m_local(chart.number_of_triangles()), m_equation(solvers, iteratively)
-  {}
+        m_assembly(chart.vertex, chart.node, chart.number_of_nodes()), m_local(chart.number_of_triangles()),
+        m_equation(solvers, iteratively)
+  {
+    for(int i = 0; i < chart.number_of_nodes(); ++i)
+      if(!chart.nodes[i].is_complete())
+        m_incomplete_nodes.push_back(i);
+  }
 
   // Computes the step, if iteratively then with `accuracy`, from angles `alpha` and `multipliers`, where the
   // constraints are off by `residual`. Returns `false` if the linear solver fails.
@@ -72,17 +72,17 @@ public:
     });
     m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Local_system& local = m_local[c / 3];
-      const Plane_jacobian jacobian = plane_jacobian(local.cotangents);
+      const Plane_jacobian jacobian = plane_jacobian(c / 3, local.cotangents);
       return jacobian * (jacobian.template middleRows<2>(2 * (c % 3)) * local.inverse).transpose();
     });
+    complete_diagonal();
     Eigen::VectorXd right_hand_side = residual;
-    parallel_for_blocks(m_chart.number_of_interior_vertices, [&](int begin, int end) {
+    parallel_for_blocks(m_chart.number_of_nodes(), [&](int begin, int end) {
       for(int i = begin; i < end; ++i)
         for(const int c : m_assembly.corners(i)) {
           const Local_system& local = m_local[c / 3];
           right_hand_side.segment<2>(2 * i) +=
-              plane_jacobian(local.cotangents).template middleRows<2>(2 * (c % 3)) *
-              (local.inverse * local.force);
+              constraint_rows(c, local.cotangents) * (local.inverse * local.force);
         }
     });
     return right_hand_side;
@@ -103,19 +103,46 @@ private:
     Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
   };
 
-  // B T: rows 2k and 2k + 1 are those of the constraints at the vertex of corner k, also where that is on the border, which
-  // nobody asks for.
-  static Plane_jacobian plane_jacobian(const Eigen::Vector3d& cotangents)
+  // The two rows of B T for the vertex of corner `c`, also where that has no node, which nobody asks for
+  Eigen::Matrix2d constraint_rows(int c, const Eigen::Vector3d& cotangents) const
   {
     const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
-    Plane_jacobian jacobian;
-    for(int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3, previous = (k + 2) % 3;
-      jacobian.row(2 * k) = basis.row(k);
-      jacobian.row(2 * k + 1) =
-          cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
+    const int k = c % 3, next = (k + 1) % 3, previous = (k + 2) % 3;
+    Eigen::Matrix2d rows;
+    rows.row(0) = basis.row(k);
+    rows.row(1) = cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
+    if(!m_incomplete_nodes.empty())
+      remove_absent_rows(c, rows);
+    return rows;
+  }
+
+  void remove_absent_rows(int c, Eigen::Matrix2d& rows) const
+  {
+    if(const int i = m_chart.node_of_corner(c); i >= 0) {
+      rows.row(0) *= m_chart.nodes[i].has_planarity;
+      rows.row(1) *= m_chart.nodes[i].has_reconstruction;
     }
+  }
+
+  // B T: those of all three corners
+  Plane_jacobian plane_jacobian(int t, const Eigen::Vector3d& cotangents) const
+  {
+    Plane_jacobian jacobian;
+    for(int k = 0; k < 3; ++k)
+      jacobian.middleRows<2>(2 * k) = constraint_rows(3 * t + k, cotangents);
     return jacobian;
+  }
+
+  // The rows and columns of constraints that are not there are zero. A one on the diagonal makes their multipliers 0.
+  void complete_diagonal()
+  {
+    for(int i : m_incomplete_nodes) {
+      Block_matrix<2>::Block& diagonal = m_assembly.diagonal_block(i);
+      if(!m_chart.nodes[i].has_planarity)
+        diagonal(0, 0) = 1;
+      if(!m_chart.nodes[i].has_reconstruction)
+        diagonal(1, 1) = 1;
+    }
   }
 
   Local_system local_system(int t, const std::vector<double>& alpha,
@@ -132,8 +159,8 @@ private:
         curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
     }
     local.force = -basis_of_sum_preserving_steps().transpose() * energy_gradient -
-                  plane_jacobian(local.cotangents).transpose() * gather(t, multipliers);
-    local.inverse = split(energy_curvature, curvature);
+                  plane_jacobian(t, local.cotangents).transpose() * gather(t, multipliers);
+    local.inverse = reduced_hessian_inverse(energy_curvature, curvature);
     return local;
   }
 
@@ -144,19 +171,19 @@ private:
     step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const Local_system& local = m_local[t];
       const Eigen::Vector2d force =
-          local.force - plane_jacobian(local.cotangents).transpose() * gather(t, step.multipliers);
+          local.force - plane_jacobian(t, local.cotangents).transpose() * gather(t, step.multipliers);
       const Eigen::Vector2d d = local.inverse * force;
       Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
       return d.dot(force) / 2;
     });
   }
 
-  // The six entries of a vector that belong to the vertices of triangle `t`; zero at border vertices.
+  // The six entries of a vector that belong to the vertices of triangle `t`; zero where there is no node.
   Local_constraints gather(int t, const Constraint_vector& vector) const
   {
     Local_constraints local = Local_constraints::Zero();
     for(int k = 0; k < 3; ++k) {
-      const int i = m_chart.interior[m_chart.vertex[3 * t + k]];
+      const int i = m_chart.node_of_corner(3 * t + k);
       if(i >= 0)
         local.segment<2>(2 * k) = vector.segment<2>(2 * i);
     }
@@ -169,13 +196,10 @@ private:
   bool m_with_constraint_curvature;
   Triangle_assembly<2> m_assembly;
   std::vector<Local_system> m_local; // of each triangle
+  std::vector<int> m_incomplete_nodes;
   Newton_equation m_equation;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_STEP_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H

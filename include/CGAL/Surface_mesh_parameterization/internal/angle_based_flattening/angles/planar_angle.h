@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_ANGLE_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_ANGLE_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Sine and cosine of the angle at corner `c` in the plane, regardless of orientation, times the lengths of its edges
 inline std::pair<double, double> scaled_sine_and_cosine(const Chart& chart,
@@ -57,10 +53,6 @@ inline double smallest_angle(const Chart& chart, const std::vector<Chart::Point_
   return corner < 0 ? pi : planar_angle(chart, uv, corner);
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_ANGLE_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H

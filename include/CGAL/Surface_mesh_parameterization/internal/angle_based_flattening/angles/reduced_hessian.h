@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MATRIX_SPLITS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MATRIX_SPLITS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -13,14 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The Hessian may fall to this part of the energy's before it is lifted, so that it stays definite.
-constexpr double least_relative_curvature = 0.1;
+inline constexpr double least_relative_curvature = 0.1;
 
 // An orthonormal basis of the plane d_1 + d_2 + d_3 = 0 of the steps that keep a triangle's sum of angles.
 typedef Eigen::Matrix<double, 3, 2> Sum_preserving_steps;
@@ -65,7 +61,8 @@ inline Eigen::Matrix2d lifted_inverse(const Eigen::Matrix2d& matrix, const Eigen
 //
 // Returns (T' H T)^-1. `curvature` is the diagonal of H; where H is less than `least_relative_curvature` times the
 // energy's own Hessian in some direction of the plane, it is lifted to that.
-inline Eigen::Matrix2d split(const Eigen::Vector3d& energy_curvature, const Eigen::Vector3d& curvature)
+inline Eigen::Matrix2d reduced_hessian_inverse(const Eigen::Vector3d& energy_curvature,
+                                               const Eigen::Vector3d& curvature)
 {
   const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
   const Eigen::Matrix2d energy_hessian = basis.transpose() * energy_curvature.asDiagonal() * basis;
@@ -73,10 +70,6 @@ inline Eigen::Matrix2d split(const Eigen::Vector3d& energy_curvature, const Eige
   return lifted_inverse(hessian, energy_hessian);
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MATRIX_SPLITS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H

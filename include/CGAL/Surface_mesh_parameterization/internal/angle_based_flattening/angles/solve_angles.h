@@ -3,17 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SOLVE_ANGLES_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SOLVE_ANGLES_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/newton_step.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
@@ -23,11 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Where the solver stands: angles, multipliers, and what they are worth.
 struct Angle_iterate
@@ -98,13 +94,13 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
   return 0;
 }
 
-// How exactly the step from each iterate is to be solved for. An exact step would reduce the residuals about as much as
+// How exactly the step from each iterate is solved for. An exact step would reduce the residuals about as much as
 // the last one did, squared; to solve for more is wasted. (Eisenstat and Walker 1996, their second choice.) Where it was
 // not enough, the next steps are more exact.
-class Step_accuracy
+class Forcing_terms
 {
 public:
-  explicit Step_accuracy(double tolerance) : m_tolerance(tolerance) {}
+  explicit Forcing_terms(double tolerance) : m_tolerance(tolerance) {}
 
   Iterative_accuracy next(double largest_residual)
   {
@@ -123,7 +119,7 @@ public:
   }
 
   // Asks for more exact steps from now on; returns `false` if they could not be any more exact to any effect.
-  bool raise()
+  bool tighten()
   {
     m_caution /= 10;
     return m_caution > 1e-10;
@@ -143,56 +139,60 @@ inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_p
          last.predicted_decrease <= options.energy_tolerance * last.energy + rounding;
 }
 
-// Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), starting from and
-// changing `alpha`. The outcome is in `report`: `converged`, `iterations`, `energy`, `constraint_residual`, `steps`.
-// Returns `false` if the linear solver fails. If
-// `scalar_solver` is not null it becomes a solver that may know the pattern of the layout's system.
-inline bool solve_angles(const Chart& chart, const std::vector<double>& beta,
-                         const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-                         std::vector<double>& alpha, ABF_plus_plus_report& report,
-                         std::unique_ptr<Linear_solver>* scalar_solver = nullptr)
+// What the solver found, and how.
+struct Angle_solution
+{
+  std::vector<double> alpha;
+  bool is_solved = true; // otherwise the linear solver failed
+  bool converged = false;
+  int iterations = 0;
+  double energy = 0;
+  double constraint_residual = 0;
+  std::vector<ABF_plus_plus_step> steps;
+  std::unique_ptr<Linear_solver> scalar_solver; // may know the pattern of the layout's system
+};
+
+// Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), from angles `start`.
+inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>& beta,
+                                   const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+                                   std::vector<double> start)
 {
   const Angle_energy energy{options.barrier};
   Newton_system system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON, solvers,
                        options.linear_solver == ABF_plus_plus_options::ITERATIVE);
   Newton_step step;
   Angle_iterate iterate;
-  iterate.alpha.swap(alpha);
-  iterate.multipliers = Constraint_vector::Zero(2 * chart.number_of_interior_vertices);
+  iterate.alpha = std::move(start);
+  iterate.multipliers = Constraint_vector::Zero(2 * chart.number_of_nodes());
   iterate.evaluate(chart, energy, beta);
 
-  Step_accuracy accuracy(options.tolerance);
-  bool solved = true;
+  Angle_solution result;
+  Forcing_terms forcing_terms(options.tolerance);
   double penalty = 0;
-  while(!report.converged && report.iterations < options.max_iterations) {
-    solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step,
-                            accuracy.next(iterate.largest_residual()));
-    if(!solved)
+  while(!result.converged && result.iterations < options.max_iterations) {
+    result.is_solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step,
+                                      forcing_terms.next(iterate.largest_residual()));
+    if(!result.is_solved)
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
     const double length = take_step(chart, energy, beta, step, penalty, iterate);
-    if(length == 0 && system.equation().steps() > 0 && accuracy.raise())
+    if(length == 0 && system.equation().steps() > 0 && forcing_terms.tighten())
       continue; // a more exact step may lower the merit function where this one did not
     if(length == 0)
       break;
-    report.steps.push_back({++report.iterations, iterate.energy, iterate.largest_residual(),
+    result.steps.push_back({++result.iterations, iterate.energy, iterate.largest_residual(),
                             step.predicted_decrease, length, system.equation().steps(),
                             system.equation().factorizations(), system.equation().repeated_factorizations()});
-    visit_step(options.visitor, report.steps.back());
-    report.converged = has_converged(options, report.steps.back(), beta.size());
+    visit_step(options.visitor, result.steps.back());
+    result.converged = has_converged(options, result.steps.back(), beta.size());
   }
-  report.energy = iterate.energy;
-  report.constraint_residual = iterate.largest_residual();
-  alpha.swap(iterate.alpha);
-  if(scalar_solver != nullptr)
-    *scalar_solver = system.equation().scalar_solver();
-  return solved;
+  result.energy = iterate.energy;
+  result.constraint_residual = iterate.largest_residual();
+  result.alpha = std::move(iterate.alpha);
+  result.scalar_solver = system.equation().scalar_solver();
+  return result;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SOLVE_ANGLES_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TARGET_ANGLES_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TARGET_ANGLES_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -17,16 +17,10 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
-
-constexpr double pi = 3.14159265358979323846;
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Target angles stay this far from 0 and pi, so that relative distortion is defined on degenerate triangles.
-constexpr double least_target_angle = 1e-3;
+inline constexpr double least_target_angle = 1e-3;
 
 // The angle at corner `c` of the surface. An arc tangent is accurate for every shape of triangle.
 inline double surface_angle(const Chart& chart, int c)
@@ -38,7 +32,7 @@ inline double surface_angle(const Chart& chart, int c)
 }
 
 // The optimal angles beta of Eq. 1, of each corner: the surface's own angles, scaled around every interior vertex to
-// the sum 2 pi that the plane demands.
+// the sum 2 pi that the plane demands, and around any other node to its sum.
 inline std::vector<double> target_angles(const Chart& chart)
 {
   std::vector<double> beta(chart.vertex.size());
@@ -46,14 +40,15 @@ inline std::vector<double> target_angles(const Chart& chart)
     for(int c = begin; c < end; ++c)
       beta[c] = surface_angle(chart, c);
   });
-  std::vector<double> sum(chart.points.size(), 0.);
+  std::vector<double> sum(chart.nodes.size(), 0.);
   for(int c = 0; c < chart.number_of_corners(); ++c)
-    sum[chart.vertex[c]] += beta[c];
+    if(const int i = chart.node_of_corner(c); i >= 0)
+      sum[i] += beta[c];
   parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
     for(int c = begin; c < end; ++c) {
-      const int v = chart.vertex[c];
-      if(chart.interior[v] >= 0 && sum[v] > 0)
-        beta[c] *= 2 * pi / sum[v];
+      const int i = chart.node_of_corner(c);
+      if(i >= 0 && chart.nodes[i].has_planarity && sum[i] > 0)
+        beta[c] *= chart.nodes[i].angle_sum / sum[i];
       beta[c] = (std::min)((std::max)(beta[c], least_target_angle), pi - least_target_angle);
     }
   });
@@ -72,10 +67,6 @@ inline std::vector<double> starting_angles(const std::vector<double>& beta)
   return alpha;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TARGET_ANGLES_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_CROSSINGS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_CROSSINGS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_CROSSINGS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_CROSSINGS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -17,11 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 typedef CGAL::Box_intersection_d::Box_with_info_d<double, 2, int> Indexed_box;
 
@@ -38,7 +34,7 @@ std::vector<Indexed_box> edge_boxes(const std::vector<Border_edge>& edges, const
   return boxes;
 }
 
-// The pairs of border edges that touch, as sorted pairs of their places in `edges`. It takes `O(b log b)` time to see
+// The pairs of border edges that touch, as sorted pairs of their indices in `edges`. It takes `O(b log b)` time to see
 // that there is none; else the pairs of edges whose bounding boxes intersect are looked at.
 template <typename Point>
 std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>& edges,
@@ -63,22 +59,23 @@ inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
   std::vector<int> corners;
   for(const std::vector<int>& border : chart.borders)
     corners.insert(corners.end(), border.begin(), border.end());
-  std::vector<std::pair<int, int>> pairs = touching_edges(border_edges(chart), uv);
+  std::vector<std::pair<int, int>> pairs = touching_edges(border_edges(chart), exact_points(uv));
   for(std::pair<int, int>& pair : pairs)
     pair = {corners[pair.first], corners[pair.second]};
   return pairs;
 }
 
 // Whether no two border edges touch: the borders are simple polygons, apart from one another.
-inline bool is_border_simple(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline bool is_border_simple(const Chart& chart, const std::vector<Exact_point_2>& uv)
 {
-  return !Border_sweep<Chart::Point_2>(border_edges(chart), uv).finds_touching_edges();
+  return !Border_sweep<Exact_point_2>(border_edges(chart), uv).finds_touching_edges();
 }
 
-} // namespace internal
+inline bool is_border_simple(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  return is_border_simple(chart, exact_points(uv));
+}
 
-} // namespace Surface_mesh_parameterization
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_CROSSINGS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_CROSSINGS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_SWEEP_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_SWEEP_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -17,13 +17,10 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <type_traits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Whether two border edges have a point in common, other than a vertex of both. Their points are finite. An edge without
 // length touches those beside it.
@@ -53,6 +50,8 @@ bool touch(const Border_edge& e, const Border_edge& f, const std::vector<Point>&
 template <typename Point>
 class Border_sweep
 {
+  static_assert(std::is_same<typename Exact_point<Point>::type, Point>::value, "predicates must be exact");
+
   // The order along the sweep line of edges that do not touch. Whatever is collinear does touch.
   struct Is_below
   {
@@ -91,13 +90,13 @@ public:
         return true;
     const std::vector<int> by_left = sorted_by(m_left), by_right = sorted_by(m_right);
     Line line(Is_below{this});
-    std::vector<typename Line::iterator> place(m_edges.size(), line.end());
+    std::vector<typename Line::iterator> position(m_edges.size(), line.end());
     std::size_t inserted = 0, removed = 0;
     for(int rank = 0; rank < static_cast<int>(m_vertices.size()); ++rank) {
       for(; removed < by_right.size() && m_right[by_right[removed]] == rank && !m_found; ++removed)
-        remove(line, place[by_right[removed]]);
+        remove(line, position[by_right[removed]]);
       for(; inserted < by_left.size() && m_left[by_left[inserted]] == rank && !m_found; ++inserted)
-        place[by_left[inserted]] = insert(line, by_left[inserted]);
+        position[by_left[inserted]] = insert(line, by_left[inserted]);
       if(m_found)
         return true;
     }
@@ -141,17 +140,17 @@ private:
 
   typename Line::iterator insert(Line& line, int edge)
   {
-    const auto place = line.insert(edge).first;
-    if(place != line.begin())
-      test(*std::prev(place), edge);
-    if(std::next(place) != line.end())
-      test(edge, *std::next(place));
-    return place;
+    const auto position = line.insert(edge).first;
+    if(position != line.begin())
+      test(*std::prev(position), edge);
+    if(std::next(position) != line.end())
+      test(edge, *std::next(position));
+    return position;
   }
 
-  void remove(Line& line, typename Line::iterator place)
+  void remove(Line& line, typename Line::iterator position)
   {
-    const auto above = line.erase(place);
+    const auto above = line.erase(position);
     if(above != line.begin() && above != line.end())
       test(*std::prev(above), *above);
   }
@@ -164,10 +163,6 @@ private:
   bool m_found = false;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BORDER_SWEEP_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H

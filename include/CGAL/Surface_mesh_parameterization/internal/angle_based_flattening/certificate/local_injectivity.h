@@ -3,21 +3,62 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFY_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFY_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_LOCAL_INJECTIVITY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_LOCAL_INJECTIVITY_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
+
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
-namespace CGAL {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-namespace Surface_mesh_parameterization {
+// Points of any kernel, as they are, in a kernel with exact predicates: their own if its numbers are exact, and
+// otherwise one that holds all numbers that a `double` does.
+template <typename Point>
+struct Exact_point
+{
+  typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
+  typedef typename Kernel::FT FT;
+  static constexpr bool is_double =
+      std::is_arithmetic<FT>::value && std::numeric_limits<FT>::digits <= std::numeric_limits<double>::digits;
+  static_assert(is_double ||
+                    (!std::is_arithmetic<FT>::value && CGAL::Algebraic_structure_traits<FT>::Is_exact::value),
+                "the coordinates must be exact numbers, or numbers that `double` can hold");
+  typedef std::conditional_t<is_double, Exact_predicates_inexact_constructions_kernel::Point_2, Point> type;
 
-namespace internal {
+  static type get(const Point& p)
+  {
+    if constexpr(is_double)
+      return type(static_cast<double>(p.x()), static_cast<double>(p.y()));
+    else
+      return p;
+  }
+};
+
+typedef Exact_point<Chart::Point_2>::type Exact_point_2;
+
+inline Exact_point_2 exact_point(const Chart::Point_2& p)
+{
+  return Exact_point<Chart::Point_2>::get(p);
+}
+
+inline std::vector<Exact_point_2> exact_points(const std::vector<Chart::Point_2>& uv)
+{
+  std::vector<Exact_point_2> points;
+  points.reserve(uv.size());
+  for(const Chart::Point_2& p : uv)
+    points.push_back(exact_point(p));
+  return points;
+}
 
 // An edge on the border, from vertex to vertex, with its triangle to the left.
 struct Border_edge
@@ -42,10 +83,11 @@ bool is_finite_point(const Point& p)
   return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y());
 }
 
-// By an exact predicate, if the points' kernel has exact predicates.
+// By an exact predicate
 template <typename Point>
 bool is_positively_oriented(const Point& p, const Point& q, const Point& r)
 {
+  static_assert(std::is_same<typename Exact_point<Point>::type, Point>::value, "predicates must be exact");
   return is_finite_point(p) && is_finite_point(q) && is_finite_point(r) &&
          CGAL::orientation(p, q, r) == CGAL::LEFT_TURN;
 }
@@ -64,7 +106,7 @@ std::vector<int> flipped_triangles(const std::vector<int>& vertex, const std::ve
 
 inline std::vector<int> flipped_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
-  return flipped_triangles(chart.vertex, uv);
+  return flipped_triangles(chart.vertex, exact_points(uv));
 }
 
 // Whether `p` lies in direction [0, pi) from `origin`, and not in [pi, 2 pi).
@@ -77,7 +119,7 @@ bool is_in_upper_half(const Point& p, const Point& origin)
 // How often the triangles around each vertex sweep over the direction of the x-axis. A triangle takes less than half
 // a turn, and so does it exactly if it leads from the lower half of the plane to the upper one.
 template <typename Point>
-std::vector<int> sweeps_over_axis(const std::vector<int>& vertex, const std::vector<Point>& uv)
+std::vector<int> winding_numbers(const std::vector<int>& vertex, const std::vector<Point>& uv)
 {
   std::vector<int> sweeps(uv.size(), 0);
   for(int c = 0; c < static_cast<int>(vertex.size()); ++c) {
@@ -115,17 +157,13 @@ bool is_injective_at_vertices(const std::vector<int>& vertex, const std::vector<
     next[edge.source] = edge.target;
     previous[edge.target] = edge.source;
   }
-  const std::vector<int> sweeps = sweeps_over_axis(vertex, uv);
+  const std::vector<int> sweeps = winding_numbers(vertex, uv);
   for(std::size_t v = 0; v < uv.size(); ++v)
     if(next[v] < 0 ? sweeps[v] != 1 : !is_fan_open(uv[v], uv[next[v]], uv[previous[v]], sweeps[v]))
       return false;
   return true;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFY_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_LOCAL_INJECTIVITY_H

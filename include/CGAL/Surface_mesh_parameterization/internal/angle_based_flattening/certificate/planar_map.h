@@ -3,16 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_MAP_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_MAP_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_PLANAR_MAP_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_PLANAR_MAP_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -22,37 +19,9 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
-
-// Points of any kernel, as they are, in a kernel with exact predicates: their own if its numbers are exact, and
-// otherwise that of `Chart`, which holds all numbers that a `double` does.
-template <typename Point>
-struct Exact_point
-{
-  typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
-  typedef typename Kernel::FT FT;
-  static constexpr bool is_double =
-      std::is_arithmetic<FT>::value && std::numeric_limits<FT>::digits <= std::numeric_limits<double>::digits;
-  static_assert(is_double ||
-                    (!std::is_arithmetic<FT>::value && CGAL::Algebraic_structure_traits<FT>::Is_exact::value),
-                "the coordinates must be exact numbers, or numbers that `double` can hold");
-  typedef std::conditional_t<is_double, Chart::Point_2, Point> type;
-
-  static type get(const Point& p)
-  {
-    if constexpr(is_double)
-      return type(static_cast<double>(p.x()), static_cast<double>(p.y()));
-    else
-      return p;
-  }
-};
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Faces of a mesh, drawn in the plane: all that the certificate looks at.
 template <typename TriangleMesh, typename VertexUVMap>
@@ -185,10 +154,6 @@ private:
   }
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PLANAR_MAP_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_PLANAR_MAP_H

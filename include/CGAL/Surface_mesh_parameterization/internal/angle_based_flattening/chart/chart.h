@@ -3,22 +3,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <cstddef>
 #include <cmath>
+#include <limits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise.
 inline int next_corner(int c)
@@ -31,11 +30,24 @@ inline int previous_corner(int c)
   return c % 3 == 0 ? c + 2 : c - 1;
 }
 
-// A connected triangulated surface with border, as a corner table: all that the rooms behind `read_chart()`
+inline constexpr double pi = CGAL_PI;
+
+// A vertex with equations of the planar angles, or several vertices whose equations are added up: one for the sum of the
+// angles (Eq. 3), one for the lengths of the edges around (Eq. 4). What is not there has the multiplier 0.
+struct Constraint_node
+{
+  double angle_sum = 2 * pi;
+  bool has_planarity = true;
+  bool has_reconstruction = true;
+
+  bool is_complete() const { return has_planarity && has_reconstruction; }
+};
+
+// A connected triangulated surface with border, as a corner table: all that the stages behind `read_chart()`
 // know of a mesh. Corner `c` faces the edge from `vertex[next_corner(c)]` to `vertex[previous_corner(c)]`.
 struct Chart
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef CGAL::Simple_cartesian<double> Kernel; // the certificate takes exact predicates
   typedef Kernel::Point_2 Point_2;
   typedef Kernel::Point_3 Point_3;
 
@@ -47,13 +59,17 @@ struct Chart
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
   int number_of_interior_vertices = 0;
+  std::vector<int> node;              // of each vertex: the one with its equations, or -1
+  std::vector<Constraint_node> nodes; // all interior vertices, unless someone wants others
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_corners() const { return static_cast<int>(vertex.size()); }
   int number_of_triangles() const { return number_of_corners() / 3; }
+  int number_of_nodes() const { return static_cast<int>(nodes.size()); }
+  int node_of_corner(int c) const { return node[vertex[c]]; }
 
   // Rotates about the vertex of `c` into the neighbouring triangle, across the edge to the next corner's
-  // vertex: clockwise, so that a border vertex is swept from the border edge that enters it to the one that
+  // vertex: clockwise, so that one gets around a border vertex from the border edge that enters it to the one that
   // leaves it. Returns -1 behind the last triangle.
   int rotate(int c) const
   {
@@ -64,6 +80,10 @@ struct Chart
   int edge_source(int c) const { return vertex[next_corner(c)]; }
   int edge_target(int c) const { return vertex[previous_corner(c)]; }
 };
+
+// The matrix of Eq. 16 has at most 14 numbers for each triangle, which are counted with `int`: of `t` triangles at most
+// t / 2 vertices and 3 t / 2 edges are interior, each vertex has a block of four numbers, and each edge two of them.
+inline constexpr int largest_number_of_triangles = (std::numeric_limits<int>::max)() / 14;
 
 // The power of two next to a number, or 1 if it is zero or not finite
 inline double power_of_two(double number)
@@ -80,8 +100,8 @@ inline int next_on_border(const Chart& chart, int c)
   return previous_corner(corner);
 }
 
-// Finds `borders`, `interior` and `number_of_interior_vertices` from `vertex` and `opposite`. The first border
-// cycle is the one with the edge that `first_border` faces, if that is not negative.
+// Finds `borders`, `interior` and `number_of_interior_vertices` from `vertex` and `opposite`, and makes the interior vertices
+// the constraint nodes. The first border cycle is the one with the edge that `first_border` faces, if that is not negative.
 inline void find_borders(Chart& chart, int first_border = -1)
 {
   std::vector<char> found(chart.vertex.size(), false);
@@ -107,12 +127,10 @@ inline void find_borders(Chart& chart, int first_border = -1)
   chart.interior.resize(chart.points.size());
   for(std::size_t v = 0; v < chart.points.size(); ++v)
     chart.interior[v] = on_border[v] ? -1 : chart.number_of_interior_vertices++;
+  chart.node = chart.interior;
+  chart.nodes.assign(chart.number_of_interior_vertices, Constraint_node());
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H

@@ -3,12 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DIAGNOSE_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DIAGNOSE_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <cmath>
@@ -16,45 +16,38 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // What is wrong with a chart, and where.
 struct Chart_defect
 {
-  ABF_plus_plus_report::Diagnosis diagnosis = ABF_plus_plus_report::NOTHING_WRONG;
+  Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
   std::string message;
   std::vector<int> vertices;
   std::vector<int> triangles;
 
-  explicit operator bool() const { return diagnosis != ABF_plus_plus_report::NOTHING_WRONG; }
+  explicit operator bool() const { return diagnosis != Flattening_report::NOTHING_WRONG; }
 };
 
-// What `parameterize()` returns for a defect.
-inline Error_code error_code(ABF_plus_plus_report::Diagnosis diagnosis)
+inline void fail(Flattening_report& report, Flattening_report::Diagnosis diagnosis,
+                 const std::string& message)
 {
-  switch(diagnosis) {
-  case ABF_plus_plus_report::NOTHING_WRONG:
-    return OK;
-  case ABF_plus_plus_report::EMPTY_MESH:
-    return ERROR_EMPTY_MESH;
-  case ABF_plus_plus_report::NOT_TRIANGULATED:
-    return ERROR_NON_TRIANGULAR_MESH;
-  case ABF_plus_plus_report::PINCHED_VERTEX:
-  case ABF_plus_plus_report::SEVERAL_BORDERS:
-  case ABF_plus_plus_report::HANDLES:
-    return ERROR_NO_TOPOLOGICAL_DISC;
-  case ABF_plus_plus_report::PARALLEL_EDGES:
-    return ERROR_NO_1_TO_1_MAPPING;
-  default:
-    return ERROR_WRONG_PARAMETER;
-  }
+  report.diagnosis = diagnosis;
+  report.message = message;
 }
 
-inline std::string place(const Chart& chart, int v)
+// A report that has what a chart tells
+template <typename Report>
+Report report_of(const Chart& chart)
+{
+  Report report;
+  report.vertices = chart.number_of_vertices();
+  report.triangles = chart.number_of_triangles();
+  report.borders = static_cast<int>(chart.borders.size());
+  return report;
+}
+
+inline std::string position_text(const Chart& chart, int v)
 {
   std::ostringstream text;
   const double s = chart.scale;
@@ -68,8 +61,8 @@ inline Chart_defect find_non_finite_point(const Chart& chart)
   for(int v = 0; v < chart.number_of_vertices(); ++v)
     for(int i = 0; i < 3; ++i)
       if(!std::isfinite(chart.points[v][i]))
-        return {ABF_plus_plus_report::NON_FINITE_POINT,
-                "a vertex has coordinates " + place(chart, v) + ", which are not all finite numbers",
+        return {Flattening_report::NON_FINITE_POINT,
+                "a vertex has coordinates " + position_text(chart, v) + ", which are not all finite numbers",
                 {v},
                 {}};
   return {};
@@ -86,8 +79,8 @@ inline Chart_defect find_bad_vertex(const Chart& chart)
   auto walk = [&](int first) -> Chart_defect {
     const int v = chart.vertex[first];
     if(has_fan[v])
-      return {ABF_plus_plus_report::PINCHED_VERTEX,
-              "the surface is pinched at the vertex at " + place(chart, v) +
+      return {Flattening_report::NON_MANIFOLD_VERTEX,
+              "the surface is pinched at the vertex at " + position_text(chart, v) +
                   ": its triangles form more than one fan",
               {v},
               {}};
@@ -106,9 +99,9 @@ inline Chart_defect find_bad_vertex(const Chart& chart)
       if(next < 0 && !again)
         again = meet(w = chart.vertex[next_corner(c)]);
       if(again)
-        return {ABF_plus_plus_report::PARALLEL_EDGES,
-                "two edges, or a loop, join the vertices at " + place(chart, v) + " and " + place(chart, w) +
-                    ": no planar triangulation has that",
+        return {Flattening_report::PARALLEL_EDGES,
+                "two edges, or a loop, join the vertices at " + position_text(chart, v) + " and " +
+                    position_text(chart, w) + ": no planar triangulation has that",
                 {v, w},
                 {c / 3}};
       c = next;
@@ -137,15 +130,15 @@ inline Chart_defect find_wrong_topology(const Chart& chart, bool allow_holes)
   const int borders = static_cast<int>(chart.borders.size());
   const int twice_genus = 2 - borders - (chart.number_of_vertices() - edges + chart.number_of_triangles());
   if(twice_genus != 0)
-    return {ABF_plus_plus_report::HANDLES,
+    return {Flattening_report::NONZERO_GENUS,
             "the surface has " + std::to_string(twice_genus / 2) + " handle(s): cut it open to a disk first",
             {},
             {}};
   if(borders > 1 && !allow_holes) {
     const int v = chart.edge_source(chart.borders[1].front());
-    return {ABF_plus_plus_report::SEVERAL_BORDERS,
+    return {Flattening_report::SEVERAL_BORDERS,
             "the surface has " + std::to_string(borders) + " borders, a second one at the vertex at " +
-                place(chart, v) + ": fill the holes, or allow them",
+                position_text(chart, v) + ": fill the holes, or allow them",
             {v},
             {}};
   }
@@ -162,10 +155,6 @@ inline Chart_defect diagnose(const Chart& chart, bool allow_holes)
   return find_wrong_topology(chart, allow_holes);
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DIAGNOSE_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_READ_CHART_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_READ_CHART_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -17,14 +17,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Reads the connected component of a border halfedge into a chart. Any model of `FaceGraph` will do; the mesh is not
 // looked at afterwards, but for writing the result.
@@ -71,10 +66,10 @@ private:
   Chart_defect find_faces(halfedge_descriptor bhd)
   {
     if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
-      return {ABF_plus_plus_report::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
+      return {Flattening_report::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
     const halfedge_descriptor inner = opposite(bhd, m_mesh);
     if(CGAL::is_border(inner, m_mesh))
-      return {ABF_plus_plus_report::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
+      return {Flattening_report::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
 
     Face_ranks ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
     for(face_descriptor f : faces(m_mesh))
@@ -92,13 +87,10 @@ private:
         if(const halfedge_descriptor across = opposite(h, m_mesh); !CGAL::is_border(across, m_mesh))
           find(face(across, m_mesh));
       if(h != halfedge(face_descriptors[t], m_mesh))
+        return {Flattening_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {static_cast<int>(t)}};
+      if(face_descriptors.size() > static_cast<std::size_t>(largest_number_of_triangles))
         return {
-            ABF_plus_plus_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {static_cast<int>(t)}};
-      if(face_descriptors.size() > static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 9)
-        return {ABF_plus_plus_report::TOO_LARGE,
-                "the surface has more triangles than 32-bit numbers allow",
-                {},
-                {}};
+            Flattening_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
     }
     link_corners(ranks);
     m_first_border = facing_corner(inner, ranks);
@@ -197,10 +189,6 @@ private:
   int m_first_border = -1;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_READ_CHART_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SCALE_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SCALE_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SCALE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SCALE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -18,11 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 inline double surface_area(const Chart& chart, int t)
 {
@@ -87,10 +83,6 @@ inline double scale_range(const Chart& chart, const std::vector<Chart::Point_2>&
   return longest / shortest;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SCALE_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SCALE_H

@@ -3,32 +3,28 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MEASURE_CHART_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MEASURE_CHART_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_MEASURE_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_MEASURE_CHART_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Everything about one triangle that is made from derivatives. `scale` enlarges the plane to the area of the surface.
 inline void measure_differential(const Triangle_differential& map, double scale,
@@ -119,7 +115,7 @@ inline Flattening_face_measures measure_triangle(const Chart& chart, const std::
   const int* v = &chart.vertex[3 * t];
   Flattening_face_measures face;
   face.area = surface_area(chart, t);
-  face.flipped = !is_positively_oriented(uv[v[0]], uv[v[1]], uv[v[2]]);
+  face.flipped = !is_positively_oriented(exact_point(uv[v[0]]), exact_point(uv[v[1]]), exact_point(uv[v[2]]));
   measure_angles(chart, beta, uv, t, face);
   measure_differential(Triangle_differential(chart, uv, t), scale, face);
   return face;
@@ -152,10 +148,6 @@ Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::P
   return measures;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MEASURE_CHART_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_MEASURE_CHART_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_DIFFERENTIAL_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_DIFFERENTIAL_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -15,11 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The derivatives of the map from the plane to the surface on triangle `t`, in orthonormal axes of its plane in
 // space, and times the determinant of its edges in the plane: what does not depend on scale needs no division by
@@ -85,10 +81,6 @@ private:
   double m_conformal = 0, m_anticonformal = 0;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_DIFFERENTIAL_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H

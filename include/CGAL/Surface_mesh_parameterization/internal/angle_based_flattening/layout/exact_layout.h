@@ -3,29 +3,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_EXACT_LAYOUT_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_EXACT_LAYOUT_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_EXACT_LAYOUT_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_EXACT_LAYOUT_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Planar coordinates of each vertex, and by how much they had to be bent.
 struct Layout
@@ -89,25 +86,25 @@ inline std::vector<double> cotangents(const std::vector<double>& alpha)
 }
 
 // The right-hand sides, of both coordinates: what the border vertices contribute to the Laplacian
-inline Two_vectors pull_of_border(const Chart& chart, const std::vector<double>& weights,
-                                  const Layout& layout)
+inline Two_vectors boundary_right_hand_side(const Chart& chart, const std::vector<double>& weights,
+                                            const Layout& layout)
 {
   const int n = chart.number_of_interior_vertices;
-  Two_vectors pull = {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  Two_vectors sum = {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
   for(int c = 0; c < chart.number_of_corners(); ++c) {
     if(chart.interior[chart.vertex[c]] >= 0)
       continue;
     const Chart::Point_2& border = layout.uv[chart.vertex[c]];
     const auto add = [&](int neighbour, int facing) {
       if(const int i = chart.interior[chart.vertex[neighbour]]; i >= 0) {
-        pull[0][i] += weights[facing] * border.x();
-        pull[1][i] += weights[facing] * border.y();
+        sum[0][i] += weights[facing] * border.x();
+        sum[1][i] += weights[facing] * border.y();
       }
     };
     add(next_corner(c), previous_corner(c));
     add(previous_corner(c), next_corner(c));
   }
-  return pull;
+  return sum;
 }
 
 // Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
@@ -130,7 +127,7 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
       column[previous_corner(c) % 3] = -weights[next_corner(c)];
       return column;
     });
-    right_hand_sides = pull_of_border(chart, weights, layout);
+    right_hand_sides = boundary_right_hand_side(chart, weights, layout);
   }
   Definite_system system(solvers, std::move(scalar_solver));
   if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
@@ -143,19 +140,19 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
 }
 
 // The layout of a chart with one border whose angles fulfil the constraints. `scalar_solver` may know the pattern of the
-// one-rings of the interior vertices. Returns `false` if the linear solver fails.
-inline bool exact_layout(const Chart& chart, const std::vector<double>& alpha, const Linear_solvers& solvers,
-                         std::unique_ptr<Linear_solver> scalar_solver, Layout& layout)
+// one-rings of the interior vertices. Returns nothing if the linear solver fails.
+inline std::optional<Layout> exact_layout(const Chart& chart, const std::vector<double>& alpha,
+                                          const Linear_solvers& solvers,
+                                          std::unique_ptr<Linear_solver> scalar_solver)
 {
+  Layout layout;
   layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
   lay_out_border(chart, alpha, layout);
-  return lay_out_interior(chart, alpha, solvers, std::move(scalar_solver), layout);
+  if(!lay_out_interior(chart, alpha, solvers, std::move(scalar_solver), layout))
+    return std::nullopt;
+  return layout;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_EXACT_LAYOUT_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_EXACT_LAYOUT_H

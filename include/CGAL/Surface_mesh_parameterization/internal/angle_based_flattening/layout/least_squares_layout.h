@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LEAST_SQUARES_LAYOUT_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LEAST_SQUARES_LAYOUT_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_LEAST_SQUARES_LAYOUT_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_LEAST_SQUARES_LAYOUT_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -15,14 +15,11 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Two border vertices that are far from one another in space.
 inline std::pair<int, int> far_apart_border_vertices(const Chart& chart)
@@ -72,8 +69,8 @@ public:
   }
 
   // Solves the normal equations. Their condition is the square of the problem's: the solution is improved with the
-  // residuals of Eq. 20 itself. Returns `false` if the linear solver fails.
-  bool solve(const Linear_solvers& solvers, std::vector<Chart::Point_2>& uv)
+  // residuals of Eq. 20 itself. Returns nothing if the linear solver fails.
+  std::optional<std::vector<Chart::Point_2>> solve(const Linear_solvers& solvers)
   {
     const int n = m_chart.number_of_vertices() - 2;
     Triangle_assembly<2> normal_matrix(m_chart.vertex, m_unknown, n);
@@ -83,7 +80,7 @@ public:
     });
     const std::unique_ptr<Linear_solver> system = solvers->full_precision();
     if(!system->set_matrix(normal_matrix.matrix()))
-      return false;
+      return std::nullopt;
     bool solved = false;
     const int refinements = 2;
     Eigen::VectorXd correction;
@@ -93,10 +90,12 @@ public:
           m_z[v] += Complex(correction[2 * j], correction[2 * j + 1]);
       solved = true; // an iterative solver may have nothing to improve later
     }
-    uv.clear();
+    if(!solved)
+      return std::nullopt;
+    std::vector<Chart::Point_2> uv;
     for(const Complex& z : m_z)
       uv.emplace_back(z.real(), z.imag());
-    return solved;
+    return uv;
   }
 
 private:
@@ -157,10 +156,6 @@ private:
   std::vector<Complex> m_z;            // of each vertex
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LEAST_SQUARES_LAYOUT_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_LEAST_SQUARES_LAYOUT_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_MATRIX_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_MATRIX_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_MATRIX_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_MATRIX_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -16,11 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // A symmetric sparse matrix of small blocks, stored as a whole. One subscript serves for a block.
 template <int BlockSize>
@@ -98,10 +94,6 @@ Eigen::SparseMatrix<NT> eigen_matrix(const Block_matrix<BlockSize>& blocks)
   return matrix;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_MATRIX_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_MATRIX_H

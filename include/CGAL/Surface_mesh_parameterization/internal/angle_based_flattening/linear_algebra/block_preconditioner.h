@@ -3,14 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_PRECONDITIONER_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_PRECONDITIONER_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_PRECONDITIONER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_PRECONDITIONER_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/preconditioning_system.h>
 
 #include <Eigen/Core>
 
@@ -18,11 +18,7 @@
 #include <memory>
 #include <optional>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones. Of the matrix
 // of Eq. 16 these are the multipliers of planarity and those of reconstruction: two weakly coupled Laplacians. Each of
@@ -93,10 +89,6 @@ private:
   std::optional<System> m_second;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BLOCK_PRECONDITIONER_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_PRECONDITIONER_H

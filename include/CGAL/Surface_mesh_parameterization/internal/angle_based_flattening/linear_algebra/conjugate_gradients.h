@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONJUGATE_GRADIENTS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONJUGATE_GRADIENTS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -12,11 +12,7 @@
 
 #include <limits>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // When to stop: at this part of the solution, in the energy norm, and at this largest entry of the residual. That is
 // given up when the steps are used up.
@@ -74,10 +70,6 @@ Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b
   }
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONJUGATE_GRADIENTS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_SOLVERS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_SOLVERS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -16,11 +16,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The caller's solver traits, and their counterpart of lower precision, behind an interface: the numerics know neither type.
 class Solver_source
@@ -74,7 +70,7 @@ std::shared_ptr<const Solver_source> solver_source(const SolverTraits& traits)
   return std::make_shared<Solver_source_of<SolverTraits>>(traits);
 }
 
-#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#if defined(CGAL_ANGLE_BASED_FLATTENING_COMPILED) && defined(CGAL_SUPERLU_TYPES_ARE_HIDDEN)
 extern template std::shared_ptr<const Solver_source> solver_source(const SuperLU_solver_traits<>&);
 #endif
 
@@ -92,10 +88,6 @@ private:
   std::shared_ptr<const Solver_source> m_source;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_SOLVERS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H

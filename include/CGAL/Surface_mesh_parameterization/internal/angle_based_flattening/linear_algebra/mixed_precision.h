@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DEFINITE_SYSTEM_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DEFINITE_SYSTEM_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MIXED_PRECISION_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MIXED_PRECISION_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -19,11 +19,47 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-namespace Surface_mesh_parameterization {
+// A definite system whose solutions are good enough to precondition. It is factored by the counterpart of lower precision of
+// the caller's traits, and by a copy of these themselves if that is not enough.
+class Preconditioning_system
+{
+public:
+  Preconditioning_system(const Linear_solvers& solvers, std::unique_ptr<Linear_solver> low)
+      : m_solvers(solvers), m_low(std::move(low))
+  {}
 
-namespace internal {
+  // Returns `false` if the matrix cannot be factored.
+  template <typename Source>
+  bool set_matrix(const Source& matrix)
+  {
+    m_full.reset();
+    if(m_low->set_matrix(matrix))
+      return true;
+    if(!m_solvers->has_low_precision)
+      return false;
+    m_full = m_solvers->full_precision();
+    return m_full->set_matrix(matrix);
+  }
+
+  void analyze_pattern(const Diagonal_parts<2>& matrix) { m_low->analyze_pattern(matrix); }
+
+  bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution)
+  {
+    return m_full ? m_full->solve(right_hand_side, solution) : m_low->solve(right_hand_side, solution);
+  }
+
+  // A solver that may know the pattern already
+  std::unique_ptr<Linear_solver> low_precision_solver() const { return m_low->copy(); }
+
+  // Whether low precision was not enough for the matrix
+  bool is_repeated() const { return m_full != nullptr; }
+
+private:
+  Linear_solvers m_solvers;
+  std::unique_ptr<Linear_solver> m_low, m_full;
+};
 
 typedef std::array<Eigen::VectorXd, 2> Two_vectors;
 
@@ -85,11 +121,6 @@ private:
   std::unique_ptr<Linear_solver> m_low;
   bool m_is_repeated = false;
 };
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace internal
-
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DEFINITE_SYSTEM_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MIXED_PRECISION_H

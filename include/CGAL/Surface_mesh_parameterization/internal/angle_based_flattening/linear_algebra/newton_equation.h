@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEWTON_EQUATION_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEWTON_EQUATION_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -18,11 +18,7 @@
 #include <memory>
 #include <optional>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Solves Eq. 16 for one Newton step after the other: as a whole, as in the paper, or iteratively, as exactly as asked
 // for. The factors of the preconditioner serve for several steps.
@@ -111,10 +107,6 @@ private:
   int m_steps = 0, m_factorizations = 0, m_repeated = 0;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_NEWTON_EQUATION_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEWTON_EQUATION_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -18,11 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Whether the traits model `SparseLinearAlgebraWithFactorTraits_d`.
 template <typename SolverTraits, typename = void>
@@ -166,10 +162,6 @@ private:
   NT m_denominator = NT(1);
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SYMMETRIC_SYSTEM_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H

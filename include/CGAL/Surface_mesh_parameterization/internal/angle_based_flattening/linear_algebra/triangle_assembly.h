@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_ASSEMBLY_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_ASSEMBLY_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -20,14 +20,10 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // A symmetric sparse matrix that is the sum of a small matrix for each triangle, as a finite element stiffness
-// matrix is. A vertex has `BlockSize` unknowns or none. The pattern, that of the one-rings, is found once. Each column is
+// matrix is. A vertex has `BlockSize` unknowns or none; several vertices may have the same ones. The pattern is found once. Each column is
 // summed up by itself, in the order of the triangles.
 template <int BlockSize>
 class Triangle_assembly
@@ -35,8 +31,8 @@ class Triangle_assembly
 public:
   typedef Eigen::Matrix<double, 3 * BlockSize, BlockSize> Local_columns;
 
-  // `vertex` is the vertex of each corner; `unknown` of each vertex its rank among the `n` that have unknowns, or
-  // -1. Both are referred to later.
+  // `vertex` is the vertex of each corner; `unknown` of each vertex the number of its block of unknowns, less than `n`,
+  // or -1. Both are referred to later.
   Triangle_assembly(const std::vector<int>& vertex, const std::vector<int>& unknown, int n)
       : m_vertex(vertex), m_unknown(unknown)
   {
@@ -44,7 +40,7 @@ public:
     find_pattern(n);
   }
 
-  // The corners at the vertex with rank `j`, ascending
+  // The corners at vertices with block `j`, ascending
   boost::iterator_range<const int*> corners(int j) const
   {
     return {m_corner.data() + m_first[j], m_corner.data() + m_first[j + 1]};
@@ -68,6 +64,8 @@ public:
 
   const Block_matrix<BlockSize>& matrix() const { return m_matrix; }
 
+  typename Block_matrix<BlockSize>::Block& diagonal_block(int j) { return m_matrix.block[entry(j, j)]; }
+
 private:
   int unknown(int corner) const { return m_unknown[m_vertex[corner]]; }
 
@@ -75,11 +73,22 @@ private:
   {
     for(int a = 0; a < 3; ++a)
       if(const int row = unknown(corner / 3 * 3 + a); row >= 0) {
-        int entry = m_matrix.begin[column];
-        while(m_matrix.row[entry] != row)
-          ++entry;
-        m_matrix.block[entry] += local.template middleRows<BlockSize>(BlockSize * a);
+        m_matrix.block[entry(row, column)] += local.template middleRows<BlockSize>(BlockSize * a);
       }
+  }
+
+  // The number of an entry in the matrix. Rings are small, but for a few.
+  int entry(int row, int column) const
+  {
+    const int begin = m_matrix.begin[column], end = m_matrix.begin[column + 1];
+    if(end - begin > 32)
+      return static_cast<int>(
+          std::lower_bound(m_matrix.row.begin() + begin, m_matrix.row.begin() + end, row) -
+          m_matrix.row.begin());
+    int e = begin;
+    while(m_matrix.row[e] != row)
+      ++e;
+    return e;
   }
 
   void find_corners(int n)
@@ -117,7 +126,7 @@ private:
     parallel_for_blocks(n, [&](int first, int last) {
       std::vector<int> ring;
       for(int j = first; j < last; ++j) {
-        ring.clear();
+        ring = {j}; // also without a corner
         for(const int corner : corners(j))
           for(int c = corner / 3 * 3; c < corner / 3 * 3 + 3; ++c)
             if(unknown(c) >= 0)
@@ -135,10 +144,6 @@ private:
   Block_matrix<BlockSize> m_matrix;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_TRIANGLE_ASSEMBLY_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H

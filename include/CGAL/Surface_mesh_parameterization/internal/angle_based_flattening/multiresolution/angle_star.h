@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_ANGLE_STAR_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_ANGLE_STAR_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_STAR_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_STAR_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -18,11 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The triangles around one vertex in the plane, with the target angles of all their corners: to move the vertex to where
 // the energy of the direct method is least.
@@ -53,7 +49,7 @@ struct Angle_star : Planar_star_base
   }
 };
 
-// The energy of the angles of a star as a function of the place of its vertex. The Hessian is that of Gauss and Newton,
+// The energy of the angles of a star as a function of the position of its vertex. The Hessian is that of Gauss and Newton,
 // which is never indefinite. Infinite where the star is not valid.
 class Angle_star::Energy
 {
@@ -95,10 +91,6 @@ private:
   }
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_ANGLE_STAR_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_STAR_H

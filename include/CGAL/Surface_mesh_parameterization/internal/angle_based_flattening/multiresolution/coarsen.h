@@ -3,16 +3,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSEN_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSEN_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +20,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Makes a chart coarser level by level. The vertices that a level removes are independent: none is a neighbour of
 // another one, so that they can be put back in any order.
@@ -128,10 +124,6 @@ private:
   std::vector<int> m_alive;       // the vertices that are there, sorted
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSEN_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H

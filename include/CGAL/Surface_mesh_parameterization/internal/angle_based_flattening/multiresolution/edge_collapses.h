@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_EDGE_COLLAPSES_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_EDGE_COLLAPSES_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_EDGE_COLLAPSES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_EDGE_COLLAPSES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -12,11 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The connectivity of a chart that is made coarser by half-edge collapses, and finer again by undoing them in reverse
 // order. A collapse merges a vertex into a neighbour that stays where it is. The arrays of the triangles that vanish
@@ -170,10 +166,6 @@ private:
   std::vector<Record> m_records;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_EDGE_COLLAPSES_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_EDGE_COLLAPSES_H

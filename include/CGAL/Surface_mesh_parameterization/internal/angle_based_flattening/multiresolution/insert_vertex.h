@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_INSERT_VERTEX_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_INSERT_VERTEX_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -14,15 +14,11 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-namespace Surface_mesh_parameterization {
-
-namespace internal {
-
-// The place of a vertex with harmonic weights (Section 5.2, step 1), at the border that of Eq. 22. (The paper prints
+// The position of a vertex with harmonic weights (Section 5.2, step 1), at the border that of Eq. 22. (The paper prints
 // the same cotangent twice there; it is those of both other corners.)
-inline Planar_point harmonic_place(const Planar_star& star)
+inline Planar_point harmonic_position(const Planar_star& star)
 {
   Planar_point sum(0, 0);
   double weights = 0;
@@ -36,7 +32,7 @@ inline Planar_point harmonic_place(const Planar_star& star)
 }
 
 // The same with mean value weights, which are positive: less extreme where there are obtuse angles.
-inline Planar_point mean_value_place(const Planar_star& star)
+inline Planar_point mean_value_position(const Planar_star& star)
 {
   Planar_point sum(0, 0);
   double weights = 0;
@@ -99,23 +95,19 @@ enum Insertion
   NOT_INSERTED
 };
 
-// Finds a place for a vertex in its star.
-inline Insertion insert_vertex(const Planar_star& star, Planar_point& place)
+// Finds a position for a vertex in its star.
+inline Insertion insert_vertex(const Planar_star& star, Planar_point& position)
 {
-  place = harmonic_place(star);
-  if(is_valid(star, place))
+  position = harmonic_position(star);
+  if(is_valid(star, position))
     return INSERTED;
-  place = mean_value_place(star);
-  if(is_valid(star, place))
+  position = mean_value_position(star);
+  if(is_valid(star, position))
     return INSERTED;
-  place = kernel_centre(star);
-  return is_valid(star, place) ? INSERTED_IN_KERNEL : NOT_INSERTED;
+  position = kernel_centre(star);
+  return is_valid(star, position) ? INSERTED_IN_KERNEL : NOT_INSERTED;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_INSERT_VERTEX_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_PLANAR_STAR_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_PLANAR_STAR_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -18,11 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 typedef Eigen::Vector2d Planar_point;
 
@@ -78,7 +74,7 @@ bool is_valid(const Star& star, const Planar_point& x)
   return true;
 }
 
-// The triangles around one vertex, in space and in the plane: all that the place where it is inserted
+// The triangles around one vertex, in space and in the plane: all that the position where it is inserted
 // depends on.
 struct Planar_star : Planar_star_base
 {
@@ -123,10 +119,6 @@ private:
   }
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_PLANAR_STAR_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H

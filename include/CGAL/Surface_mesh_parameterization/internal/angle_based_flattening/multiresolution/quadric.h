@@ -3,18 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_QUADRIC_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_QUADRIC_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_QUADRIC_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_QUADRIC_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <Eigen/Core>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // A quadratic form in space. Its six numbers are apart, so that they stay in registers while it is added up.
 struct Quadric
@@ -49,10 +45,6 @@ struct Quadric
   }
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_QUADRIC_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_QUADRIC_H

@@ -3,20 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_REFINE_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_REFINE_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_REFINE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_REFINE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,21 +23,22 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Puts back the vertices that collapses removed, level by level, and relaxes what is there (Section 5.2).
 class Refinement
 {
 public:
-  Refinement(Coarsening& coarsening, std::vector<Planar_point>& uv, Hierarchical_report& report)
-      : m_coarsening(coarsening), m_uv(uv), m_report(report)
-  {}
+  struct Counts
+  {
+    int kernel_insertions = 0, moves = 0, rejected_moves = 0;
+  };
 
-  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no place in its star.
+  Refinement(Coarsening& coarsening, std::vector<Planar_point>& uv) : m_coarsening(coarsening), m_uv(uv) {}
+
+  const Counts& counts() const { return m_counts; }
+
+  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if there is no valid position for a vertex in its star.
   bool run(int sweeps, Flattening_visitor* visitor)
   {
     sweep(sweeps);
@@ -67,15 +67,15 @@ private:
   void sweep(int times)
   {
     for(int i = 0; i < times; ++i)
-      relax_all(Relaxation_star());
+      relax_all(MIPS_star());
   }
 
   // What happened to the vertices of a block
-  struct Tally
+  struct Block_result
   {
     int moves = 0, rejected_moves = 0, kernel_insertions = 0;
     bool complete = true;
-    std::vector<int> put_off;
+    std::vector<int> deferred;
   };
 
   // Vertices of a level are not neighbours, so that all can be inserted at once.
@@ -83,41 +83,41 @@ private:
   {
     const int n = static_cast<int>(vertices.size());
     const int blocks = number_of_blocks(n);
-    std::vector<Tally> tallies(blocks);
+    std::vector<Block_result> results(blocks);
     parallel_for(blocks, [&](int b) {
       Planar_star star;
       const int end = begin_of_block(b + 1, blocks, n);
-      for(int i = begin_of_block(b, blocks, n); tallies[b].complete && i < end; ++i) {
+      for(int i = begin_of_block(b, blocks, n); results[b].complete && i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
         if(star.on_border) { // until then it is where it does not change the border
           m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
-          tallies[b].put_off.push_back(vertices[i]);
+          results[b].deferred.push_back(vertices[i]);
         } else {
-          insert(star, vertices[i], tallies[b]);
+          insert(star, vertices[i], results[b]);
         }
       }
     });
     Planar_star star;
     bool complete = true;
-    for(Tally& tally : tallies) {
-      for(std::size_t i = 0; tally.complete && i < tally.put_off.size(); ++i) {
-        star.gather(m_coarsening.mesh(), m_uv, tally.put_off[i]);
-        insert(star, tally.put_off[i], tally);
+    for(Block_result& result : results) {
+      for(std::size_t i = 0; result.complete && i < result.deferred.size(); ++i) {
+        star.gather(m_coarsening.mesh(), m_uv, result.deferred[i]);
+        insert(star, result.deferred[i], result);
       }
-      m_report.kernel_insertions += tally.kernel_insertions;
-      complete = complete && tally.complete;
+      m_counts.kernel_insertions += result.kernel_insertions;
+      complete = complete && result.complete;
     }
     return complete;
   }
 
-  void insert(const Planar_star& star, int v, Tally& tally)
+  void insert(const Planar_star& star, int v, Block_result& result)
   {
     const Planar_point before = m_uv[v];
     Insertion insertion = insert_vertex(star, m_uv[v]);
     if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v, before))
       insertion = insert_cautiously(star, v, before);
-    tally.kernel_insertions += insertion == INSERTED_IN_KERNEL;
-    tally.complete = insertion != NOT_INSERTED;
+    result.kernel_insertions += insertion == INSERTED_IN_KERNEL;
+    result.complete = insertion != NOT_INSERTED;
   }
 
   // Where the border stays as it is, or nearly: the tip of an ear a little outside of the edge between its neighbours, any
@@ -128,17 +128,17 @@ private:
     const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
     const Planar_point outwards(b.y() - a.y(), a.x() - b.x());
     for(double distance : {0.5, 0.1, 0.01, 0.001, 0.0001})
-      for(const Planar_point& place :
+      for(const Planar_point& position :
           {Planar_point((a + b) / 2 + distance * outwards), next_to_end(star, true, distance),
            next_to_end(star, false, distance)}) {
-        m_uv[v] = place;
-        if(is_valid(star, place) && !border_overlaps(v, before))
+        m_uv[v] = position;
+        if(is_valid(star, position) && !border_overlaps(v, before))
           return INSERTED_IN_KERNEL;
       }
     return NOT_INSERTED;
   }
 
-  // A place next to the first or the last vertex of the ring of a border vertex, in the middle of the triangles between
+  // A position next to the first or the last vertex of the ring of a border vertex, in the middle of the triangles between
   // that and the others; `distance` is relative to the nearest one.
   static Planar_point next_to_end(const Planar_star& star, bool first, double distance)
   {
@@ -159,16 +159,16 @@ private:
 
   // Whether the triangles around border vertex `v` or a neighbour of it on the border take a full turn, but do not with `v` at
   // `before`. Vertices could come to lie in triangles twice there, with all of them positively oriented. Where a chart
-  // overlaps itself anyway, that is no reason to refuse a place.
+  // overlaps itself anyway, that is no reason to refuse a position.
   bool border_overlaps(int v, const Planar_point& before)
   {
     const unsigned now = full_turns(v);
     if(now == 0)
       return false;
-    const Planar_point place = m_uv[v];
+    const Planar_point position = m_uv[v];
     m_uv[v] = before;
     const unsigned then = full_turns(v);
-    m_uv[v] = place;
+    m_uv[v] = position;
     return (now & ~then) != 0;
   }
 
@@ -199,8 +199,8 @@ private:
     return result;
   }
 
-  // Moves each vertex once. Blocks of consecutive vertices are swept at once. Vertices of the border, and those with
-  // neighbours in another block, are put off until all blocks are done, so that the result does not depend on the number
+  // Moves each vertex once. Blocks of consecutive vertices are done at once. Vertices of the border, and those with
+  // neighbours in another block, are deferred until all blocks are done, so that the result does not depend on the number
   // of threads.
   template <typename Star>
   void relax_all(const Star& empty)
@@ -208,7 +208,7 @@ private:
     const std::vector<int>& vertices = m_coarsening.alive();
     const int n = static_cast<int>(vertices.size());
     const int blocks = number_of_blocks(n);
-    std::vector<Tally> tallies(blocks);
+    std::vector<Block_result> results(blocks);
     parallel_for(blocks, [&](int b) {
       const int begin = begin_of_block(b, blocks, n), end = begin_of_block(b + 1, blocks, n);
       Star star = empty;
@@ -217,32 +217,32 @@ private:
         if(!on_border)
           star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
         if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
-          tallies[b].put_off.push_back(vertices[i]);
+          results[b].deferred.push_back(vertices[i]);
         else
-          relax(star, vertices[i], tallies[b]);
+          relax(star, vertices[i], results[b]);
       }
     });
     Star star = empty;
-    for(Tally& tally : tallies) {
-      for(int v : tally.put_off) {
+    for(Block_result& result : results) {
+      for(int v : result.deferred) {
         star.gather(m_coarsening.mesh(), m_uv, v);
-        relax(star, v, tally);
+        relax(star, v, result);
       }
-      m_report.moves += tally.moves;
-      m_report.rejected_moves += tally.rejected_moves;
+      m_counts.moves += result.moves;
+      m_counts.rejected_moves += result.rejected_moves;
     }
   }
 
   template <typename Star>
-  void relax(const Star& star, int v, Tally& tally)
+  void relax(const Star& star, int v, Block_result& result)
   {
-    const Planar_point place = m_uv[v];
+    const Planar_point position = m_uv[v];
     bool moved = relax_vertex(star, m_uv[v]);
-    if(moved && star.on_border && border_overlaps(v, place)) {
-      m_uv[v] = place;
+    if(moved && star.on_border && border_overlaps(v, position)) {
+      m_uv[v] = position;
       moved = false;
     }
-    ++(moved ? tally.moves : tally.rejected_moves);
+    ++(moved ? result.moves : result.rejected_moves);
   }
 
   // Small blocks have many neighbours in others.
@@ -255,13 +255,9 @@ private:
 
   Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
-  Hierarchical_report& m_report;
+  Counts m_counts;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_REFINE_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_REFINE_H

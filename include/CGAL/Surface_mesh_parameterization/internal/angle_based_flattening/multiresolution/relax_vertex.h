@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_RELAX_VERTEX_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_RELAX_VERTEX_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -18,14 +18,10 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The triangles around one vertex, in the plane and in space: to move the vertex to where the triangles are most alike.
-struct Relaxation_star : Planar_star_base
+struct MIPS_star : Planar_star_base
 {
   // A triangle (v, p, q), counterclockwise. Twice its area on the surface times the cotangent of an angle is the dot
   // product of the edges there: neither roots nor divisions are needed.
@@ -60,17 +56,17 @@ struct Relaxation_star : Planar_star_base
   }
 };
 
-// The energy of a star as a function of the place of its vertex, with derivatives: of each triangle the area on the
+// The energy of a star as a function of the position of its vertex, with derivatives: of each triangle the area on the
 // surface times the ratio of its Dirichlet energy to its area in the plane, times four. The ratio is one for similar
 // triangles, and grows without bound as a triangle collapses. Infinite where the star is not valid.
-class Relaxation_star::Energy
+class MIPS_star::Energy
 {
 public:
   double value = 0;
   Planar_point gradient = Planar_point::Zero();
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
 
-  Energy(const Relaxation_star& star, const Planar_point& x, bool with_derivatives)
+  Energy(const MIPS_star& star, const Planar_point& x, bool with_derivatives)
   {
     for(const Triangle& t : star.triangles) {
       const Planar_point xp = x - t.p, xq = x - t.q, pq = t.q - t.p;
@@ -108,10 +104,10 @@ private:
 // Moves a vertex by one step of Newton's method towards the least energy of its star. Returns `false` if it stays
 // where it is.
 template <typename Star>
-bool relax_vertex(const Star& star, Planar_point& place)
+bool relax_vertex(const Star& star, Planar_point& position)
 {
   typedef typename Star::Energy Energy;
-  const Energy here(star, place, true);
+  const Energy here(star, position, true);
   if(!std::isfinite(here.value))
     return false;
   const double determinant =
@@ -124,19 +120,15 @@ bool relax_vertex(const Star& star, Planar_point& place)
   else
     step = -here.gradient / (here.hessian.cwiseAbs().sum() + (std::numeric_limits<double>::min)());
   for(int halvings = 0; halvings < 5; ++halvings, step /= 2) {
-    const Planar_point next = place + step;
+    const Planar_point next = position + step;
     if(Energy(star, next, false).value < here.value) {
-      place = next;
+      position = next;
       return true;
     }
   }
   return false;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_RELAX_VERTEX_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H

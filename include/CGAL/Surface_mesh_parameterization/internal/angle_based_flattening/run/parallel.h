@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PARALLEL_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PARALLEL_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PARALLEL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PARALLEL_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -21,11 +21,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Calls `f(b)` for each b in [0, n), several at once where TBB is there.
 template <typename Function>
@@ -37,7 +33,7 @@ void parallel_for(int n, const Function& f)
   });
 }
 
-constexpr int block_size = 1024;
+inline constexpr int block_size = 1024;
 
 // Calls `f(begin, end)` for blocks of [0, n), which do not depend on the number of threads.
 template <typename Function>
@@ -77,10 +73,6 @@ void with_threads(int threads, const Function& f)
   f();
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PARALLEL_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PARALLEL_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PEAK_MEMORY_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PEAK_MEMORY_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PEAK_MEMORY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PEAK_MEMORY_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -15,11 +15,7 @@
 #include <cstddef>
 #include <cstdio>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // As Linux knows it of the program that runs, in bytes; 0 elsewhere. A stream could throw, when the run is over.
 inline std::size_t peak_of_program()
@@ -55,10 +51,6 @@ inline std::size_t peak_resident_size()
   return 0;
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PEAK_MEMORY_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PEAK_MEMORY_H

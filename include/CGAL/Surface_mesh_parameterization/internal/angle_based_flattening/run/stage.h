@@ -3,28 +3,41 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_VISIT_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_VISIT_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 
-namespace CGAL {
+#include <CGAL/Real_timer.h>
 
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Thrown when a visitor wants no more, and caught where the report is written.
 struct Cancelled
 {};
 
-inline void visit_stage(Flattening_visitor* visitor, Flattening_visitor::Stage stage)
+// Tells a visitor of a stage, and adds the time until the end of its scope to `seconds`.
+class Stage
 {
-  if(visitor != nullptr && !visitor->start(stage))
-    throw Cancelled();
-}
+public:
+  Stage(Flattening_visitor* visitor, Flattening_visitor::Stage stage, double& seconds) : m_seconds(seconds)
+  {
+    if(visitor != nullptr && !visitor->start(stage))
+      throw Cancelled();
+    m_timer.start();
+  }
+
+  ~Stage() { m_seconds += m_timer.time(); }
+
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+private:
+  double& m_seconds;
+  Real_timer m_timer;
+};
 
 inline void visit_step(Flattening_visitor* visitor, const ABF_plus_plus_step& step)
 {
@@ -38,10 +51,6 @@ inline void visit_level(Flattening_visitor* visitor, int vertices, int all_verti
     throw Cancelled();
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_VISIT_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H

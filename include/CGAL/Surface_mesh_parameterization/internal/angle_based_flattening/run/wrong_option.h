@@ -3,42 +3,54 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_WRONG_OPTION_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_WRONG_OPTION_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_WRONG_OPTION_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_WRONG_OPTION_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 
 #include <cmath>
 #include <string>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // What is wrong with the options, or nothing.
-inline std::string wrong_option(const ABF_plus_plus_options& options)
+inline std::string wrong_option(const Flattening_options& options)
 {
   if(!std::isfinite(options.barrier) || options.barrier < 0)
     return "the barrier must be a number of at least 0";
+  if(options.threads < 0)
+    return "the number of threads must not be negative";
+  return std::string();
+}
+
+inline std::string wrong_option(const ABF_plus_plus_options& options)
+{
   if(!(options.tolerance > 0))
     return "the tolerance must be above 0";
   if(!(options.energy_tolerance > 0))
     return "the energy tolerance must be above 0";
   if(options.max_iterations < 0)
     return "the number of iterations must not be negative";
-  if(options.threads < 0)
-    return "the number of threads must not be negative";
-  return std::string();
+  return wrong_option(static_cast<const Flattening_options&>(options));
 }
 
-} // namespace internal
+inline std::string wrong_option(const Hierarchical_options& options)
+{
+  if(!(options.simplification_rate > 0 && options.simplification_rate < 1))
+    return "the simplification rate must be between 0 and 1";
+  if(!(options.extreme_angle >= 0))
+    return "the extreme angle must be a number of at least 0";
+  if(options.coarse_triangles < 0 || options.sweeps < 0 || options.angle_sweeps < 0 ||
+     options.max_retries < 0)
+    return "numbers of triangles, sweeps and retries must not be negative";
+  const std::string wrong = wrong_option(static_cast<const Flattening_options&>(options));
+  return wrong.empty() && options.polish ? wrong_option(options.polish_options) : wrong;
+}
 
-} // namespace Surface_mesh_parameterization
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_WRONG_OPTION_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_WRONG_OPTION_H

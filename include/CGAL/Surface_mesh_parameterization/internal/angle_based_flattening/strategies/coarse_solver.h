@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSE_SOLVER_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSE_SOLVER_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_SOLVER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_SOLVER_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -13,13 +13,10 @@
 
 #include <CGAL/Surface_mesh.h>
 
+#include <optional>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Hands a coarse chart to any parameterizer, as a `Surface_mesh`.
 template <typename Parameterizer>
@@ -32,7 +29,7 @@ class Coarse_solver
 public:
   explicit Coarse_solver(Parameterizer& parameterizer) : m_parameterizer(parameterizer) {}
 
-  bool operator()(const Chart& chart, std::vector<Chart::Point_2>& uv) const
+  std::optional<std::vector<Chart::Point_2>> operator()(const Chart& chart) const
   {
     Mesh mesh;
     for(const Chart::Point_3& p : chart.points)
@@ -47,20 +44,17 @@ public:
     const auto parameterized = mesh.template add_property_map<Vertex, bool>("v:parameterized", false).first;
     const auto vimap = get(boost::vertex_index, mesh);
     if(m_parameterizer.parameterize(mesh, border, uvmap, vimap, parameterized) != OK)
-      return false;
+      return std::nullopt;
+    std::vector<Chart::Point_2> uv;
     for(Vertex v : mesh.vertices())
       uv.push_back(uvmap[v]);
-    return true;
+    return uv;
   }
 
 private:
   Parameterizer& m_parameterizer;
 };
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_COARSE_SOLVER_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_SOLVER_H

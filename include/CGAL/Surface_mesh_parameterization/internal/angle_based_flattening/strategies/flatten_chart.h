@@ -3,12 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_FLATTEN_CHART_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_FLATTEN_CHART_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
@@ -24,42 +24,42 @@
 #define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
 #endif
 
-namespace CGAL {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-namespace Surface_mesh_parameterization {
+// The map of a chart, or why there is none.
+template <typename Report>
+struct Flattening
+{
+  std::vector<Chart::Point_2> uv;
+  std::vector<int> invalid; // the triangles that make the map invalid, if that is what is wrong
+  Report report;
 
-namespace internal {
+  bool succeeded() const { return report.diagnosis == Report::NOTHING_WRONG; }
+};
 
 // Rounds coordinates to what the caller can store.
-typedef std::function<void(std::vector<Chart::Point_2>&)> Rounding;
+typedef void (*Rounding)(std::vector<Chart::Point_2>&);
 
-// Flattens a coarse chart. Returns whether it succeeded.
-typedef std::function<bool(const Chart&, std::vector<Chart::Point_2>&)> Coarse_flattening;
+// Flattens a coarse chart. Returns nothing if it fails.
+typedef std::function<std::optional<std::vector<Chart::Point_2>>(const Chart&)> Coarse_flattening;
 
-// Flattens a chart that `diagnose()` found flawless, directly. Returns `false` with the reason in `report`, and with the
-// triangles that are wrong in `flipped`.
-CGAL_ANGLE_BASED_FLATTENING_INLINE bool
+// Flattens a chart that `diagnose()` found flawless, directly.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-              const Rounding& round, std::vector<Chart::Point_2>& uv, std::vector<int>& flipped,
-              ABF_plus_plus_report& report);
+              Rounding round);
 
 // The same by way of a coarser chart; `solvers` solve the linear systems of polishing. The connectivity of the chart is
 // changed on the way, and is as before if a valid map was found.
-CGAL_ANGLE_BASED_FLATTENING_INLINE bool
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
-                             const Rounding& round, std::vector<Chart::Point_2>& uv,
-                             std::vector<int>& flipped, Hierarchical_report& report);
+                             Rounding round);
 
-} // namespace internal
-
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/ladder.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchical_flattening/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
 #endif
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_FLATTEN_CHART_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H

@@ -3,34 +3,32 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_FLATTEN_HIERARCHICALLY_H
-#define CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_FLATTEN_HIERARCHICALLY_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/stopwatch.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
 #include <CGAL/bounding_box.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-
-namespace Surface_mesh_parameterization {
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Flattens a chart by way of a coarser one.
 class Hierarchical_flattening
@@ -38,31 +36,23 @@ class Hierarchical_flattening
   typedef std::vector<Chart::Point_2> Layout;
 
 public:
-  Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve,
-                          Hierarchical_report& report)
-      : m_coarsening(chart), m_options(options), m_solve(solve), m_report(report),
-        m_uv(chart.points.size(), Planar_point(0, 0))
+  Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
+      : m_coarsening(chart), m_options(options), m_solve(solve),
+        m_report(report_of<Hierarchical_report>(chart)), m_uv(chart.points.size(), Planar_point(0, 0))
   {}
 
-  // Returns `false` if no valid map was found.
-  bool run(Layout& uv)
+  Flattening<Hierarchical_report> run()
   {
-    Stopwatch stopwatch;
-    visit_stage(m_options.visitor, Flattening_visitor::COARSEN);
-    m_coarsening.coarsen(coarse_size(), m_options.extreme_angle, m_options.visitor);
-    m_report.seconds.coarsen = stopwatch.lap();
-    visit_stage(m_options.visitor, Flattening_visitor::COARSE_CHART);
-    const bool solved = solve_coarse();
-    m_report.seconds.solve = stopwatch.lap();
-    visit_stage(m_options.visitor, Flattening_visitor::REFINE);
-    bool refined = solved && refine();
-    // A refinement that fails leaves a finer chart behind than the one before, that is made coarser in another way.
-    for(int attempt = 0; !refined && attempt < 3; ++attempt)
-      refined = start_without_solver() && refine();
+    coarsen();
+    const bool is_solved = solve_coarse();
+    const bool is_refined = refine(is_solved);
+    Flattening<Hierarchical_report> result;
     for(const Planar_point& p : m_uv)
-      uv.emplace_back(p.x(), p.y());
-    m_report.seconds.refine = stopwatch.lap();
-    return refined;
+      result.uv.emplace_back(p.x(), p.y());
+    result.report = std::move(m_report);
+    if(!is_refined)
+      explain_failure(result.report);
+    return result;
   }
 
 private:
@@ -75,26 +65,56 @@ private:
     return (std::max)(static_cast<int>(size), 100);
   }
 
-  bool refine()
+  void coarsen()
   {
-    Refinement refinement(m_coarsening, m_uv, m_report);
-    if(!refinement.run(m_options.sweeps, m_options.visitor))
-      return false;
-    refinement.lower_angle_energy(m_options.angle_sweeps, m_options.barrier);
-    return true;
+    const Stage stage(m_options.visitor, Flattening_visitor::COARSEN, m_report.seconds.coarsen);
+    m_coarsening.coarsen(coarse_size(), m_options.extreme_angle, m_options.visitor);
+  }
+
+  bool refine(bool is_solved)
+  {
+    const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
+    bool is_refined = is_solved && undo_all_levels();
+    // A refinement that fails leaves a finer chart behind than the one before, that is made coarser in another way.
+    for(int attempt = 0; !is_refined && attempt < 3; ++attempt)
+      is_refined = start_without_solver() && undo_all_levels();
+    return is_refined;
+  }
+
+  bool undo_all_levels()
+  {
+    Refinement refinement(m_coarsening, m_uv);
+    const bool is_refined = refinement.run(m_options.sweeps, m_options.visitor);
+    if(is_refined)
+      refinement.lower_angle_energy(m_options.angle_sweeps, m_options.barrier);
+    m_report.kernel_insertions += refinement.counts().kernel_insertions;
+    m_report.moves += refinement.counts().moves;
+    m_report.rejected_moves += refinement.counts().rejected_moves;
+    return is_refined;
+  }
+
+  static void explain_failure(Hierarchical_report& report)
+  {
+    if(report.borders > 1)
+      fail(report, Flattening_report::NO_CONVERGENCE,
+           "no coarse chart could be flattened, and with several borders there is no other start");
+    else
+      fail(report, Flattening_report::PRECISION_EXCEEDED,
+           "double precision does not hold any valid map that was tried");
   }
 
   // Solves the coarse chart, or finer ones where that fails.
   bool solve_coarse()
   {
+    const Stage stage(m_options.visitor, Flattening_visitor::COARSE_CHART, m_report.seconds.coarse_chart);
     for(int attempt = 0;; ++attempt) {
       const Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
       m_report.levels = m_coarsening.number_of_levels();
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
       m_report.coarse_triangles = coarse.chart.number_of_triangles();
-      Layout uv;
-      if(m_solve(coarse.chart, uv) && flipped_triangles(coarse.chart, uv).empty()) {
-        take(coarse, uv);
+      const std::optional<Layout> uv = m_solve(coarse.chart);
+      if(uv && flipped_triangles(coarse.chart, *uv).empty()) {
+        take(coarse, *uv);
         return true;
       }
       if(attempt == m_options.max_retries || m_coarsening.number_of_levels() == 0)
@@ -106,12 +126,13 @@ private:
     }
   }
 
-  // Collapses all that is there to one triangle, which has a valid map without any solver.
+  // Collapses all that is there to one triangle, which has a valid map without any solver: what is put back from there is a
+  // progressive embedding.
   bool start_without_solver()
   {
     m_coarsening.coarsen(3, 0, m_options.visitor);
     const Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
-    m_report.start = Hierarchical_report::WITHOUT_SOLVER;
+    m_report.start = Hierarchical_report::PROGRESSIVE_EMBEDDING;
     m_report.levels = m_coarsening.number_of_levels();
     m_report.coarse_vertices = coarse.chart.number_of_vertices();
     m_report.coarse_triangles = coarse.chart.number_of_triangles();
@@ -140,23 +161,18 @@ private:
   Coarsening m_coarsening;
   const Hierarchical_options& m_options;
   const Coarse_flattening& m_solve;
-  Hierarchical_report& m_report;
+  Hierarchical_report m_report;
   std::vector<Planar_point> m_uv; // of each vertex that is there
 };
 
 // Flattens a chart that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a valid
-// map was found. Returns `false` if none was.
-inline bool flatten_hierarchically(Chart& chart, const Hierarchical_options& options,
-                                   const Coarse_flattening& solve, std::vector<Chart::Point_2>& uv,
-                                   Hierarchical_report& report)
+// map was found, which is not certified yet.
+inline Flattening<Hierarchical_report>
+flatten_hierarchically(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
 {
-  return Hierarchical_flattening(chart, options, solve, report).run(uv);
+  return Hierarchical_flattening(chart, options, solve).run();
 }
 
-} // namespace internal
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-} // namespace Surface_mesh_parameterization
-
-} // namespace CGAL
-
-#endif // CGAL_SMP_INTERNAL_HIERARCHICAL_FLATTENING_FLATTEN_HIERARCHICALLY_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H

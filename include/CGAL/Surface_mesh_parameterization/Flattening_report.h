@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTENING_REPORT_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTENING_REPORT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What the reports of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have in common.
+struct Flattening_report
+{
+  /// What is wrong with an input, or kept a run from its end.
+  enum Diagnosis
+  {
+    NOTHING_WRONG,       ///< The run succeeded.
+    EMPTY_MESH,          ///< There is no face at the given border.
+    NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
+    NOT_TRIANGULATED,    ///< A face is not a triangle.
+    NON_FINITE_POINT,    ///< A coordinate is infinite or not a number.
+    TOO_LARGE,           ///< More than 153 million triangles.
+    NON_MANIFOLD_VERTEX, ///< The surface is not a manifold at a vertex.
+    SEVERAL_BORDERS,     ///< The chart has holes, and `Flattening_options::allow_holes` is `false`.
+    NONZERO_GENUS,       ///< The chart has handles: no cutting along the border makes it a disk.
+    PARALLEL_EDGES, ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
+    LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
+    NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
+    WRONG_OPTION,      ///< An option is out of its range.
+    WRONG_LAYOUT,      ///< The exact layout was asked for and does not apply.
+    FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are right.
+    PRECISION_EXCEEDED, ///< There is a valid map, but the coordinates' number type does not hold the one found.
+    CANCELLED           ///< A visitor stopped the computation.
+  };
+
+  /// Wall clock time of each stage, in seconds; 0 for those that the method does not have.
+  struct Seconds
+  {
+    double read = 0;         ///< From the mesh to flat arrays, and the check of the input.
+    double targets = 0;      ///< Target angles.
+    double angles = 0;       ///< The nonlinear solver.
+    double layout = 0;       ///< From angles to coordinates.
+    double coarsen = 0;      ///< Collapses.
+    double coarse_chart = 0; ///< The coarse parameterizer.
+    double refine = 0;       ///< Insertion and relaxation.
+    double polish = 0;       ///< The direct solver on the fine chart, if asked for.
+    double certify = 0;      ///< Exact check of the orientations.
+    double write = 0;        ///< Into the caller's property map.
+
+    /// adds the times of another run.
+    Seconds& operator+=(const Seconds& other)
+    {
+      read += other.read;
+      targets += other.targets;
+      angles += other.angles;
+      layout += other.layout;
+      coarsen += other.coarsen;
+      coarse_chart += other.coarse_chart;
+      refine += other.refine;
+      polish += other.polish;
+      certify += other.certify;
+      write += other.write;
+      return *this;
+    }
+
+    /// returns the sum of the stages.
+    double total() const
+    {
+      return read + targets + angles + layout + coarsen + coarse_chart + refine + polish + certify + write;
+    }
+  };
+
+  Diagnosis diagnosis = NOTHING_WRONG; ///< What is wrong.
+  std::string message;                 ///< The same as a sentence that names the element; empty on success.
+
+  int vertices = 0;  ///< Vertices of the chart.
+  int triangles = 0; ///< Triangles of the chart.
+  int borders = 0;   ///< Border cycles of the chart.
+
+  bool border_is_simple =
+      false;              ///< Whether no two edges of the planar border touch but neighbours: with no flipped
+                          ///< triangle, the map is then injective as a whole.
+  double scale_range = 1; ///< Longest edge of the layout over its shortest one.
+  int flipped_triangles = 0; ///< Triangles that are not positively oriented.
+  double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
+
+  Seconds seconds; ///< Time of each stage.
+
+  /// Largest resident size of the process until the end of the run, in bytes; 0 where the system does not tell.
+  std::size_t peak_memory = 0;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the name of a diagnosis, as `"NO_CONVERGENCE"`.
+///
+/// \relates Flattening_report
+inline std::string to_string(Flattening_report::Diagnosis diagnosis)
+{
+  switch(diagnosis) {
+  case Flattening_report::NOTHING_WRONG:
+    return "NOTHING_WRONG";
+  case Flattening_report::EMPTY_MESH:
+    return "EMPTY_MESH";
+  case Flattening_report::NOT_ON_BORDER:
+    return "NOT_ON_BORDER";
+  case Flattening_report::NOT_TRIANGULATED:
+    return "NOT_TRIANGULATED";
+  case Flattening_report::NON_FINITE_POINT:
+    return "NON_FINITE_POINT";
+  case Flattening_report::TOO_LARGE:
+    return "TOO_LARGE";
+  case Flattening_report::NON_MANIFOLD_VERTEX:
+    return "NON_MANIFOLD_VERTEX";
+  case Flattening_report::SEVERAL_BORDERS:
+    return "SEVERAL_BORDERS";
+  case Flattening_report::NONZERO_GENUS:
+    return "NONZERO_GENUS";
+  case Flattening_report::PARALLEL_EDGES:
+    return "PARALLEL_EDGES";
+  case Flattening_report::LINEAR_SYSTEM_FAILED:
+    return "LINEAR_SYSTEM_FAILED";
+  case Flattening_report::NO_CONVERGENCE:
+    return "NO_CONVERGENCE";
+  case Flattening_report::WRONG_OPTION:
+    return "WRONG_OPTION";
+  case Flattening_report::WRONG_LAYOUT:
+    return "WRONG_LAYOUT";
+  case Flattening_report::FLIPPED_TRIANGLES:
+    return "FLIPPED_TRIANGLES";
+  case Flattening_report::PRECISION_EXCEEDED:
+    return "PRECISION_EXCEEDED";
+  case Flattening_report::CANCELLED:
+    return "CANCELLED";
+  }
+  return "";
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the code that `parameterize()` returns for a diagnosis. There is none of its own for a run that a visitor
+/// stopped: that is `ERROR_NO_1_TO_1_MAPPING`.
+///
+/// \relates Flattening_report
+inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
+{
+  switch(diagnosis) {
+  case Flattening_report::NOTHING_WRONG:
+    return OK;
+  case Flattening_report::EMPTY_MESH:
+    return ERROR_EMPTY_MESH;
+  case Flattening_report::NOT_TRIANGULATED:
+    return ERROR_NON_TRIANGULAR_MESH;
+  case Flattening_report::NON_MANIFOLD_VERTEX:
+  case Flattening_report::SEVERAL_BORDERS:
+  case Flattening_report::NONZERO_GENUS:
+    return ERROR_NO_TOPOLOGICAL_DISC;
+  case Flattening_report::LINEAR_SYSTEM_FAILED:
+    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  case Flattening_report::NOT_ON_BORDER:
+  case Flattening_report::NON_FINITE_POINT:
+  case Flattening_report::TOO_LARGE:
+  case Flattening_report::WRONG_OPTION:
+  case Flattening_report::WRONG_LAYOUT:
+    return ERROR_WRONG_PARAMETER;
+  case Flattening_report::PARALLEL_EDGES:
+  case Flattening_report::NO_CONVERGENCE:
+  case Flattening_report::FLIPPED_TRIANGLES:
+  case Flattening_report::PRECISION_EXCEEDED:
+  case Flattening_report::CANCELLED:
+    break;
+  }
+  return ERROR_NO_1_TO_1_MAPPING;
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTENING_REPORT_H

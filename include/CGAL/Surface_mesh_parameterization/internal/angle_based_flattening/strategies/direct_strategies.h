@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns nothing
+// if double precision does not hold that.
+inline std::optional<std::vector<Chart::Point_2>> progressive_embedding(Chart chart,
+                                                                        const ABF_plus_plus_options& options)
+{
+  Hierarchical_options hierarchical;
+  hierarchical.barrier = options.barrier;
+  hierarchical.angle_sweeps = 10;
+  hierarchical.max_retries = 0;
+  hierarchical.visitor = options.visitor;
+  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
+  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, hierarchical, no_solver);
+  if(!result.succeeded())
+    return std::nullopt;
+  return std::move(result.uv);
+}
+
+// The strategies of the direct method, one after the other until one gives a valid map. A feasible chart with one border has
+// a valid map, which the last one finds unless the range of numbers is too small for it.
+class Direct_strategies
+{
+  typedef ABF_plus_plus_report Report;
+
+public:
+  Direct_strategies(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+                    Rounding round)
+      : m_chart(chart), m_options(options), m_solvers(solvers), m_round(round)
+  {}
+
+  Flattening<Report> run()
+  {
+    {
+      const Stage stage(m_options.visitor, Flattening_visitor::TARGET_ANGLES, m_seconds.targets);
+      m_beta = target_angles(m_chart);
+    }
+    Direct_flattening result = flatten(m_options, starting_angles(m_beta));
+    if(m_options.fallbacks && can_fallbacks_help(result)) {
+      note_failure(result);
+      result = raise_barrier();
+      if(!result.succeeded() && m_chart.borders.size() == 1) {
+        note_failure(result);
+        result = start_from_embedding();
+      }
+    }
+    result.report.failed_strategies = std::move(m_failed);
+    result.report.seconds = m_seconds;
+    return Flattening<Report>(std::move(result));
+  }
+
+private:
+  // Where the solver itself fails, or is asked for something impossible, other angles do not help.
+  static bool can_fallbacks_help(const Direct_flattening& result)
+  {
+    return result.report.diagnosis == Report::NO_CONVERGENCE ||
+           result.report.diagnosis == Report::FLIPPED_TRIANGLES;
+  }
+
+  void note_failure(const Direct_flattening& result)
+  {
+    const Report& report = result.report;
+    m_failed.push_back({report.strategy, report.diagnosis, report.message, report.iterations});
+  }
+
+  Direct_flattening flatten(const ABF_plus_plus_options& options, std::vector<double> start)
+  {
+    Direct_flattening result =
+        flatten_from_angles(m_chart, options, m_solvers, m_round, m_beta, std::move(start));
+    m_seconds += result.report.seconds;
+    return result;
+  }
+
+  // A high barrier keeps angles away from zero on the way. If all goes well it is lowered again, else the angles with the
+  // high one are what there is.
+  Direct_flattening raise_barrier()
+  {
+    ABF_plus_plus_options raised = m_options;
+    raised.barrier = (std::max)(3., 30 * m_options.barrier);
+    Direct_flattening result = flatten(raised, starting_angles(m_beta));
+    if(result.succeeded()) {
+      Direct_flattening lowered = flatten(m_options, std::move(result.alpha));
+      if(lowered.succeeded() && lowered.report.converged)
+        result = std::move(lowered);
+    }
+    result.report.strategy = Report::RAISED_BARRIER;
+    return result;
+  }
+
+  Direct_flattening start_from_embedding()
+  {
+    const std::optional<std::vector<Chart::Point_2>> embedding = progressive_embedding(m_chart, m_options);
+    if(!embedding) {
+      Direct_flattening result;
+      result.report = report_of<Report>(m_chart);
+      result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
+      fail(result.report, Report::PRECISION_EXCEEDED,
+           "double precision does not hold any valid map that was tried");
+      return result;
+    }
+    std::vector<double> alpha(m_beta.size());
+    for(int c = 0; c < m_chart.number_of_corners(); ++c)
+      alpha[c] = planar_angle(m_chart, *embedding, c);
+    Direct_flattening result = flatten(m_options, starting_angles(alpha));
+    result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
+    if(result.succeeded() && result.report.converged)
+      return result;
+    if(result.succeeded())
+      fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
+    note_failure(result);
+    return take_embedding(*embedding);
+  }
+
+  // Near the limits of precision rounding by the scale to the surface's area is too much; a power of two rounds nothing.
+  Direct_flattening take_embedding(const std::vector<Chart::Point_2>& embedding)
+  {
+    std::vector<Chart::Point_2> uv = embedding;
+    scale_to_surface_area(m_chart, uv);
+    Direct_flattening result = certified(std::move(uv));
+    if(result.succeeded())
+      return result;
+    const double factor = power_of_two(scale_to_surface(m_chart, embedding));
+    uv = embedding;
+    for(Chart::Point_2& p : uv)
+      p = CGAL::ORIGIN + (p - CGAL::ORIGIN) * factor;
+    return certified(std::move(uv));
+  }
+
+  Direct_flattening certified(std::vector<Chart::Point_2> uv)
+  {
+    Direct_flattening result;
+    result.report = report_of<Report>(m_chart);
+    result.report.strategy = Report::PROGRESSIVE_EMBEDDING;
+    m_round(uv);
+    Certificate certificate = certify(m_chart, uv);
+    take_certificate(certificate, result.report);
+    if(!certificate.is_valid())
+      fail(result.report, Report::PRECISION_EXCEEDED,
+           "there is a valid map, but rounded to the coordinates' number type it has " +
+               describe_invalid(m_chart, certificate));
+    result.invalid = std::move(certificate.invalid);
+    result.uv = std::move(uv);
+    return result;
+  }
+
+  const Chart& m_chart;
+  const ABF_plus_plus_options& m_options;
+  const Linear_solvers& m_solvers;
+  const Rounding m_round;
+  std::vector<double> m_beta;
+  std::vector<Report::Failed_strategy> m_failed;
+  Report::Seconds m_seconds;
+};
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
+flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+              Rounding round)
+{
+  return Direct_strategies(chart, options, solvers, round).run();
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+struct Polished_map
+{
+  std::vector<Chart::Point_2> uv; // empty if no better valid map was found
+  int iterations = 0;
+  double constraint_residual = 0;
+};
+
+// Runs the direct solver from the angles of a valid map, which fulfil all constraints.
+inline Polished_map polish(const Chart& chart, const std::vector<Chart::Point_2>& uv,
+                           const ABF_plus_plus_options& options, const Linear_solvers& solvers)
+{
+  const std::vector<double> beta = target_angles(chart);
+  std::vector<double> alpha(beta.size());
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    alpha[c] = planar_angle(chart, uv, c);
+  Angle_solution solution = solve_angles(chart, beta, options, solvers, starting_angles(alpha));
+  Polished_map result;
+  result.iterations = solution.iterations;
+  result.constraint_residual = solution.constraint_residual;
+  const ABF_plus_plus_report::Layout kind = choose_layout(chart, options, solution.constraint_residual);
+  if(!solution.is_solved || !solution.converged || kind == ABF_plus_plus_report::NO_LAYOUT)
+    return result;
+  std::optional<Layout> layout =
+      lay_out(chart, solution.alpha, kind, solvers, std::move(solution.scalar_solver));
+  if(layout && flipped_triangles(chart, layout->uv).empty())
+    result.uv = std::move(layout->uv);
+  return result;
+}
+
+inline void polish(const Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers,
+                   Flattening<Hierarchical_report>& result)
+{
+  const Stage stage(options.visitor, Flattening_visitor::POLISH, result.report.seconds.polish);
+  Polished_map map = polish(chart, result.uv, options.polish_options, solvers);
+  result.report.polish_iterations = map.iterations;
+  result.report.constraint_residual = map.constraint_residual;
+  result.report.polished = !map.uv.empty();
+  if(result.report.polished)
+    result.uv = std::move(map.uv);
+}
+
+inline void certify(const Chart& chart, const Hierarchical_options& options, Rounding round,
+                    Flattening<Hierarchical_report>& result)
+{
+  const Stage stage(options.visitor, Flattening_visitor::CERTIFY, result.report.seconds.certify);
+  scale_to_surface_area(chart, result.uv);
+  round(result.uv);
+  Certificate certificate = certify(chart, result.uv);
+  take_certificate(certificate, result.report);
+  if(!certificate.is_valid())
+    fail(result.report, Flattening_report::PRECISION_EXCEEDED,
+         "there is a valid map, but rounded to the coordinates' number type it has " +
+             describe_invalid(chart, certificate));
+  result.invalid = std::move(certificate.invalid);
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
+flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
+                             const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
+                             Rounding round)
+{
+  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_coarse);
+  if(result.succeeded() && options.polish)
+    polish(chart, options, solvers, result);
+  if(result.succeeded())
+    certify(chart, options, round, result);
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H

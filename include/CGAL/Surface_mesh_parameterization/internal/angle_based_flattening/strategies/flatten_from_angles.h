@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A flattening with its planar angles
+struct Direct_flattening : Flattening<ABF_plus_plus_report>
+{
+  std::vector<double> alpha;
+};
+
+// The layout asked for, or none if that does not apply. The exact one reproduces angles that fit together so well.
+inline ABF_plus_plus_report::Layout choose_layout(const Chart& chart, const ABF_plus_plus_options& options,
+                                                  double constraint_residual)
+{
+  typedef ABF_plus_plus_options Options;
+  typedef ABF_plus_plus_report Report;
+  const bool has_one_border = chart.borders.size() == 1;
+  const double largest_residual = 1e-4;
+  switch(options.layout) {
+  case Options::EXACT_LAYOUT:
+    return has_one_border ? Report::EXACT : Report::NO_LAYOUT;
+  case Options::AUTOMATIC_LAYOUT:
+    return has_one_border && constraint_residual <= largest_residual ? Report::EXACT : Report::LEAST_SQUARES;
+  case Options::LEAST_SQUARES_LAYOUT:
+    break;
+  }
+  return Report::LEAST_SQUARES;
+}
+
+// From angles to coordinates. Returns nothing if the linear solver fails.
+inline std::optional<Layout> lay_out(const Chart& chart, const std::vector<double>& alpha,
+                                     ABF_plus_plus_report::Layout kind, const Linear_solvers& solvers,
+                                     std::unique_ptr<Linear_solver> scalar_solver)
+{
+  if(kind == ABF_plus_plus_report::EXACT)
+    return exact_layout(chart, alpha, solvers, std::move(scalar_solver));
+  std::optional<std::vector<Chart::Point_2>> uv = Least_squares_layout(chart, alpha).solve(solvers);
+  if(!uv)
+    return std::nullopt;
+  return Layout{std::move(*uv)};
+}
+
+inline Angle_solution find_angles(const Chart& chart, const ABF_plus_plus_options& options,
+                                  const Linear_solvers& solvers, const std::vector<double>& beta,
+                                  std::vector<double> start, ABF_plus_plus_report& report)
+{
+  const Stage stage(options.visitor, Flattening_visitor::ANGLES, report.seconds.angles);
+  Angle_solution solution = solve_angles(chart, beta, options, solvers, std::move(start));
+  report.converged = solution.converged;
+  report.iterations = solution.iterations;
+  report.energy = solution.energy;
+  report.constraint_residual = solution.constraint_residual;
+  report.steps = std::move(solution.steps);
+  if(!solution.is_solved)
+    fail(report, Flattening_report::LINEAR_SYSTEM_FAILED,
+         "the linear system of Newton step " + std::to_string(report.iterations + 1) +
+             " could not be solved");
+  return solution;
+}
+
+// The coordinates, scaled to the surface's area, and rounded to what the caller can store.
+inline std::vector<Chart::Point_2> find_coordinates(const Chart& chart, const ABF_plus_plus_options& options,
+                                                    const Linear_solvers& solvers, Rounding round,
+                                                    const std::vector<double>& alpha,
+                                                    std::unique_ptr<Linear_solver> scalar_solver,
+                                                    ABF_plus_plus_report& report)
+{
+  const Stage stage(options.visitor, Flattening_visitor::LAYOUT, report.seconds.layout);
+  report.layout = choose_layout(chart, options, report.constraint_residual);
+  if(report.layout == ABF_plus_plus_report::NO_LAYOUT) {
+    fail(report, Flattening_report::WRONG_LAYOUT,
+         "the exact layout needs a chart with one border; take the least squares layout");
+    return {};
+  }
+  std::optional<Layout> layout = lay_out(chart, alpha, report.layout, solvers, std::move(scalar_solver));
+  if(!layout) {
+    fail(report, Flattening_report::LINEAR_SYSTEM_FAILED,
+         "the linear system of the layout could not be solved");
+    return {};
+  }
+  report.closure = layout->closure;
+  report.layout_repeated = layout->is_repeated;
+  scale_to_surface_area(chart, layout->uv);
+  round(layout->uv);
+  return std::move(layout->uv);
+}
+
+// From angles `start`, near to the solution, to a certified map: the first and the third strategy, and most of the second.
+inline Direct_flattening flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& options,
+                                             const Linear_solvers& solvers, Rounding round,
+                                             const std::vector<double>& beta, std::vector<double> start)
+{
+  Direct_flattening result;
+  ABF_plus_plus_report& report = result.report = report_of<ABF_plus_plus_report>(chart);
+  Angle_solution solution = find_angles(chart, options, solvers, beta, std::move(start), report);
+  result.alpha = std::move(solution.alpha);
+  if(!result.succeeded())
+    return result;
+
+  result.uv = find_coordinates(chart, options, solvers, round, result.alpha,
+                               std::move(solution.scalar_solver), report);
+  if(!result.succeeded())
+    return result;
+
+  Certificate certificate;
+  {
+    const Stage stage(options.visitor, Flattening_visitor::CERTIFY, report.seconds.certify);
+    certificate = certify(chart, result.uv);
+  }
+  take_certificate(certificate, report);
+  if(!certificate.is_valid()) {
+    if(report.converged)
+      fail(report, Flattening_report::FLIPPED_TRIANGLES,
+           "the angles were found, but their layout has " + describe_invalid(chart, certificate));
+    else
+      fail(report, Flattening_report::NO_CONVERGENCE,
+           "the angles did not converge, and their layout has " + describe_invalid(chart, certificate));
+    result.invalid = std::move(certificate.invalid);
+  }
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H

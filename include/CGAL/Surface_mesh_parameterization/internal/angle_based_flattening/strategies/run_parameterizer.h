@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_RUN_PARAMETERIZER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_RUN_PARAMETERIZER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What a run of a parameterizer tells, in terms of the caller's mesh.
+template <typename TriangleMesh, typename Report>
+struct Outcome
+{
+  Report report;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> offending_vertices;
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> offending_faces;
+
+  void name_offenders(const Chart_reader<TriangleMesh>& reader, const std::vector<int>& vertices,
+                      const std::vector<int>& triangles)
+  {
+    for(int v : vertices)
+      offending_vertices.push_back(reader.vertex_descriptors[v]);
+    for(int t : triangles)
+      offending_faces.push_back(reader.face_descriptors[t]);
+  }
+};
+
+// The outcome of a parameterizer's last run. As functions of CGAL take parameterizers by value, a copy passes its outcome on
+// to what it was copied from. Several copies may do so at once.
+template <typename Outcome>
+class Last_outcome
+{
+  struct Link
+  {
+    std::mutex mutex;
+    Outcome outcome;
+    std::shared_ptr<Link> original;
+  };
+
+public:
+  Last_outcome() : m_link(std::make_shared<Link>()) {}
+
+  Last_outcome(const Last_outcome& other) : Last_outcome()
+  {
+    const std::lock_guard<std::mutex> lock(other.m_link->mutex);
+    m_link->outcome = other.m_link->outcome;
+    m_link->original = other.m_link;
+  }
+
+  Last_outcome(Last_outcome&&) noexcept = default;
+
+  Last_outcome& operator=(Last_outcome other) noexcept
+  {
+    std::swap(m_link, other.m_link);
+    return *this;
+  }
+
+  const Outcome& get() const { return m_link->outcome; }
+
+  void set(const Outcome& outcome)
+  {
+    for(Link* link = m_link.get(); link != nullptr; link = link->original.get()) {
+      const std::lock_guard<std::mutex> lock(link->mutex);
+      link->outcome = outcome;
+    }
+  }
+
+private:
+  std::shared_ptr<Link> m_link;
+};
+
+// Reads the chart of a border halfedge, flattens it by `flatten`, and writes the coordinates if the map is valid.
+template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
+          typename Flatten>
+class Parameterizer_run
+{
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+
+public:
+  Parameterizer_run(const TriangleMesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
+                    VertexIndexMap vimap, const Flattening_options& options, const Flatten& flatten)
+      : m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap), m_options(options), m_flatten(flatten)
+  {}
+
+  Outcome<TriangleMesh, Report> run()
+  {
+    with_threads(m_options.threads, [&]() {
+      try {
+        if(read())
+          flatten();
+      } catch(const Cancelled&) {
+        fail(m_outcome.report, Report::CANCELLED, "a visitor stopped the computation");
+      }
+    });
+    m_outcome.report.peak_memory = peak_resident_size();
+    return std::move(m_outcome);
+  }
+
+private:
+  bool read()
+  {
+    Report& report = m_outcome.report;
+    const Stage stage(m_options.visitor, Flattening_visitor::READ, report.seconds.read);
+    Chart_defect defect = m_reader.read(m_border, m_vimap);
+    if(!defect)
+      defect = diagnose(m_reader.chart, m_options.allow_holes);
+    report.vertices = m_reader.chart.number_of_vertices();
+    report.triangles = static_cast<int>(m_reader.face_descriptors.size());
+    report.borders = static_cast<int>(m_reader.chart.borders.size());
+    if(!defect)
+      return true;
+    fail(report, defect.diagnosis, defect.message);
+    m_outcome.name_offenders(m_reader, defect.vertices, defect.triangles);
+    return false;
+  }
+
+  void flatten()
+  {
+    typedef typename boost::property_traits<VertexUVmap>::value_type Point;
+    Report& report = m_outcome.report;
+    Flattening<Report> flattening = m_flatten(m_reader.chart, &round_to_points<Point>);
+    flattening.report.seconds += report.seconds;
+    report = std::move(flattening.report);
+    if(report.diagnosis != Report::NOTHING_WRONG) {
+      m_outcome.name_offenders(m_reader, {}, flattening.invalid);
+      return;
+    }
+    const Stage stage(m_options.visitor, Flattening_visitor::WRITE, report.seconds.write);
+    write_chart(m_reader, flattening.uv, m_uvmap);
+  }
+
+  Chart_reader<TriangleMesh> m_reader;
+  halfedge_descriptor m_border;
+  VertexUVmap m_uvmap;
+  VertexIndexMap m_vimap;
+  const Flattening_options& m_options;
+  const Flatten& m_flatten;
+  Outcome<TriangleMesh, Report> m_outcome;
+};
+
+// `flatten` is called with a chart and what rounds its coordinates, and returns a `Flattening<Report>`.
+template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
+          typename Options, typename Flatten>
+Outcome<TriangleMesh, Report>
+run_parameterizer(const TriangleMesh& mesh,
+                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
+                  VertexIndexMap vimap, const Options& options, const Flatten& flatten)
+{
+  const std::string wrong = wrong_option(options);
+  if(!wrong.empty()) {
+    Outcome<TriangleMesh, Report> outcome;
+    fail(outcome.report, Report::WRONG_OPTION, wrong);
+    return outcome;
+  }
+  return Parameterizer_run<Report, TriangleMesh, VertexUVmap, VertexIndexMap, Flatten>(
+             mesh, bhd, uvmap, vimap, options, flatten)
+      .run();
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_RUN_PARAMETERIZER_H
