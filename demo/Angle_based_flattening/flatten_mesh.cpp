@@ -7,17 +7,16 @@
 
 #include "flatten_mesh/Chart.h"
 #include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/Flattening.h"
-#include "flatten_mesh/Input_error.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/Run_record.h"
 #include "flatten_mesh/build_mesh.h"
-#include "flatten_mesh/check_polygon_soup.h"
 #include "flatten_mesh/flatten_chart.h"
+#include "flatten_mesh/parse_command_line.h"
 #include "flatten_mesh/read_polygon_soup.h"
 #include "flatten_mesh/report_json.h"
 #include "flatten_mesh/report_text.h"
+#include "flatten_mesh/texts.h"
 #include "flatten_mesh/write_obj.h"
 #include "flatten_mesh/write_svg.h"
 
@@ -58,7 +57,6 @@ Surface read_surface(const Command_line& command)
   Surface surface;
   surface.soup = read_polygon_soup(command.input);
   try {
-    check_polygon_soup(surface.soup);
     surface.mesh = build_mesh(surface.soup);
     surface.chart = choose_chart(surface.mesh, static_cast<std::size_t>(command.component),
                                  static_cast<std::size_t>(command.border));

@@ -6,21 +6,15 @@
 #ifndef FLATTEN_MESH_COMMAND_LINE_H
 #define FLATTEN_MESH_COMMAND_LINE_H
 
-#include "Input_error.h"
-#include "number_text.h"
+#include "texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 
 #include <boost/program_options.hpp>
 
-#include <cmath>
-#include <cstddef>
-#include <filesystem>
 #include <sstream>
 #include <string>
-#include <system_error>
-#include <vector>
 
 namespace flatten_mesh {
 
@@ -155,141 +149,7 @@ inline po::options_description all_options(Command_line& command)
   return options;
 }
 
-inline bool is_same_file(const std::string& a, const std::string& b)
-{
-  if(a.empty() || b.empty()) {
-    return false;
-  }
-  std::error_code error;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error) &&
-         (std::filesystem::is_regular_file(a, error) || !std::filesystem::exists(a, error));
-}
-
-inline void check_files(const Command_line& command)
-{
-  if(command.input.empty()) {
-    throw Input_error(
-        "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
-  }
-  const std::vector<std::string> outputs = {command.output, command.svg, command.picture, command.json};
-  for(std::size_t i = 0; i < outputs.size(); ++i) {
-    if(is_same_file(command.input, outputs[i])) {
-      throw Input_error("'" + outputs[i] + "' would overwrite the input: choose another name");
-    }
-    for(std::size_t j = 0; j < i; ++j) {
-      if(is_same_file(outputs[j], outputs[i])) {
-        throw Input_error(
-            "two outputs have the same name: choose different ones for --output, --svg, --picture "
-            "and --json");
-      }
-    }
-  }
-#ifndef ABF_WITH_PNG
-  if(!command.picture.empty()) {
-    throw Input_error(
-        "this program was built without libpng, which --picture needs: install libpng-dev and build "
-        "it again, or use --svg");
-  }
-#endif
-}
-
-inline void check_numbers(const Command_line& command)
-{
-  const SMP::ABF_plus_plus_options& abf = command.options;
-  if(command.component < 0) {
-    throw Input_error("--component counts from 0; see --help");
-  }
-  if(command.border < 0) {
-    throw Input_error("--border counts from 0; see --help");
-  }
-  if(!std::isfinite(abf.barrier) || abf.barrier < 0) {
-    throw Input_error("--barrier takes a number of at least 0; see --help");
-  }
-  if(!std::isfinite(abf.tolerance) || abf.tolerance <= 0) {
-    throw Input_error("--tolerance takes a number above 0; see --help");
-  }
-  const double rate = command.hierarchical.simplification_rate;
-  if(!(rate > 0 && rate < 1)) {
-    throw Input_error("--rate takes a number between 0 and 1; see --help");
-  }
-  if(command.hierarchical.sweeps < 0 || command.hierarchical.angle_sweeps < 0 || abf.threads < 0) {
-    throw Input_error("--sweeps, --angle-sweeps and --threads take a number of at least 0; see --help");
-  }
-  if(abf.max_iterations < 1) {
-    throw Input_error("--max-iterations takes a number of at least 1; see --help");
-  }
-}
-
-// Turns the names of methods into the parameterizer's options.
-inline void understand_names(Command_line& command)
-{
-  using Options = SMP::ABF_plus_plus_options;
-  const auto refuse = [](const std::string& option, const std::string& value, const std::string& known) {
-    throw Input_error("unknown --" + option + " '" + value + "': it is " + known);
-  };
-  if(command.method != "direct" && command.method != "hierarchical" && command.method != "auto") {
-    refuse("method", command.method, "direct, hierarchical or auto");
-  }
-  if(command.holes != "close" && command.holes != "open") {
-    refuse("holes", command.holes, "close or open");
-  }
-  if(command.solver != "superlu" && command.solver != "eigen" && command.solver != "cholmod") {
-    refuse("solver", command.solver, "superlu, eigen or cholmod");
-  }
-#ifndef ABF_WITH_CHOLMOD
-  if(command.solver == "cholmod") {
-    throw Input_error("this program was built without CHOLMOD: use --solver superlu or --solver eigen");
-  }
-#endif
-  if(command.layout != "auto" && command.layout != "exact" && command.layout != "least-squares") {
-    refuse("layout", command.layout, "auto, exact or least-squares");
-  }
-  if(command.step != "newton" && command.step != "sqp") {
-    refuse("step", command.step, "newton or sqp");
-  }
-  command.options.layout = command.layout == "exact"           ? Options::EXACT_LAYOUT
-                           : command.layout == "least-squares" ? Options::LEAST_SQUARES_LAYOUT
-                                                               : Options::AUTOMATIC_LAYOUT;
-  if(command.linear_solver != "iterative" && command.linear_solver != "direct") {
-    refuse("linear-solver", command.linear_solver, "iterative or direct");
-  }
-  command.options.linear_solver = command.linear_solver == "direct" ? Options::DIRECT : Options::ITERATIVE;
-  command.options.step = command.step == "sqp" ? Options::SEQUENTIAL_LINEARLY_CONSTRAINED : Options::NEWTON;
-  command.options.allow_holes = true;
-}
-
 } // namespace internal
-
-// Throws an `Input_error` for wrong usage.
-inline Command_line parse_command_line(const int argc, const char* const argv[])
-{
-  namespace po = boost::program_options;
-  Command_line command;
-  const po::options_description options = internal::all_options(command);
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  try {
-    namespace style = po::command_line_style;
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv)
-                  .options(options)
-                  .positional(positional)
-                  .style(style::unix_style & ~style::allow_guessing)
-                  .run(),
-              values);
-    po::notify(values);
-  } catch(const po::too_many_positional_options_error&) {
-    throw Input_error("more than one input: name one mesh file; see --help");
-  } catch(const po::error& error) {
-    throw Input_error(std::string(error.what()) + "; see --help");
-  }
-  if(!command.help) {
-    internal::check_files(command);
-    internal::check_numbers(command);
-    internal::understand_names(command);
-  }
-  return command;
-}
 
 inline std::string help_text()
 {

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_OUTPUT_FILE_H
 #define FLATTEN_MESH_OUTPUT_FILE_H
 
-#include "Input_error.h"
+#include "texts.h"
 
 #include <filesystem>
 #include <fstream>

@@ -6,7 +6,11 @@
 #ifndef FLATTEN_MESH_RUN_RECORD_H
 #define FLATTEN_MESH_RUN_RECORD_H
 
-#include "Flattening.h"
+#include "Chart.h"
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 
 #include <cstddef>
 #include <string>
@@ -14,6 +18,28 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+
+// What came out of the parameterizer.
+struct Flattening
+{
+  UV_map uv;
+  Mesh::Property_map<Face, double> distortion; // angular, of each face of the chart
+  SMP::ABF_plus_plus_report report;            // of the hierarchical method: what both have in common
+  std::string method;                          // direct or hierarchical
+  int levels = 0;                              // of the hierarchical method
+  int coarse_triangles = 0;
+  std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
+  SMP::Flattening_measures measures;                  // only if it succeeded
+  std::string place;                                  // the vertices and faces at fault, if it failed
+  double parameterize_seconds = 0;
+  double measure_seconds = 0;
+
+  bool succeeded() const { return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG; }
+};
 
 // Everything that the reports for people and for programs tell.
 struct Run_record
@@ -32,58 +58,21 @@ struct Run_record
 // The name of a diagnosis, "OK" for none.
 inline std::string status_name(const SMP::ABF_plus_plus_report& report)
 {
-  using Report = SMP::ABF_plus_plus_report;
-  switch(report.diagnosis) {
-  case Report::NOTHING_WRONG:
-    return report.status == SMP::OK ? "OK" : "FAILED";
-  case Report::EMPTY_MESH:
-    return "EMPTY_MESH";
-  case Report::NOT_ON_BORDER:
-    return "NOT_ON_BORDER";
-  case Report::NOT_TRIANGULATED:
-    return "NOT_TRIANGULATED";
-  case Report::NON_FINITE_POINT:
-    return "NON_FINITE_POINT";
-  case Report::TOO_LARGE:
-    return "TOO_LARGE";
-  case Report::PINCHED_VERTEX:
-    return "PINCHED_VERTEX";
-  case Report::SEVERAL_BORDERS:
-    return "SEVERAL_BORDERS";
-  case Report::HANDLES:
-    return "HANDLES";
-  case Report::PARALLEL_EDGES:
-    return "PARALLEL_EDGES";
-  case Report::LINEAR_SYSTEM_FAILED:
-    return "LINEAR_SYSTEM_FAILED";
-  case Report::NO_CONVERGENCE:
-    return "NO_CONVERGENCE";
-  case Report::WRONG_OPTION:
-    return "WRONG_OPTION";
-  case Report::WRONG_LAYOUT:
-    return "WRONG_LAYOUT";
-  case Report::FLIPPED_TRIANGLES:
-    return "FLIPPED_TRIANGLES";
-  case Report::PRECISION_EXCEEDED:
-    return "PRECISION_EXCEEDED";
-  case Report::CANCELLED:
-    return "CANCELLED";
-  }
-  return "FAILED";
+  return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG ? "OK" : to_string(report.diagnosis);
 }
 
-inline std::string rung_name(const SMP::ABF_plus_plus_report::Rung rung)
+inline std::string strategy_name(const SMP::ABF_plus_plus_report::Strategy strategy)
 {
   using Report = SMP::ABF_plus_plus_report;
-  switch(rung) {
+  switch(strategy) {
   case Report::FROM_TARGET_ANGLES:
     return "from target angles";
   case Report::RAISED_BARRIER:
     return "raised barrier";
-  case Report::FROM_VALID_MAP:
-    return "from a valid map";
+  case Report::FROM_PROGRESSIVE_EMBEDDING:
+    return "from a progressive embedding";
   default:
-    return "valid map";
+    return "progressive embedding";
   }
 }
 

@@ -8,15 +8,15 @@
 
 #include "Chart.h"
 #include "Command_line.h"
-#include "Flattening.h"
 #include "Progress.h"
-#include "close_holes.h"
+#include "Run_record.h"
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -72,21 +72,15 @@ inline void take_report(const SMP::ABF_plus_plus_report& report, Flattening& fla
 inline void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
 {
   const SMP::Hierarchical_report::Seconds& seconds = report.seconds;
-  flattening.report.status = report.status;
-  flattening.report.diagnosis = report.diagnosis;
-  flattening.report.message = report.message;
+  static_cast<SMP::Flattening_report&>(flattening.report) = report;
   flattening.report.iterations = report.polish_iterations;
   flattening.report.constraint_residual = report.constraint_residual;
-  flattening.report.flipped_triangles = report.flipped_triangles;
-  flattening.report.smallest_angle = report.smallest_angle;
-  flattening.report.border_is_simple = report.border_is_simple;
-  flattening.report.scale_range = report.scale_range;
-  flattening.report.peak_memory = report.peak_memory;
   flattening.levels = report.levels;
   flattening.coarse_triangles = report.coarse_triangles;
-  flattening.stages = {{"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.solve},
-                       {"refine", seconds.refine}, {"polish", seconds.polish},   {"certify", seconds.certify},
-                       {"uv", seconds.write}};
+  flattening.stages = {
+      {"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.coarse_chart},
+      {"refine", seconds.refine}, {"polish", seconds.polish},   {"certify", seconds.certify},
+      {"uv", seconds.write}};
 }
 
 template <class Parameterizer>

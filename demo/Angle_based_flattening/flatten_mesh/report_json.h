@@ -6,26 +6,67 @@
 #ifndef FLATTEN_MESH_REPORT_JSON_H
 #define FLATTEN_MESH_REPORT_JSON_H
 
-#include "Json_object.h"
 #include "Run_record.h"
+#include "texts.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace flatten_mesh {
 
 namespace internal {
 
+inline std::string json_text(const std::string& value)
+{
+  std::string text = "\"";
+  for(const char c : value) {
+    if(static_cast<unsigned char>(c) < 0x20) {
+      char escape[8];
+      std::snprintf(escape, sizeof(escape), "\\u%04x", static_cast<unsigned>(c));
+      text += escape;
+    } else {
+      text += c == '"' || c == '\\' ? "\\" : "";
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+// JSON knows finite numbers only.
+template <class Number>
+std::string json_number(const Number number)
+{
+  std::string text;
+  if(!std::isfinite(static_cast<double>(number))) {
+    return "null";
+  }
+  append_number(text, number);
+  return text;
+}
+
+// An object, member by member; their values are JSON themselves.
+class Json_object
+{
+public:
+  void add(const std::string& key, const std::string& value)
+  {
+    m_members += (m_members.empty() ? "" : ", ") + json_text(key) + ": " + value;
+  }
+
+  std::string text() const { return "{" + m_members + "}"; }
+
+private:
+  std::string m_members;
+};
+
 inline void add_measures(Json_object& json, const Flattening& flattening)
 {
   using Measures = SMP::Flattening_measures;
   const bool known = flattening.succeeded();
   const auto add = [&](const char* key, double Measures::*measure) {
-    if(known) {
-      json.add(key, flattening.measures.*measure);
-    } else {
-      json.add_null(key);
-    }
+    json.add(key, known ? json_number(flattening.measures.*measure) : "null");
   };
   add("angular_distortion", &Measures::angular_distortion);
   add("l2_stretch", &Measures::l2_stretch);
@@ -37,10 +78,10 @@ inline void add_measures(Json_object& json, const Flattening& flattening)
   add("max_quasi_conformal_ratio", &Measures::max_quasi_conformal_ratio);
   add("l2_area_distortion", &Measures::l2_area_distortion);
   add("symmetric_dirichlet_energy", &Measures::symmetric_dirichlet_energy);
-  json.add("flipped_triangles", static_cast<std::size_t>(known ? flattening.measures.flipped_triangles
-                                                               : flattening.report.flipped_triangles));
+  json.add("flipped_triangles",
+           json_number(known ? flattening.measures.flipped_triangles : flattening.report.flipped_triangles));
   const bool simple = known ? flattening.measures.border_is_simple : flattening.report.border_is_simple;
-  json.add("border", std::string(simple ? "simple" : "crosses itself"));
+  json.add("border", json_text(simple ? "simple" : "crosses itself"));
   add("smallest_angle", &Measures::smallest_angle);
 }
 
@@ -49,33 +90,32 @@ inline void add_measures(Json_object& json, const Flattening& flattening)
 // The report for programs. What is unknown after a failure is `null`.
 inline std::string report_json(const Run_record& record)
 {
+  using internal::json_number;
+  using internal::json_text;
   const SMP::ABF_plus_plus_report& report = record.flattening.report;
-  Json_object json;
-  json.add("status", status_name(report));
-  json.add("message", report.message + record.flattening.place);
-  json.add("input", record.input);
-  json.add("vertices", record.vertices);
-  json.add("triangles", record.triangles);
-  json.add("borders", record.borders);
-  json.add("components", record.components);
-  json.add("method", record.flattening.method);
-  json.add("iterations", static_cast<std::size_t>(report.iterations));
-  json.add("constraint_residual", report.constraint_residual);
-  json.add("energy", report.energy);
-  json.add("layout", layout_name(report));
-  json.add("rung", rung_name(report.rung));
-  json.add("scale_range", report.scale_range);
+  internal::Json_object json;
+  json.add("status", json_text(status_name(report)));
+  json.add("message", json_text(report.message + record.flattening.place));
+  json.add("input", json_text(record.input));
+  json.add("vertices", json_number(record.vertices));
+  json.add("triangles", json_number(record.triangles));
+  json.add("borders", json_number(record.borders));
+  json.add("components", json_number(record.components));
+  json.add("method", json_text(record.flattening.method));
+  json.add("iterations", json_number(report.iterations));
+  json.add("constraint_residual", json_number(report.constraint_residual));
+  json.add("energy", json_number(report.energy));
+  json.add("layout", json_text(layout_name(report)));
+  json.add("strategy", json_text(strategy_name(report.strategy)));
+  json.add("scale_range", json_number(report.scale_range));
   internal::add_measures(json, record.flattening);
-  Json_object seconds;
+  internal::Json_object seconds;
   for(const auto& stage : seconds_of_stages(record)) {
-    seconds.add(stage.first, stage.second);
+    seconds.add(stage.first, json_number(stage.second));
   }
-  json.add("seconds", seconds);
-  if(const double memory = peak_memory_mb(report); memory > 0) {
-    json.add("peak_memory_mb", memory);
-  } else {
-    json.add_null("peak_memory_mb");
-  }
+  json.add("seconds", seconds.text());
+  const double memory = peak_memory_mb(report);
+  json.add("peak_memory_mb", memory > 0 ? json_number(memory) : "null");
   return json.text() + "\n";
 }
 

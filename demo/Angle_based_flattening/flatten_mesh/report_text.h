@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_REPORT_TEXT_H
 
 #include "Run_record.h"
-#include "number_text.h"
+#include "texts.h"
 
 #include <CGAL/number_utils.h>
 
@@ -44,10 +44,10 @@ inline std::string method_text(const Flattening& flattening)
                         count_text(flattening.levels, "level") + ", " +
                             count_text(flattening.coarse_triangles, "triangle") + " in the coarsest");
   }
-  if(!report.failed_rungs.empty()) {
-    const SMP::ABF_plus_plus_report::Failed_rung& before = report.failed_rungs.back();
-    text +=
-        report_line("rung", rung_name(report.rung), rung_name(before.rung) + " failed: " + before.message);
+  if(!report.failed_strategies.empty()) {
+    const SMP::ABF_plus_plus_report::Failed_strategy& before = report.failed_strategies.back();
+    text += report_line("strategy", strategy_name(report.strategy),
+                        strategy_name(before.strategy) + " failed: " + before.message);
   }
   if(report.iterations > 0) {
     text += report_line("iterations", std::to_string(report.iterations),

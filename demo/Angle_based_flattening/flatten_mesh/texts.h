@@ -3,22 +3,39 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_NUMBER_TEXT_H
-#define FLATTEN_MESH_NUMBER_TEXT_H
+#ifndef FLATTEN_MESH_TEXTS_H
+#define FLATTEN_MESH_TEXTS_H
 
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 
 namespace flatten_mesh {
 
-// Appends the shortest text that reads back as the very same number, whatever the locale.
-template <class Number>
-void append_number(std::string& text, const Number number)
+// Something that the user has to put right: the command line, or a file. The text is one line that names what is wrong
+// and what to do. The program ends with status 2.
+struct Input_error : public std::runtime_error
 {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof(digits), number).ptr);
+  using std::runtime_error::runtime_error;
+};
+
+// Vertices and faces as people know them from OBJ files: counted from 1.
+inline std::string vertex_name(const std::size_t index)
+{
+  return "vertex " + std::to_string(index + 1);
+}
+
+inline std::string face_name(const std::size_t index)
+{
+  return "face " + std::to_string(index + 1);
+}
+
+// A count with its noun: "1 border", "3 borders".
+inline std::string count_text(const std::size_t count, const std::string& noun)
+{
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 // A number for people, as `printf` formats it.
@@ -29,12 +46,14 @@ inline std::string format_number(const char* format, const double number)
   return digits;
 }
 
-// A count with its noun: "1 border", "3 borders".
-inline std::string count_text(const std::size_t count, const std::string& noun)
+// Appends the shortest text that reads back as the very same number, whatever the locale.
+template <class Number>
+void append_number(std::string& text, const Number number)
 {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof(digits), number).ptr);
 }
 
 } // namespace flatten_mesh
 
-#endif // FLATTEN_MESH_NUMBER_TEXT_H
+#endif // FLATTEN_MESH_TEXTS_H

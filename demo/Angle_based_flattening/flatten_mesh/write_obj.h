@@ -7,10 +7,10 @@
 #define FLATTEN_MESH_WRITE_OBJ_H
 
 #include "Chart.h"
-#include "Flattening.h"
 #include "Output_file.h"
-#include "Polygon_soup.h"
-#include "number_text.h"
+#include "Run_record.h"
+#include "read_polygon_soup.h"
+#include "texts.h"
 
 #include <cstddef>
 #include <string>

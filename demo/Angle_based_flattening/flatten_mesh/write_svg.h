@@ -8,9 +8,9 @@
 
 #include "Chart.h"
 #include "Distortion_scale.h"
-#include "Flattening.h"
 #include "Output_file.h"
-#include "number_text.h"
+#include "Run_record.h"
+#include "texts.h"
 
 #include <CGAL/Bbox_2.h>
 
