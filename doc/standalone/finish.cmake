@@ -15,7 +15,7 @@ if(page MATCHES ">(fig__[A-Za-z0-9_]+)</a>")
 endif()
 file(WRITE ${HTML}/index.html "${page}")
 
-# Names are shown without what all of them have in common, for which the navigation has no room.
+# Names are shown without what all of them have in common, which is too long for the navigation.
 foreach(tree group__PkgAngleBasedFlatteningRef.js examples.js)
   file(READ ${HTML}/${tree} text)
   string(REGEX REPLACE "\\[ \"(CGAL::Surface_mesh_parameterization::|Angle_based_flattening/)" "[ \"" text "${text}")

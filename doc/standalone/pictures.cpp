@@ -10,7 +10,7 @@
 #include "flatten_mesh/Distortion_scale.h"
 #include "flatten_mesh/build_mesh.h"
 #include "flatten_mesh/draw_surface.h"
-#include "flatten_mesh/number_text.h"
+#include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
