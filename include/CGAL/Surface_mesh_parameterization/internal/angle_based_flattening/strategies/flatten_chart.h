@@ -13,35 +13,9 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-
-#include <functional>
-#include <optional>
-#include <vector>
-
-#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE
-#else
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
-#endif
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// The map of a chart, or why there is none.
-template <typename Report>
-struct Flattening
-{
-  std::vector<Chart::Point_2> uv;
-  std::vector<int> invalid; // the triangles that make the map invalid, if that is what is wrong
-  Report report;
-
-  bool succeeded() const { return report.diagnosis == Report::NOTHING_WRONG; }
-};
-
-// Rounds coordinates to what the caller can store.
-typedef void (*Rounding)(std::vector<Chart::Point_2>&);
-
-// Flattens a coarse chart. Returns nothing if it fails.
-typedef std::function<std::optional<std::vector<Chart::Point_2>>(const Chart&)> Coarse_flattening;
 
 // Flattens a chart that `diagnose()` found flawless, directly.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTENING_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTENING_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#define CGAL_ANGLE_BASED_FLATTENING_INLINE
+#else
+#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
+#endif
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The map of a chart, or why there is none.
+template <typename Report>
+struct Flattening
+{
+  std::vector<Chart::Point_2> uv;
+  std::vector<int> invalid; // the triangles that make the map invalid, if that is what is wrong
+  Report report;
+
+  bool succeeded() const { return report.diagnosis == Report::NOTHING_WRONG; }
+};
+
+// Rounds coordinates to what the caller can store.
+typedef void (*Rounding)(std::vector<Chart::Point_2>&);
+
+// Flattens a coarse chart. Returns nothing if it fails.
+typedef std::function<std::optional<std::vector<Chart::Point_2>>(const Chart&)> Coarse_flattening;
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTENING_H
