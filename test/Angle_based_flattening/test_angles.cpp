@@ -453,6 +453,7 @@ BOOST_AUTO_TEST_CASE(blocks_are_multiplied_and_taken_apart)
 BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
 {
   abf::Block_preconditioner preconditioner{Double_solver()};
+  preconditioner.analyze_pattern(chain(40, 1, 0));
   BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0.3)));
   const Vector b = random_vector(80, 4);
   Vector x;
@@ -511,6 +512,7 @@ BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
     return block;
   });
   abf::Newton_equation equation(Solver(), true);
+  equation.analyze_pattern(both);
   Vector x;
   BOOST_REQUIRE(equation.solve(both, random_vector(600, 5), {1e-6}, x));
   BOOST_TEST(equation.factorizations() == 2);
@@ -544,6 +546,7 @@ BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
 BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
 {
   abf::Block_preconditioner preconditioner{Double_solver()};
+  preconditioner.analyze_pattern(chain(40, 2.5, 0));
   BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0)));
   const Vector b = random_vector(80, 4);
   Vector x;

@@ -55,7 +55,13 @@ public:
                const Constraint_vector& residual, Newton_step& step,
                const Iterative_accuracy& accuracy = Iterative_accuracy())
   {
-    const Eigen::VectorXd right_hand_side = assemble(alpha, multipliers, residual);
+    Eigen::VectorXd right_hand_side;
+    parallel_for(2, [&](int k) {
+      if(k == 0)
+        m_equation.analyze_pattern(m_assembly.matrix());
+      else
+        right_hand_side = assemble(alpha, multipliers, residual);
+    });
     if(!m_equation.solve(m_assembly.matrix(), right_hand_side, accuracy, step.multipliers))
       return false;
     substitute_back(step);
@@ -70,21 +76,15 @@ public:
       for(int t = begin; t < end; ++t)
         m_local[t] = local_system(t, alpha, multipliers);
     });
+    Eigen::VectorXd right_hand_side = residual;
     m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Local_system& local = m_local[c / 3];
       const Plane_jacobian jacobian = plane_jacobian(c / 3, local.cotangents);
-      return jacobian * (jacobian.template middleRows<2>(2 * (c % 3)) * local.inverse).transpose();
+      const auto rows = jacobian.middleRows<2>(2 * (c % 3));
+      right_hand_side.segment<2>(2 * m_chart.node_of_corner(c)) += rows * (local.inverse * local.force);
+      return jacobian * (rows * local.inverse).transpose();
     });
     complete_diagonal();
-    Eigen::VectorXd right_hand_side = residual;
-    parallel_for_blocks(m_chart.number_of_nodes(), [&](int begin, int end) {
-      for(int i = begin; i < end; ++i)
-        for(const int c : m_assembly.corners(i)) {
-          const Local_system& local = m_local[c / 3];
-          right_hand_side.segment<2>(2 * i) +=
-              constraint_rows(c, local.cotangents) * (local.inverse * local.force);
-        }
-    });
     return right_hand_side;
   }
 
@@ -103,34 +103,29 @@ private:
     Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
   };
 
-  // The two rows of B T for the vertex of corner `c`, also where that has no node, which nobody asks for
-  Eigen::Matrix2d constraint_rows(int c, const Eigen::Vector3d& cotangents) const
-  {
-    const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
-    const int k = c % 3, next = (k + 1) % 3, previous = (k + 2) % 3;
-    Eigen::Matrix2d rows;
-    rows.row(0) = basis.row(k);
-    rows.row(1) = cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
-    if(!m_incomplete_nodes.empty())
-      remove_absent_rows(c, rows);
-    return rows;
-  }
-
-  void remove_absent_rows(int c, Eigen::Matrix2d& rows) const
-  {
-    if(const int i = m_chart.node_of_corner(c); i >= 0) {
-      rows.row(0) *= m_chart.nodes[i].has_planarity;
-      rows.row(1) *= m_chart.nodes[i].has_reconstruction;
-    }
-  }
-
-  // B T: those of all three corners
+  // B T: rows 2k and 2k + 1 are those of the node of corner k, also where there is none, which nobody asks for.
   Plane_jacobian plane_jacobian(int t, const Eigen::Vector3d& cotangents) const
   {
+    const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
     Plane_jacobian jacobian;
-    for(int k = 0; k < 3; ++k)
-      jacobian.middleRows<2>(2 * k) = constraint_rows(3 * t + k, cotangents);
+    for(int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3, previous = (k + 2) % 3;
+      jacobian.row(2 * k) = basis.row(k);
+      jacobian.row(2 * k + 1) =
+          cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
+    }
+    if(!m_incomplete_nodes.empty())
+      remove_absent_rows(t, jacobian);
     return jacobian;
+  }
+
+  void remove_absent_rows(int t, Plane_jacobian& jacobian) const
+  {
+    for(int k = 0; k < 3; ++k)
+      if(const int i = m_chart.node_of_corner(3 * t + k); i >= 0) {
+        jacobian.row(2 * k) *= m_chart.nodes[i].has_planarity;
+        jacobian.row(2 * k + 1) *= m_chart.nodes[i].has_reconstruction;
+      }
   }
 
   // The rows and columns of constraints that are not there are zero. A one on the diagonal makes their multipliers 0.

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -71,6 +72,21 @@ Eigen::SparseMatrix<NT> eigen_matrix(const Diagonal_parts<BlockSize>& parts)
       matrix.valuePtr()[shift + e] = static_cast<NT>(blocks.block[e](k, k));
     }
   }
+  return matrix;
+}
+
+// A definite matrix with an entry for each block: what can be analyzed before there are values
+template <typename NT, int BlockSize>
+Eigen::SparseMatrix<NT> pattern_of_blocks(const Block_matrix<BlockSize>& blocks)
+{
+  const int n = blocks.columns_of_blocks();
+  Eigen::SparseMatrix<NT> matrix(n, n);
+  matrix.resizeNonZeros(blocks.begin[n]);
+  std::copy(blocks.begin.begin(), blocks.begin.end(), matrix.outerIndexPtr());
+  std::copy(blocks.row.begin(), blocks.row.end(), matrix.innerIndexPtr());
+  for(int j = 0; j < n; ++j)
+    for(int e = blocks.begin[j]; e < blocks.begin[j + 1]; ++e)
+      matrix.valuePtr()[e] = NT(blocks.row[e] == j);
   return matrix;
 }
 

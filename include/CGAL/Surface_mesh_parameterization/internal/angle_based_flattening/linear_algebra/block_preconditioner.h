@@ -39,15 +39,20 @@ public:
       : m_solvers(solvers), m_first(solvers, solvers->low_precision())
   {}
 
-  // Factors both diagonal blocks. Returns `false` if that fails.
-  bool set_matrix(const Block_matrix<2>& matrix)
+  // Analyzes the pattern of both diagonal blocks, which need no values yet.
+  void analyze_pattern(const Block_matrix<2>& matrix)
   {
-    if(!m_solvers->is_independent)
-      return m_first.set_matrix(Diagonal_parts<2>{matrix});
-    if(!m_second) {
-      m_first.analyze_pattern(Diagonal_parts<2>{matrix, 0, 1});
+    if(m_solvers->is_independent) {
+      m_first.analyze_pattern(matrix);
       m_second.emplace(m_solvers, m_first.low_precision_solver());
     }
+  }
+
+  // Factors both diagonal blocks, whose pattern was analyzed. Returns `false` if that fails.
+  bool set_matrix(const Block_matrix<2>& matrix)
+  {
+    if(!m_second)
+      return m_first.set_matrix(Diagonal_parts<2>{matrix});
     std::array<bool, 2> done;
     parallel_for(2, [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); });
     return done[0] && done[1];

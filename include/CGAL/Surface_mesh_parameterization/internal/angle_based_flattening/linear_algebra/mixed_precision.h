@@ -43,7 +43,7 @@ public:
     return m_full->set_matrix(matrix);
   }
 
-  void analyze_pattern(const Diagonal_parts<2>& matrix) { m_low->analyze_pattern(matrix); }
+  void analyze_pattern(const Block_matrix<2>& blocks) { m_low->analyze_pattern(blocks); }
 
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution)
   {

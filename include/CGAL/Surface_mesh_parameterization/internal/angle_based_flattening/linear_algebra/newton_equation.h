@@ -32,6 +32,16 @@ public:
       : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors)
   {}
 
+  // Prepares for matrices of that pattern; values are not needed yet.
+  void analyze_pattern(const Block_matrix<2>& matrix)
+  {
+    if(m_iteratively && !m_preconditioner && matrix.size() > 0) {
+      m_preconditioner.emplace(m_solvers);
+      m_preconditioner->analyze_pattern(matrix);
+    }
+  }
+
+  // Solves with a matrix of the pattern that was analyzed. Returns `false` if the linear solver fails.
   bool solve(const Block_matrix<2>& matrix, const Eigen::VectorXd& right_hand_side,
              const Iterative_accuracy& accuracy, Eigen::VectorXd& solution)
   {
@@ -73,7 +83,7 @@ private:
                                                const Eigen::VectorXd& right_hand_side,
                                                Eigen::VectorXd& solution)
   {
-    bool fresh = !m_preconditioner || m_preconditioner_is_stale;
+    bool fresh = m_preconditioner_is_stale;
     if(fresh && !factor_preconditioner(matrix))
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
@@ -90,8 +100,6 @@ private:
 
   bool factor_preconditioner(const Block_matrix<2>& matrix)
   {
-    if(!m_preconditioner)
-      m_preconditioner.emplace(m_solvers);
     m_factorizations += 2;
     const bool done = m_preconditioner->set_matrix(matrix);
     m_repeated += m_preconditioner->repeated_factorizations();
@@ -101,7 +109,7 @@ private:
   Linear_solvers m_solvers;
   bool m_iteratively;
   std::optional<Block_preconditioner> m_preconditioner;
-  bool m_preconditioner_is_stale = false;
+  bool m_preconditioner_is_stale = true; // or not there yet
   std::unique_ptr<Linear_solver> m_whole_system;
   Iterative_accuracy m_accuracy;
   int m_steps = 0, m_factorizations = 0, m_repeated = 0;

@@ -66,8 +66,8 @@ public:
   virtual bool set_matrix(const Block_matrix<2>& matrix) = 0;
   virtual bool set_matrix(const Diagonal_parts<2>& matrix) = 0;
 
-  // Analyzes the pattern of a matrix if that can be done beforehand; copies know it then.
-  virtual void analyze_pattern(const Diagonal_parts<2>& matrix) = 0;
+  // Analyzes the pattern of the blocks if that can be done before there are values; copies know it then.
+  virtual void analyze_pattern(const Block_matrix<2>& blocks) = 0;
 
   // Returns `false` on failure, also if the solution is not finite.
   virtual bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) = 0;
@@ -102,12 +102,13 @@ public:
     return done;
   }
 
-  void analyze_pattern(const Diagonal_parts<2>& matrix) override
+  void analyze_pattern(const Block_matrix<2>& blocks) override
   {
     if constexpr(Has_analyze_pattern<SolverTraits>::value)
-      m_traits.analyze_pattern(*own(eigen_matrix<NT>(matrix))); // if that fails, so does the factorization
+      m_traits.analyze_pattern(
+          *own(pattern_of_blocks<NT>(blocks))); // if that fails, so does the factorization
     else
-      (void)matrix;
+      (void)blocks;
   }
 
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) override

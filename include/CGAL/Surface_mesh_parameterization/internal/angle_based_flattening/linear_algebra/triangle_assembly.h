@@ -47,7 +47,7 @@ public:
   }
 
   // Sets the matrix to the sum of those of all triangles. `columns(c)` returns the columns that belong to corner `c` of
-  // its triangle's matrix; several threads call it at once.
+  // its triangle's matrix; it is called once for each corner, by one thread for all corners at a vertex, ascending.
   template <typename Columns>
   void assemble(const Columns& columns)
   {
@@ -110,32 +110,34 @@ private:
   {
     std::vector<int>& begin = m_matrix.begin;
     begin.assign(n + 1, 0);
-    for_each_ring(n,
-                  [&](int j, const std::vector<int>& ring) { begin[j + 1] = static_cast<int>(ring.size()); });
+    std::vector<std::vector<int>> rows(n / block_size + 1); // of each block of columns
+    parallel_for_blocks(n, [&](int first, int last) {
+      std::vector<int>& row = rows[first / block_size];
+      for(int j = first; j < last; ++j) {
+        const std::ptrdiff_t size = row.size();
+        add_ring(j, row);
+        begin[j + 1] = static_cast<int>(row.size() - size);
+      }
+    });
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     m_matrix.row.resize(begin.back());
-    for_each_ring(n, [&](int j, const std::vector<int>& ring) {
-      std::copy(ring.begin(), ring.end(), m_matrix.row.begin() + begin[j]);
+    parallel_for_blocks(n, [&](int first, int) {
+      const std::vector<int>& row = rows[first / block_size];
+      std::copy(row.begin(), row.end(), m_matrix.row.begin() + begin[first]);
     });
   }
 
-  // Calls `visit` with each column and its rows, ascending, several at once.
-  template <typename Visitor>
-  void for_each_ring(int n, const Visitor& visit) const
+  // Appends the rows of a column, ascending; the one on the diagonal also without a corner.
+  void add_ring(int column, std::vector<int>& rows) const
   {
-    parallel_for_blocks(n, [&](int first, int last) {
-      std::vector<int> ring;
-      for(int j = first; j < last; ++j) {
-        ring = {j}; // also without a corner
-        for(const int corner : corners(j))
-          for(int c = corner / 3 * 3; c < corner / 3 * 3 + 3; ++c)
-            if(unknown(c) >= 0)
-              ring.push_back(unknown(c));
-        std::sort(ring.begin(), ring.end());
-        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-        visit(j, ring);
-      }
-    });
+    const std::ptrdiff_t size = rows.size();
+    rows.push_back(column);
+    for(const int corner : corners(column))
+      for(int c = corner / 3 * 3; c < corner / 3 * 3 + 3; ++c)
+        if(c != corner && unknown(c) >= 0)
+          rows.push_back(unknown(c));
+    std::sort(rows.begin() + size, rows.end());
+    rows.erase(std::unique(rows.begin() + size, rows.end()), rows.end());
   }
 
   const std::vector<int>& m_vertex;
