@@ -143,8 +143,9 @@ void flatten(Mesh& mesh, Halfedge border, const Options& options)
   const Report::Diagnosis direct = options.floats
                                        ? flatten<CGAL::Simple_cartesian<float>>(mesh, border, parameterizer)
                                        : flatten<Kernel>(mesh, border, parameterizer);
-  const Report::Diagnosis hierarchical =
-      flatten<Kernel>(mesh, border, Hierarchical_parameterizer(options.hierarchical, parameterizer));
+  const Hierarchical_parameterizer hierarchical_parameterizer(
+      options.hierarchical, Hierarchical_parameterizer::Coarse_parameterizer(options.direct));
+  const Report::Diagnosis hierarchical = flatten<Kernel>(mesh, border, hierarchical_parameterizer);
   require(direct == hierarchical || !(is_about_input(direct) || is_about_input(hierarchical)),
           "the methods differ in what is wrong with the input");
 }
