@@ -6,7 +6,7 @@
 #ifndef ABF_BENCHMARK_LAGRANGIAN_H
 #define ABF_BENCHMARK_LAGRANGIAN_H
 
-#include "Run_report.h"
+#include "chart_method.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>

@@ -6,7 +6,7 @@
 #ifndef ABF_BENCHMARK_MAP_ENERGY_H
 #define ABF_BENCHMARK_MAP_ENERGY_H
 
-#include "Run_report.h"
+#include "chart_method.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>

@@ -7,7 +7,6 @@
 #define ABF_BENCHMARK_MATRIX_SPLIT_H
 
 #include "Lagrangian.h"
-#include "finish.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 

@@ -7,9 +7,9 @@
 #define ABF_BENCHMARK_RELAXED_MAP_H
 
 #include "Map_energy.h"
-#include "finish.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
 #include <algorithm>

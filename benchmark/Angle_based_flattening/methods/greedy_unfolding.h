@@ -6,7 +6,7 @@
 #ifndef ABF_BENCHMARK_GREEDY_UNFOLDING_H
 #define ABF_BENCHMARK_GREEDY_UNFOLDING_H
 
-#include "Run_report.h"
+#include "chart_method.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Relaxed_map.h"
+#include "angle_methods.h"
+#include "methods.h"
+
+#include "../measure/Gauge.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+
+#include <vector>
+
+namespace ABF_benchmark {
+
+template <class Chart_method>
+void run_on_chart(Surface& surface, const SMP::Hierarchical_options&, Measurement& m)
+{
+  abf::Chart_reader<Mesh> reader(surface.mesh);
+  if(const auto defect = reader.read(surface.border))
+    return m.fail(defect.message);
+  std::vector<Point_2> uv;
+  Run_report report;
+  const Gauge gauge;
+  const bool done = Chart_method().flatten(reader.chart, uv, report);
+  gauge.add_to(m);
+  if(!done)
+    return m.fail(report.failure);
+  m.add("iterations", report.iterations);
+  abf::write_chart(reader, uv, surface.uv);
+}
+
+Methods chart_methods()
+{
+  return {{"abf", run_on_chart<Original_ABF>},
+          {"paper-abf++", run_on_chart<Paper_ABF_plus_plus>},
+          {"log-abf", run_on_chart<Logarithmic_ABF>},
+          {"linear-abf", run_on_chart<Linear_ABF>},
+          {"mips", run_on_chart<MIPS>},
+          {"stretch", run_on_chart<Stretch_minimizer>}};
+}
+
+} // namespace ABF_benchmark
