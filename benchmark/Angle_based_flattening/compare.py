@@ -92,12 +92,6 @@ class Runner:
 
 
 def parse_command_line() -> argparse.Namespace:
-    def methods(text: str) -> list[str]:
-        unknown = set(names := text.split(",")) - METHODS.keys()
-        if unknown:
-            raise argparse.ArgumentTypeError(f"no method {', '.join(unknown)}")
-        return names
-
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="methods:\n" + "\n".join(f"  {name}: {title}" for name, title in METHODS.items()))
@@ -114,7 +108,7 @@ def parse_command_line() -> argparse.Namespace:
                         help="smaller meshes of folders are left out (%(default)s)")
     parser.add_argument("--most", type=int, default=10000000, metavar="N",
                         help="larger meshes of folders are left out (%(default)s)")
-    parser.add_argument("--methods", type=methods, default=list(METHODS), metavar="NAME,NAME,...",
+    parser.add_argument("--methods", type=run.words(METHODS), default=list(METHODS), metavar="NAME,NAME,...",
                         help="as listed below; all by default")
     presets = parser.add_mutually_exclusive_group()
     for name, preset in (("quick", QUICK), ("all", ALL)):

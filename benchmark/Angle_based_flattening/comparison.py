@@ -8,7 +8,7 @@
 import numpy as np
 import pandas as pd
 
-from report import DASH, cell, count, seconds, table
+from report import DASH, cell, table
 
 METHODS = {
     "abf++": "ABF++", "habf++": "hierarchical ABF++", "abf": "ABF (2001)",
@@ -44,7 +44,7 @@ class Results:
 
     def quotients(self, name: str, left: str, right: str, least_faces: int = 0) -> pd.Series:
         """Of each mesh where both were measured"""
-        wide = self.wide(name, curved=True)[self.meshes["faces"] >= least_faces]
+        wide = self.wide(name, curved=True)[lambda w: self.meshes["faces"][w.index] >= least_faces]
         return (wide[left] / wide[right]).dropna()
 
     def mesh_titles(self) -> pd.Series:
@@ -72,7 +72,7 @@ def times_table(results: Results) -> str:
     """Run times: a row for each method, a column for each mesh"""
     wide = results.wide("seconds")[results.meshes["faces"] <= TABLE_1]
     return table(["method", *results.mesh_titles()[wide.index]],
-                 [[METHODS[method], *map(seconds, wide[method])] for method in results.methods])
+                 [[METHODS[method], *(cell(number, "seconds") for number in wide[method])] for method in results.methods])
 
 
 def distortions_table(results: Results, least: int, most: float) -> str:
@@ -85,9 +85,9 @@ def distortions_table(results: Results, least: int, most: float) -> str:
         note = m.failure if expected else f"FAILED: {m.failure}"
         if not m.failure:
             note = "" if m.border_is_simple else "the border crosses itself"
-        rows.append([m.mesh, str(m.faces), METHODS[m.method], seconds(m.seconds), cell(m.shear),
+        rows.append([m.mesh, str(m.faces), METHODS[m.method], cell(m.seconds, "seconds"), cell(m.shear),
                      cell(m.principal_shear), cell(m.stretch, ".5g"), cell(m.angular, ".3e"),
-                     count(m.flips), cell(m.bytes / 1e6, ".1f"), note])
+                     cell(m.flips, ".0f"), cell(m.bytes / 1e6, ".1f"), note])
     return table(titles, rows, 3) if rows else "There was no such mesh.\n"
 
 
@@ -120,6 +120,6 @@ def growth_table(results: Results) -> str:
     rows = []
     for method in results.methods:
         sizes, line = growth(results, method)
-        fitted = [cell(line[1], ".2f"), seconds(np.exp(line(np.log(1e5))))] if line else [DASH, DASH]
+        fitted = [cell(line[1], ".2f"), cell(np.exp(line(np.log(1e5))), "seconds")] if line else [DASH, DASH]
         rows.append([METHODS[method], str(sizes), *fitted])
     return table(["method", "sizes", "exponent", "seconds at 100,000 faces"], rows)

@@ -33,7 +33,7 @@ def draw_times(results: Results, file: Path) -> None:
             axes.loglog(ends, np.exp(line(np.log(ends))), color=STYLES[method]["color"], linewidth=0.8)
     axes.set(xlabel="faces", ylabel="seconds")
     axes.grid(alpha=0.4)
-    figure.legend(loc="outside lower center", ncols=3, fontsize="small")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=3, fontsize="small")
     figure.savefig(file)
 
 
@@ -53,7 +53,7 @@ def draw_distortions(results: Results, file: Path) -> None:
         axes.grid(alpha=0.4)
     titles = results.mesh_titles()[results.wide("angular", curved=True).index]
     all_axes[-1].set_xticks(range(len(titles)), titles, rotation=40, ha="right")
-    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="outside right upper", fontsize="small")
+    all_axes[0].legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize="small")
     figure.savefig(file)
 
 

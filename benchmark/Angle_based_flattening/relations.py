@@ -8,7 +8,7 @@
 from math import inf
 
 from comparison import METHODS, Results, geometric_mean
-from report import DASH, cell, count, table
+from report import DASH, cell, table
 
 # What the paper says; the number; the quotient of which methods; the bounds between which it lies; and
 # the faces of the smallest mesh of which the paper says so
@@ -78,7 +78,7 @@ def relations_table(results: Results) -> str:
     for text, method, flips, faces in FLIPS:
         numbers = results.wide("flips")[method][results.meshes["faces"] >= faces].dropna()
         seen = int(((numbers > 0) == flips).sum())
-        rows.append([text, f"flips of {title(method)}", count(numbers.min()), DASH, count(numbers.max()),
+        rows.append([text, f"flips of {title(method)}", cell(numbers.min(), ".0f"), DASH, cell(numbers.max(), ".0f"),
                      f"{seen} of {len(numbers)}",
                      verdict(len(numbers) if flips and seen else seen, len(numbers))])
     return table(["the paper says", "measured", "smallest", "geometric mean", "largest",

@@ -15,26 +15,18 @@ from pathlib import Path
 from run import Measure, Measurement
 
 DASH = "–"  # for what was not measured
+Column = tuple[str, str, str]  # its title, the name of its number, and the format of a cell
 
 
 def cell(number: float | None, form: str = ".4f") -> str:
-    """A number by its format, with a dash for None and NaN"""
-    return DASH if number is None or math.isnan(number) else format(number, form)
-
-
-def count(number: float | None) -> str:
-    """A whole number"""
-    return cell(number, ".0f")
-
-
-def seconds(number: float | None) -> str:
-    """Enough digits to compare times by"""
-    return cell(number, ".3f" if (number or 0) < 1 else ".2f" if number < 100 else ".0f")
-
-
-def yes(met: object) -> str:
-    """What is not met shall be seen."""
-    return "yes" if met else "no"
+    """A number by its format, or as `seconds`, or as `yes` or no; a dash for None and NaN"""
+    if number is None or math.isnan(number):
+        return DASH
+    if form == "yes":
+        return "yes" if number else "no"
+    if form == "seconds":  # enough digits to compare times by
+        form = ".3f" if number < 1 else ".2f" if number < 100 else ".0f"
+    return format(number, form)
 
 
 def row(cells: Iterable[str]) -> str:
@@ -49,9 +41,24 @@ def table(titles: Sequence[str], rows: Iterable[Sequence[str]], text_columns: in
     return row(titles) + row(rule) + "".join(map(row, filled))
 
 
-def failure_row(cells: Sequence[str], result: Measurement, columns: int) -> list[str]:
-    """The first cells, and then the reason why there are no others"""
-    return [*cells, *[DASH] * (columns - len(cells) - 1), "FAILED: " + result["failure"]]
+class Table:
+    """A row for each measurement: cells that are given, and then its numbers"""
+
+    def __init__(self, titles: list[str], columns: list[Column], text_columns: int = 1) -> None:
+        self.titles = titles + [title for title, _, _ in columns]
+        self.columns, self.text_columns = columns, text_columns
+        self.rows: list[list[str]] = []
+
+    def add(self, cells: list[str], m: Measurement) -> None:
+        """If there are no numbers, the reason is in the last cell."""
+        if "failure" in m:
+            numbers = [DASH] * (len(self.columns) - 1) + ["FAILED: " + m["failure"]]
+        else:
+            numbers = [cell(m.get(name), form) for _, name, form in self.columns]
+        self.rows.append(cells + numbers)
+
+    def __str__(self) -> str:
+        return table(self.titles, self.rows, self.text_columns)
 
 
 def ratio(numerator: float | None, denominator: float | None) -> float:
@@ -75,13 +82,13 @@ class Targets:
         verdict = "not measured" if math.isnan(number) else "yes" if met else "NO"
         self.rows.append([what, limit, cell(number, form), verdict])
 
-    def text(self) -> str:
+    def __str__(self) -> str:
         return "\n" + table(["target", "limit", "measured", "met"], self.rows)
 
 
 class Report:
-    """Text that goes to standard output, and to a file if there is one. What was added is not lost
-    if the program is stopped."""
+    """Text that goes to standard output, and to a file if there is one. What was added is not lost if the
+    program is stopped."""
 
     def __init__(self, file: Path | None) -> None:
         self.file = file
@@ -94,22 +101,14 @@ class Report:
             self.file.write_text(self.text, encoding="utf-8")
 
 
-def command_text() -> str:
-    """What prints this report again, without the folders of this machine, as a block"""
-    return "    " + " ".join(Path(word).name for word in sys.argv) + "\n\n"
-
-
-def describe_machine(measure: Measure) -> str:
-    """One sentence about the hardware and one about the software"""
+def head(title: str, measure: Measure) -> str:
+    """The title, what prints the report again, without the folders of this machine, and one sentence each
+    about the hardware and the software"""
     processor = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text(encoding="utf-8"))
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     software = measure.one("software")
-    compiler, blas = software.pop("compiler", ""), software.pop("BLAS", "")
+    compiler, blas = software.pop("compiler"), software.pop("BLAS")
     libraries = [f"{name} {version}" for name, version in software.items()]
-    return (f"Machine: {processor[1] if processor else 'unknown'}, {os.cpu_count()} cores, "
-            f"{memory:.0f} GB of memory. Software: {', '.join([compiler, *libraries, blas])}.")
-
-
-def head(title: str, measure: Measure) -> str:
-    """With what each report begins"""
-    return f"# {title}\n\n{command_text()}{describe_machine(measure)}\n\n"
+    return (f"# {title}\n\n    {' '.join(Path(word).name for word in sys.argv)}\n\n"
+            f"Machine: {processor[1] if processor else 'unknown'}, {os.cpu_count()} cores, {memory:.0f} GB of "
+            f"memory. Software: {', '.join([compiler, *libraries, blas])}.\n\n")

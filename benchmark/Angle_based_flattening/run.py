@@ -12,7 +12,7 @@ import resource
 import statistics
 import subprocess
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -110,10 +110,9 @@ def interleaved(measure_task, tasks: Sequence, repeat: int) -> list[Measurement]
     return [median(done) for done in runs]
 
 
-def tell(what: str, result: Measurement) -> None:
+def tell(what: str, m: Measurement, name: str = "seconds") -> None:
     """Tells of the progress, apart from the report."""
-    seconds = result.get("seconds", float("nan"))
-    print(f"{what}: {result.get('failure') or f'{seconds:.3g} s'}", file=sys.stderr, flush=True)
+    print(f"{what}: {m['failure'] if 'failure' in m else f'{m[name]:.3g} s'}", file=sys.stderr, flush=True)
 
 
 def mesh_files(folder: Path, recursive: bool = False) -> list[Path]:
@@ -122,16 +121,36 @@ def mesh_files(folder: Path, recursive: bool = False) -> list[Path]:
     return sorted(file for file in files if file.suffix in SUFFIXES and file.is_file())
 
 
-def positive(number: str) -> float:
-    """For options that take numbers above 0"""
-    if not float(number) > 0:
+def positive(text: str) -> float:
+    """For options that take a number above 0"""
+    number = float(text)
+    if not number > 0:
         raise ValueError
-    return float(number) if "." in number or "e" in number else int(number)
+    return number
 
 
 def numbers(text: str) -> list[float]:
-    """For options that take numbers with commas between them"""
-    return [positive(word) for word in text.split(",")]
+    """For options that take numbers with commas between them, none of them negative"""
+    result = [float(word) if set(word) & set(".e") else int(word) for word in text.split(",")]
+    if min(result) < 0:
+        raise ValueError
+    return result
+
+
+def words(known: Iterable[str]) -> Callable[[str], list[str]]:
+    """For options that take words with commas between them, all of them known"""
+    def split(text: str) -> list[str]:
+        if unknown := [word for word in text.split(",") if word not in known]:
+            raise argparse.ArgumentTypeError(f"there is no {', '.join(unknown)}")
+        return text.split(",")
+
+    return split
+
+
+def add_mesh(parser: argparse.ArgumentParser, name: str = "mesh", **how: str) -> None:
+    """The mesh of which others are made"""
+    parser.add_argument(name, type=Path, default=SHELL, metavar="FILE", **how, help="a disk, which is "
+                        "simplified or subdivided; by default the sea shell of the examples")
 
 
 def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int = 600,
@@ -153,6 +172,5 @@ def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int =
 def measure_of(options: argparse.Namespace) -> Measure:
     """As the options say"""
     if not options.measure.is_file():
-        raise SystemExit(f"there is no program '{options.measure}': "
-                         "build the target measure, or name it by --measure")
+        raise SystemExit(f"there is no program '{options.measure}': build the target measure")
     return Measure(options.measure.resolve(), options.timeout, options.memory)

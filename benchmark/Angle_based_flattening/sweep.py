@@ -14,7 +14,7 @@ from collections import Counter
 from pathlib import Path
 
 import run
-from report import Report, row, seconds, table, yes
+from report import Report, cell, row, table
 
 TITLES = ["file", "component", "triangles", "borders", "holes", "result", "injective", "seconds", "message"]
 
@@ -56,7 +56,7 @@ def rows(name: str, runs: list[run.Measurement], whole: run.Measurement) -> list
     for m in runs:
         result.append([name, *(str(m[key]) for key in ("component", "triangles", "borders")),
                        "allowed" if m["holes"] else "", result_cell(m),
-                       yes(m["injective"]) if is_valid(m) else "", seconds(m.get("seconds")),
+                       cell(m["injective"], "yes") if is_valid(m) else "", cell(m.get("seconds"), "seconds"),
                        escaped(m.get("message", ""))])
     return result
 

@@ -4,49 +4,39 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Shows how the error of the greedy unfolding accumulates (Section 4 of the paper), and that of our
-layouts does not: the largest closing error against the number of triangles, for the same angles."""
+"""Shows how the error of the greedy unfolding accumulates (Section 4 of the paper), and that of our layouts does not:
+the largest closing error against the number of triangles, for the same angles."""
 
 import argparse
 import tempfile
 from pathlib import Path
 
 import run
-from report import Report, cell, count, failure_row, head, table
+from report import Report, Table, head
 
 LAYOUTS = {"greedy": "greedy unfolding", "least_squares": "least squares", "exact": "exact"}
-
-
-def layout_row(size: int, tolerance: float, m: run.Measurement, columns: int) -> list[str]:
-    cells = [count(m.get("triangles", size)), f"{tolerance:g}"]
-    if "failure" in m:
-        return failure_row(cells, m, columns)
-    errors = [text for layout in LAYOUTS
-              for text in (cell(m[layout], ".1e"), count(m[layout + "_flips"]))]
-    return [*cells, cell(m["residual"], ".1e"), *errors]
+COLUMNS = [("largest residual", "residual", ".1e"), *(column for name, title in LAYOUTS.items() for column in (
+    (title, name, ".1e"), ("flips", name + "_flips", ".0f")))]
 
 
 def plot(results: list[tuple[float, run.Measurement]], tolerances: list[float], file: Path) -> None:
     import matplotlib.pyplot as plt  # only where something is drawn
-    figure, axes = plt.subplots(figsize=(8, 6), layout="constrained")
+    figure, axes = plt.subplots(figsize=(9, 6), layout="constrained")
     for tolerance, marker in zip(tolerances, "os^vD*"):
         for k, (layout, title) in enumerate(LAYOUTS.items()):
-            points = [(m["triangles"], m[layout]) for of, m in results
-                      if of == tolerance and "failure" not in m]
-            axes.loglog(*zip(*points), color=f"C{k}", marker=marker,
-                        label=f"{title}, |grad F| ≤ {tolerance:g}")
+            points = [(m["triangles"], m[layout]) for of, m in results if of == tolerance and "failure" not in m]
+            axes.loglog(*zip(*points), color=f"C{k}", marker=marker, label=f"{title}, |grad F| ≤ {tolerance:g}")
     axes.set(xlabel="triangles", ylabel="largest closing error, relative to the triangle")
     axes.grid(alpha=0.4)
-    figure.legend(loc="outside lower center", ncols=3)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3, fontsize="small")
     figure.savefig(file)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--mesh", type=Path, default=run.SHELL, help="a disk, which is simplified or "
-                        "subdivided; by default the sea shell of the examples")
-    parser.add_argument("--sizes", type=run.numbers, default="1000,3000,10000,30000,100000,300000",
-                        metavar="N,N,...", help="numbers of triangles (%(default)s)")
+    run.add_mesh(parser, "--mesh")
+    parser.add_argument("--sizes", type=run.numbers, default="1000,3000,10000,30000,100000,300000", metavar="N,N,...",
+                        help="numbers of triangles (%(default)s)")
     parser.add_argument("--tolerances", type=run.numbers, default="1,1e-3,1e-6", metavar="X,X,...",
                         help="where the solver of the angles stops: at that norm of grad F")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="draw the errors into that file")
@@ -54,19 +44,17 @@ def main() -> None:
     options = parser.parse_args()
     measure = run.measure_of(options)
 
-    titles = ["triangles", "norm of grad F", "largest residual"]
-    titles += [title for layout in LAYOUTS.values() for title in (layout, "flips")]
-    results, rows = [], []
+    results, table = [], Table(["triangles", "norm of grad F"], COLUMNS, 0)
     for size in options.sizes:
         with tempfile.TemporaryDirectory() as folder:
             file = measure.resized(options.mesh, size, folder)
             for tolerance in options.tolerances:
                 m = measure.one("layouts", file, tolerance)
                 results.append((tolerance, m))
-                rows.append(layout_row(size, tolerance, m, len(titles)))
-    Report(options.output).add(
-        head("Closing errors of layouts", measure) + "The largest closing error of the triangles, "
-        "relative to their size, of three layouts of the same angles.\n\n" + table(titles, rows, 0))
+                table.add([str(m.get("triangles", size)), f"{tolerance:g}"], m)
+    Report(options.output).add(head("Closing errors of layouts", measure) +
+                               "The largest closing error of the triangles, relative to their size, of three "
+                               f"layouts of the same angles.\n\n{table}")
     if options.svg:
         plot(results, options.tolerances, options.svg)
 

@@ -24,7 +24,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 Method find_method(const std::string& name)
 {
-  for(const auto& list : {package_methods(), cgal_methods(), chart_methods()})
+  for(const auto& list : {parameterizer_methods(), chart_methods()})
     if(const auto found = list.find(name); found != list.end())
       return found->second;
   throw std::runtime_error("there is no method '" + name + "'");

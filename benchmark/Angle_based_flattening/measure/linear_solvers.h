@@ -15,9 +15,10 @@
 
 #include <Eigen/SuperLUSupport> // must come before CGAL's traits
 
-#include "Gauge.h"
-#include "Linear_system.h"
+#include "Measurement.h"
 
+#include <CGAL/Eigen_sparse_matrix.h>
+#include <CGAL/Eigen_vector.h>
 #include <CGAL/SuperLU_solver_traits.h>
 
 #include <Eigen/SparseCholesky>
@@ -30,6 +31,19 @@
 namespace ABF_benchmark {
 
 typedef CGAL::Eigen_vector<double> Solution;
+
+// A square matrix that stores both triangles, and a right-hand side, in the types that CGAL's solvers take
+struct Linear_system
+{
+  typedef Eigen::SparseMatrix<double> Columns;
+
+  CGAL::Eigen_sparse_matrix<double> matrix{0, 0};
+  CGAL::Eigen_vector<double> right_side{0};
+
+  Columns& columns() { return matrix.eigen_object(); }
+  const Columns& columns() const { return matrix.eigen_object(); }
+  int order() const { return static_cast<int>(columns().rows()); }
+};
 
 // SuperLU through `CGAL::SuperLU_solver_traits`
 class CGAL_superlu
@@ -46,62 +60,15 @@ public:
   bool solve(const Solution& b, Solution& x) { return m_traits.linear_solver(b, x); }
   double nonzeros() const { return static_cast<double>(m_traits.factor_nonzeros()); }
   bool ordering_reused() const { return m_traits.ordering_reused(); }
-  double seconds_of_order(const Linear_system&) const { return 0; }
+  double seconds_of_order(const Linear_system&) { return 0; }
 
 private:
   CGAL::SuperLU_solver_traits<double> m_traits;
 };
 
-// SuperLU through Eigen's wrapper, which orders in every factorization. Ordering is timed apart.
-class Eigen_superlu : private Eigen::SuperLU<Linear_system::Columns>
-{
-  typedef Eigen::SuperLU<Linear_system::Columns> Wrapper;
-
-public:
-  static constexpr bool factors_again = false;
-
-  bool order(const Linear_system& system)
-  {
-    this->analyzePattern(system.columns());
-    return true;
-  }
-  bool factor(const Linear_system& system)
-  {
-    this->factorize(system.columns());
-    return this->info() == Eigen::Success;
-  }
-  bool solve(const Solution& b, Solution& x)
-  {
-    x.eigen_object() = Wrapper::solve(b.eigen_object());
-    return this->info() == Eigen::Success;
-  }
-  double nonzeros() const
-  {
-    const double lower = static_cast<const SCformat*>(this->m_sluL.Store)->nnz;
-    const double upper = static_cast<const NCformat*>(this->m_sluU.Store)->nnz;
-    return lower + upper - this->m_sluL.nrow;
-  }
-  bool ordering_reused() const { return false; }
-
-  // What dgssvx() does before it factors
-  double seconds_of_order(const Linear_system&)
-  {
-    std::vector<int> permutation(this->m_sluA.ncol), tree(this->m_sluA.ncol);
-    superlu_options_t options;
-    set_default_options(&options);
-    SuperMatrix ordered;
-    const double seconds = seconds_of([&] {
-      get_perm_c(COLAMD, &this->m_sluA, permutation.data());
-      sp_preorder(&options, &this->m_sluA, permutation.data(), tree.data(), &ordered);
-    });
-    Destroy_CompCol_Permuted(&ordered);
-    return seconds;
-  }
-};
-
-// A Cholesky factorization of Eigen's interface
+// A direct solver with Eigen's interface
 template <class Solver>
-class Eigen_cholesky : protected Solver
+class Eigen_engine : protected Solver
 {
 public:
   static constexpr bool factors_again = true;
@@ -125,16 +92,43 @@ public:
   double seconds_of_order(const Linear_system&) { return 0; }
 };
 
-class Eigen_ldlt : public Eigen_cholesky<Eigen::SimplicialLDLT<Linear_system::Columns>>
+// It orders in every factorization, which is timed apart.
+class Eigen_superlu : public Eigen_engine<Eigen::SuperLU<Linear_system::Columns>>
 {
 public:
+  static constexpr bool factors_again = false;
+
+  double nonzeros() const
+  {
+    const double lower = static_cast<const SCformat*>(this->m_sluL.Store)->nnz;
+    const double upper = static_cast<const NCformat*>(this->m_sluU.Store)->nnz;
+    return lower + upper - this->m_sluL.nrow;
+  }
+
+  // What dgssvx() does before it factors
+  double seconds_of_order(const Linear_system&)
+  {
+    std::vector<int> permutation(this->m_sluA.ncol), tree(this->m_sluA.ncol);
+    superlu_options_t options;
+    set_default_options(&options);
+    SuperMatrix ordered;
+    const double seconds = seconds_of([&] {
+      get_perm_c(COLAMD, &this->m_sluA, permutation.data());
+      sp_preorder(&options, &this->m_sluA, permutation.data(), tree.data(), &ordered);
+    });
+    Destroy_CompCol_Permuted(&ordered);
+    return seconds;
+  }
+};
+
+struct Eigen_ldlt : Eigen_engine<Eigen::SimplicialLDLT<Linear_system::Columns>>
+{
   double nonzeros() const { return static_cast<double>(this->m_matrix.nonZeros() + this->m_diag.size()); }
 };
 
 #ifdef ABF_WITH_CHOLMOD
-class Cholmod_supernodal : public Eigen_cholesky<Eigen::CholmodSupernodalLLT<Linear_system::Columns>>
+struct Cholmod_supernodal : Eigen_engine<Eigen::CholmodSupernodalLLT<Linear_system::Columns>>
 {
-public:
   double nonzeros() { return this->cholmod().lnz; }
 };
 #endif

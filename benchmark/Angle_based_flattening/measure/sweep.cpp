@@ -11,7 +11,6 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -39,25 +38,6 @@ typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Halfedge_index Halfedge;
 typedef CGAL::Epick::Point_2 Point_2;
 typedef Mesh::Property_map<Vertex, Point_2> UV_map;
-
-struct Component
-{
-  long triangles = 0;
-  std::vector<Halfedge> borders; // one halfedge of each
-};
-
-std::vector<Component> find_components(Mesh& mesh)
-{
-  const auto ids = mesh.add_property_map<Mesh::Face_index, Mesh::size_type>("f:component").first;
-  std::vector<Component> components(PMP::connected_components(mesh, ids));
-  for(const Mesh::Face_index f : mesh.faces())
-    ++components[ids[f]].triangles;
-  std::vector<Halfedge> borders;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
-  for(const Halfedge h : borders)
-    components[ids[mesh.face(mesh.opposite(h))]].borders.push_back(h);
-  return components;
-}
 
 const Point_2 untouched(-17, 42); // no result: those are in the first quadrant
 
@@ -103,15 +83,14 @@ std::string find_fault(const Mesh& mesh, const Halfedge border, const UV_map uv,
 }
 
 template <class Parameterizer>
-void flatten(Mesh& mesh, const Halfedge border, Parameterizer parameterizer, Measurement& m)
+Measurement flatten(Mesh& mesh, const Halfedge border, Parameterizer parameterizer)
 {
+  Measurement m;
   UV_map uv = mesh.add_property_map<Vertex, Point_2>("v:sweep_uv", untouched).first;
   std::string fault;
   try {
-    CGAL::Real_timer timer;
-    timer.start();
-    const SMP::Error_code code = SMP::parameterize(mesh, parameterizer, border, uv);
-    m.add("seconds", timer.time());
+    SMP::Error_code code = SMP::OK;
+    m.add("seconds", seconds_of([&] { code = SMP::parameterize(mesh, parameterizer, border, uv); }));
     fault = find_fault(mesh, border, uv, code, parameterizer.report());
     m.add("result", code == SMP::OK ? "valid" : to_string(parameterizer.report().diagnosis));
     m.add("message", parameterizer.report().message);
@@ -121,19 +100,19 @@ void flatten(Mesh& mesh, const Halfedge border, Parameterizer parameterizer, Mea
   }
   m.add("fault", fault);
   mesh.remove_property_map(uv);
+  return m;
 }
 
-void flatten(Mesh& mesh, const Halfedge border, const bool hierarchically, const bool allow_holes,
-             Measurement& m)
+Measurement flatten(Mesh& mesh, const Halfedge border, const std::string& method, const bool allow_holes)
 {
   SMP::ABF_plus_plus_options direct;
   direct.allow_holes = allow_holes;
-  if(!hierarchically)
-    return flatten(mesh, border, SMP::ABF_plus_plus_parameterizer_3<Mesh>(direct), m);
+  if(method == "direct")
+    return flatten(mesh, border, SMP::ABF_plus_plus_parameterizer_3<Mesh>(direct));
   typedef SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh> Parameterizer;
   SMP::Hierarchical_options options;
   options.allow_holes = allow_holes;
-  flatten(mesh, border, Parameterizer(options, Parameterizer::Coarse_parameterizer(direct)), m);
+  return flatten(mesh, border, Parameterizer(options, Parameterizer::Coarse_parameterizer(direct)));
 }
 
 } // namespace
@@ -147,30 +126,35 @@ void sweep(const std::string& file, const std::string& method, const int first_r
     return m.fail("no surface in it that CGAL reads");
   if(!CGAL::is_triangle_mesh(mesh))
     PMP::triangulate_faces(mesh);
-  long closed = 0;
-  int run = 0, number = 0;
-  for(const Component& component : find_components(mesh)) {
-    const int borders = static_cast<int>(component.borders.size());
-    closed += borders == 0;
+
+  const auto component = mesh.add_property_map<Mesh::Face_index, Mesh::size_type>("f:component").first;
+  std::vector<long> triangles(PMP::connected_components(mesh, component));
+  for(const Mesh::Face_index f : mesh.faces())
+    ++triangles[component[f]];
+  std::vector<Halfedge> cycles;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(cycles));
+  std::vector<std::vector<Halfedge>> borders(triangles.size()); // of each component, one halfedge of each
+  for(const Halfedge h : cycles)
+    borders[component[mesh.face(mesh.opposite(h))]].push_back(h);
+  const auto is_shorter = [&](const Halfedge g, const Halfedge h) {
+    return PMP::face_border_length(g, mesh) < PMP::face_border_length(h, mesh);
+  };
+
+  int run = 0;
+  for(std::size_t i = 0; i < borders.size(); ++i)
     for(const bool allow_holes : {false, true}) {
-      if(borders <= int(allow_holes) || run++ < first_run)
+      if(borders[i].size() <= std::size_t(allow_holes) || run++ < first_run)
         continue;
-      Measurement begin, end;
-      begin.add("component", number);
-      begin.add("triangles", component.triangles);
-      begin.add("borders", borders);
+      Measurement begin;
+      begin.add("component", i);
+      begin.add("triangles", triangles[i]);
+      begin.add("borders", borders[i].size());
       begin.add("holes", allow_holes);
+      const Halfedge longest = *std::max_element(borders[i].begin(), borders[i].end(), is_shorter);
       std::cout << begin;
-      const auto length = [&](const Halfedge h) { return PMP::face_border_length(h, mesh); };
-      const Halfedge longest =
-          *std::max_element(component.borders.begin(), component.borders.end(),
-                            [&](const Halfedge g, const Halfedge h) { return length(g) < length(h); });
-      flatten(mesh, longest, method == "hierarchical", allow_holes, end);
-      std::cout << end;
+      std::cout << flatten(mesh, longest, method, allow_holes);
     }
-    ++number;
-  }
-  m.add("closed", closed);
+  m.add("closed", std::count(borders.begin(), borders.end(), std::vector<Halfedge>()));
 }
 
 } // namespace ABF_benchmark

@@ -8,12 +8,14 @@
 
 // The methods that ABF++ is compared with and that, like it, solve for angles first
 
-#include "Matrix_split.h"
+#include "Lagrangian.h"
 #include "greedy_unfolding.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 
 #include <unsupported/Eigen/IterativeSolvers>
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,13 +25,8 @@ namespace ABF_benchmark {
 // step, and leave open what happens to angles that it turns over.
 inline double length_within_range(const Vector& x, const Vector& step, int number_of_angles)
 {
-  double length = 1;
-  for(int c = 0; c < number_of_angles; ++c) {
-    const double room = 0.9 * (step[c] < 0 ? x[c] : abf::pi - x[c]);
-    if(length * std::abs(step[c]) > room)
-      length = room / std::abs(step[c]);
-  }
-  return length;
+  const auto alpha = x.head(number_of_angles).array(), change = step.head(number_of_angles).array();
+  return (std::min)(1., (0.9 * (change < 0).select(alpha, abf::pi - alpha) / change.abs()).minCoeff());
 }
 
 // Algorithm 5: Newton's method on F from the optimal angles until ||grad F|| <= `tolerance`. `compute_step` is called
@@ -49,12 +46,56 @@ bool newton_loop(const Lagrangian& lagrangian, double tolerance, int max_iterati
     ++report.iterations;
   }
   alpha = lagrangian.angles(x);
-  lagrangian.describe(x, report);
+  report.residual = lagrangian.residual(x);
   if(!(gradient.norm() <= tolerance))
     return fail(report, "no convergence in " + std::to_string(max_iterations) +
                             " steps: the gradient's norm is " + std::to_string(gradient.norm()));
   return true;
 }
+
+// Solves Eq. 6 by the two matrix splits of Section 3, in the paper's own matrices.
+class Matrix_split
+{
+public:
+  explicit Matrix_split(const Lagrangian& lagrangian) : m_lagrangian(lagrangian), m_system(Solver()) {}
+
+  bool operator()(const Vector& x, const Vector& gradient, Vector& step)
+  {
+    const int n_alpha = m_lagrangian.number_of_angles(), n_f = n_alpha / 3;
+    const int n_lambda = m_lagrangian.number_of_constraints(), n_2 = n_lambda - n_f;
+    const Vector inverse = m_lagrangian.energy_curvature().cwiseInverse(); // Lambda^-1
+    const Matrix j = m_lagrangian.jacobian(x);
+    const Matrix j_1 = j.topRows(n_f), j_2 = j.bottomRows(n_2); // Eq. 11
+    const Vector b_1 = -gradient.head(n_alpha);
+    const Vector b = j * inverse.cwiseProduct(b_1) + gradient.tail(n_lambda); // b* of Eq. 9
+
+    const Matrix j_2_lambda = j_2 * inverse.asDiagonal(); // Eq. 12
+    const Matrix star = j_2_lambda * j_1.transpose();
+    const Matrix star_star = j_2_lambda * j_2.transpose();
+    Vector star_inverse(n_f);
+    for(int t = 0; t < n_f; ++t)
+      star_inverse[t] = 1 / inverse.segment<3>(3 * t).sum();
+
+    Vector lambda(n_lambda), lambda_2(0);
+    if(n_2 > 0) { // Eq. 16, with the sign that makes its matrix positive definite
+      const Matrix weighted = star * star_inverse.asDiagonal();
+      const Matrix product = weighted * star.transpose();
+      const Matrix s = star_star - product;
+      if(!m_system.set_matrix(s) || !m_system.solve(b.tail(n_2) - weighted * b.head(n_f), lambda_2))
+        return false;
+    }
+    lambda.head(n_f) = star_inverse.cwiseProduct(b.head(n_f) - star.transpose() * lambda_2); // Eq. 17
+    lambda.tail(n_2) = lambda_2;
+    step.resize(x.size());
+    step.head(n_alpha) = inverse.cwiseProduct(b_1 - j.transpose() * lambda); // Eq. 10
+    step.tail(n_lambda) = lambda;
+    return true;
+  }
+
+private:
+  const Lagrangian& m_lagrangian;
+  abf::Symmetric_system<Solver> m_system;
+};
 
 // Sheffer and de Sturler (2001), as Section 2 of the ABF++ paper describes it: Newton's method on the full system,
 // whose sparse matrix SuperLU factors with partial pivoting, then the greedy unfolding.
@@ -178,7 +219,7 @@ struct Linear_ABF
     x += step;
     report.iterations = 1;
     alpha = lagrangian.angles(x);
-    lagrangian.describe(x, report);
+    report.residual = lagrangian.residual(x);
     return true;
   }
 

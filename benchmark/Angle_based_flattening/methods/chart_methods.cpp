@@ -6,8 +6,7 @@
 #include "Relaxed_map.h"
 #include "angle_methods.h"
 #include "methods.h"
-
-#include "../measure/Gauge.h"
+#include "sequential_hierarchy.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 
@@ -39,7 +38,8 @@ Methods chart_methods()
           {"log-abf", run_on_chart<Logarithmic_ABF>},
           {"linear-abf", run_on_chart<Linear_ABF>},
           {"mips", run_on_chart<MIPS>},
-          {"stretch", run_on_chart<Stretch_minimizer>}};
+          {"stretch", run_on_chart<Stretch_minimizer>},
+          {"sequential", run_sequential_hierarchy}};
 }
 
 } // namespace ABF_benchmark

@@ -23,11 +23,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef void (*Method)(Surface&, const SMP::Hierarchical_options&, Measurement&);
 typedef std::map<std::string, Method> Methods; // by their names on command lines
 
-// The parameterizers of our package and hierarchical ones, those of CGAL, and the methods that are implemented here: each in a
-// file of its own, for they take long to compile.
-Methods package_methods();
-Methods cgal_methods();
-Methods chart_methods();
+Methods parameterizer_methods(); // of CGAL and of our package
+Methods chart_methods();         // that are implemented here
 
 } // namespace ABF_benchmark
 

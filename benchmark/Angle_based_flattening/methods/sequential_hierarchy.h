@@ -12,13 +12,12 @@
 // term for the shape, the limit of 2.5 degrees, border vertices along the border only), the star of a vertex with
 // its flip check (`Planar_star`), and the places that harmonic weights or Eq. 22 and the kernel give to a vertex.
 
+#include "methods.h"
+
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
@@ -26,7 +25,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 
 #include <boost/heap/d_ary_heap.hpp>
 
@@ -35,9 +34,6 @@
 #include <vector>
 
 namespace ABF_benchmark {
-
-namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 
 inline void neighbours(const abf::Edge_collapses& mesh, const int v, std::vector<int>& ring)
 {
@@ -116,10 +112,11 @@ private:
 class Sequential_refinement
 {
 public:
-  Sequential_refinement(abf::Edge_collapses& mesh, std::vector<abf::Planar_point>& uv,
-                        SMP::Hierarchical_report& report)
-      : m_mesh(mesh), m_uv(uv), m_report(report)
+  Sequential_refinement(abf::Edge_collapses& mesh, std::vector<abf::Planar_point>& uv)
+      : m_mesh(mesh), m_uv(uv)
   {}
+
+  int kernel_insertions() const { return m_kernel_insertions; }
 
   // Returns `false` if a vertex has no place in its star.
   bool run()
@@ -142,7 +139,7 @@ private:
     m_uv[v] = abf::harmonic_position(m_star);
     if(abf::is_valid(m_star, m_uv[v]))
       return true;
-    ++m_report.kernel_insertions;
+    ++m_kernel_insertions;
     m_uv[v] = abf::kernel_centre(m_star);
     return abf::is_valid(m_star, m_uv[v]);
   }
@@ -160,121 +157,75 @@ private:
   {
     m_star.gather(m_mesh, m_uv, v);
     const abf::Planar_point place = abf::harmonic_position(m_star);
-    const bool valid = abf::is_valid(m_star, place);
-    if(valid)
+    if(abf::is_valid(m_star, place))
       m_uv[v] = place;
-    ++(valid ? m_report.moves : m_report.rejected_moves);
   }
 
   abf::Edge_collapses& m_mesh;
   std::vector<abf::Planar_point>& m_uv;
-  SMP::Hierarchical_report& m_report;
+  int m_kernel_insertions = 0;
   abf::Planar_star m_star;
   std::vector<int> m_ring;
 };
 
-// The whole method, with the interface of a parameterizer. A coarse chart that cannot be solved is an error.
-template <class Mesh>
-class Sequential_parameterizer
+// Solves the coarse chart by direct ABF++. Returns whether that worked.
+inline bool solve_coarse_chart(const abf::Coarse_chart& coarse, const std::vector<int>& alive,
+                               std::vector<abf::Planar_point>& uv)
 {
-public:
-  typedef Mesh Triangle_mesh;
-  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh> parameterizer;
+  const auto coarse_uv = abf::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart);
+  for(std::size_t v = 0; coarse_uv && v < coarse_uv->size(); ++v)
+    uv[alive[v]] = abf::Planar_point((*coarse_uv)[v].x(), (*coarse_uv)[v].y());
+  return coarse_uv.has_value();
+}
 
-  explicit Sequential_parameterizer(const SMP::Hierarchical_options& options) : m_options(options) {}
+// The whole method, with the stages of the library's. A coarse chart that cannot be solved is an error.
+inline void run_sequential_hierarchy(Surface& surface, const SMP::Hierarchical_options& options,
+                                     Measurement& m)
+{
+  const Gauge gauge;
+  abf::Chart_reader<Mesh> reader(surface.mesh);
+  auto defect = reader.read(surface.border);
+  if(!defect)
+    defect = abf::diagnose(reader.chart, false);
+  if(defect)
+    return m.fail(defect.message);
+  const int vertices = reader.chart.number_of_vertices();
+  abf::Edge_collapses collapses(reader.chart);
+  m.add("coarsen", seconds_of([&] {
+          const int target = static_cast<int>((1 - options.simplification_rate) * vertices);
+          Sequential_coarsening(collapses, options.extreme_angle).coarsen((std::max)(target, 100));
+        }));
 
-  const SMP::Hierarchical_report& report() const { return m_outcome.report; }
+  std::vector<int> alive;
+  for(int v = 0; v < vertices; ++v)
+    if(collapses.is_alive(v))
+      alive.push_back(v);
+  std::vector<abf::Planar_point> places(vertices, abf::Planar_point(0, 0));
+  bool succeeded = false;
+  m.add("solve", seconds_of([&] {
+          const abf::Coarse_chart coarse(collapses, alive);
+          m.add("coarse_triangles", coarse.chart.number_of_triangles());
+          succeeded = solve_coarse_chart(coarse, alive, places);
+        }));
+  if(!succeeded)
+    return m.fail("the coarse chart cannot be solved");
 
-  template <class UV_map, class Index_map, class Parameterized_map>
-  SMP::Error_code parameterize(Mesh& mesh, const halfedge_descriptor border, UV_map uvmap, Index_map vimap,
-                               Parameterized_map)
-  {
-    m_outcome = abf::run_parameterizer<SMP::Hierarchical_report>(
-        mesh, border, uvmap, vimap, m_options,
-        [&](abf::Chart& chart, abf::Rounding round) { return flatten(chart, round); });
-    return error_code(m_outcome.report.diagnosis);
-  }
+  Sequential_refinement refinement(collapses, places);
+  m.add("refine", seconds_of([&] { succeeded = refinement.run(); }));
+  m.add("kernel_insertions", refinement.kernel_insertions());
+  if(!succeeded)
+    return m.fail("a vertex has no valid position in its star");
 
-private:
-  typedef std::vector<abf::Chart::Point_2> Layout;
-  typedef abf::Flattening<SMP::Hierarchical_report> Flattening;
-
-  Flattening flatten(abf::Chart& chart, const abf::Rounding round)
-  {
-    Flattening result;
-    SMP::Hierarchical_report& report = result.report = abf::report_of<SMP::Hierarchical_report>(chart);
-    m_uv.assign(chart.points.size(), abf::Planar_point(0, 0));
-    abf::Edge_collapses collapses(chart);
-    {
-      const abf::Stage stage(nullptr, SMP::Flattening_visitor::COARSEN, report.seconds.coarsen);
-      coarsen(collapses);
-    }
-    bool solved = false, refined = false;
-    {
-      const abf::Stage stage(nullptr, SMP::Flattening_visitor::COARSE_CHART, report.seconds.coarse_chart);
-      solved = solve_coarse(collapses, report);
-    }
-    {
-      const abf::Stage stage(nullptr, SMP::Flattening_visitor::REFINE, report.seconds.refine);
-      refined = solved && Sequential_refinement(collapses, m_uv, report).run();
-    }
-    if(!refined) {
-      abf::fail(report, SMP::Flattening_report::NO_CONVERGENCE,
-                solved ? "a vertex has no valid position in its star" : "the coarse chart cannot be solved");
-      return result;
-    }
-    {
-      const abf::Stage stage(nullptr, SMP::Flattening_visitor::CERTIFY, report.seconds.certify);
-      certify(chart, round, result);
-    }
-    return result;
-  }
-
-  void coarsen(abf::Edge_collapses& collapses) const
-  {
-    const double target = (1 - m_options.simplification_rate) * collapses.chart().number_of_vertices();
-    Sequential_coarsening(collapses, m_options.extreme_angle)
-        .coarsen((std::max)(static_cast<int>(target), 100));
-  }
-
-  bool solve_coarse(const abf::Edge_collapses& collapses, SMP::Hierarchical_report& report)
-  {
-    std::vector<int> alive;
-    for(int v = 0; v < collapses.chart().number_of_vertices(); ++v) {
-      if(collapses.is_alive(v))
-        alive.push_back(v);
-    }
-    const abf::Coarse_chart coarse(collapses, alive);
-    report.coarse_vertices = coarse.chart.number_of_vertices();
-    report.coarse_triangles = coarse.chart.number_of_triangles();
-    SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh> parameterizer;
-    const auto uv = abf::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart);
-    if(!uv)
-      return false;
-    for(std::size_t v = 0; v < uv->size(); ++v)
-      m_uv[alive[v]] = abf::Planar_point((*uv)[v].x(), (*uv)[v].y());
-    return true;
-  }
-
-  // The map, scaled like that of the library. Flipped triangles are counted and an error.
-  void certify(const abf::Chart& chart, const abf::Rounding round, Flattening& result) const
-  {
-    for(const abf::Planar_point& p : m_uv)
-      result.uv.emplace_back(p.x(), p.y());
-    abf::scale_to_surface_area(chart, result.uv);
-    round(result.uv);
-    result.invalid = abf::flipped_triangles(chart, result.uv);
-    result.report.flipped_triangles = static_cast<int>(result.invalid.size());
-    if(!result.invalid.empty()) {
-      abf::fail(result.report, SMP::Flattening_report::FLIPPED_TRIANGLES,
-                std::to_string(result.invalid.size()) + " flipped triangle(s)");
-    }
-  }
-
-  SMP::Hierarchical_options m_options;
-  abf::Outcome<Mesh, SMP::Hierarchical_report> m_outcome;
-  std::vector<abf::Planar_point> m_uv; // of each vertex that is there
-};
+  std::vector<abf::Chart::Point_2> uv;
+  for(const abf::Planar_point& p : places)
+    uv.emplace_back(p.x(), p.y());
+  abf::scale_to_surface_area(reader.chart, uv);
+  if(const std::size_t flips = abf::flipped_triangles(reader.chart, uv).size())
+    return m.fail(std::to_string(flips) + " flipped triangle(s)");
+  abf::write_chart(reader, uv, surface.uv);
+  gauge.add_to(m);
+}
 
 } // namespace ABF_benchmark
 
