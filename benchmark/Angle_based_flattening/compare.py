@@ -9,7 +9,6 @@ paper, ratios, and whether what the paper says is seen."""
 
 import argparse
 import sys
-import tempfile
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,7 +24,7 @@ ALL = {"sizes": "1000,4000,16000,64000,256000,1024000,4241328", "timeout": 600}
 
 
 @dataclass(frozen=True, order=True)
-class Test_mesh:
+class InputMesh:
     """If it has no file, the base is yet to be resized."""
 
     faces: int
@@ -33,7 +32,7 @@ class Test_mesh:
     file: Path | None = None
 
 
-def find_meshes(measure: run.Measure, options: argparse.Namespace) -> list[Test_mesh]:
+def find_meshes(measure: run.Measure, options: argparse.Namespace) -> list[InputMesh]:
     """The disks, small ones first. Folders have much in them that is no disk; what is named has to be
     one."""
     files = {file: False for file in options.meshes if not file.is_dir()}  # whether it may be left out
@@ -42,7 +41,7 @@ def find_meshes(measure: run.Measure, options: argparse.Namespace) -> list[Test_
             files |= {file: True for file in run.mesh_files(folder)}
         else:
             print(f"left out: there is no folder '{folder}'", file=sys.stderr)
-    meshes = [Test_mesh(int(size), options.base.stem) for size in options.sizes]
+    meshes = [InputMesh(size, options.base.stem) for size in options.sizes]
     for file, from_folder in files.items():
         m = measure.mesh(file)
         if "failure" in m and not from_folder:
@@ -50,7 +49,7 @@ def find_meshes(measure: run.Measure, options: argparse.Namespace) -> list[Test_
         if "failure" in m:
             print(f"left out: '{file}': {m['failure']}", file=sys.stderr)
         elif not from_folder or options.least <= m["triangles"] <= options.most:
-            meshes.append(Test_mesh(m["triangles"], file.stem, file))
+            meshes.append(InputMesh(m["triangles"], file.stem, file))
     return sorted(meshes, key=lambda mesh: (mesh.faces, mesh.name))
 
 
@@ -62,27 +61,22 @@ class Runner:
         self.measure, self.options = measure, options
         self.stops: Counter[str] = Counter()
 
-    def rows(self, number: int, mesh: Test_mesh) -> list[dict]:
-        with tempfile.TemporaryDirectory() as folder:
-            file = mesh.file or self.measure.resized(self.options.base, mesh.faces, folder, noise=True)
-            runs: dict[str, list[run.Measurement]] = {method: [] for method in self.options.methods}
-            for _ in range(self.options.repeat):
-                for method, done in runs.items():
-                    if not done and self.stops[method] >= 2:
-                        done.append({"failure": "not tried"})
-                    elif self.is_worth_repeating(done):
-                        done.append(self.run_once(mesh, method, file))
-        medians = {method: run.median(done) | {"runs": len(done)} for method, done in runs.items()}
-        faces = max((m.get("triangles", 0) for m in medians.values()), default=0) or mesh.faces
-        return [{"failure": ""} | m | {"number": number, "mesh": mesh.name, "faces": int(faces),
-                                       "resized": mesh.file is None, "method": method}
+    def rows(self, number: int, mesh: InputMesh) -> list[dict]:
+        file = mesh.file or self.measure.resized(self.options.base, mesh.faces, noise=True)
+        runs: dict[str, list[run.Measurement]] = {method: [] for method in self.options.methods}
+        for _ in range(self.options.repeat):
+            for method, done in runs.items():
+                if not done and self.stops[method] >= 2:
+                    done.append(run.Measurement(failure="not tried"))
+                elif sum(m["seconds"] for m in done) < self.options.timeout:  # NaN after a failure
+                    done.append(self.run_once(mesh, method, file))
+        medians = {method: run.median(done) for method, done in runs.items()}
+        faces = [*(m["triangles"] for m in medians.values() if "triangles" in m), mesh.faces][0]
+        return [{"failure": ""} | m | {"number": number, "mesh": mesh.name, "faces": faces, "method": method,
+                                       "resized": mesh.file is None, "runs": len(runs[method])}
                 for method, m in medians.items()]
 
-    def is_worth_repeating(self, done: list[run.Measurement]) -> bool:
-        return (not any("failure" in m for m in done) and
-                sum(m["seconds"] for m in done) < self.options.timeout)
-
-    def run_once(self, mesh: Test_mesh, method: str, file: Path) -> run.Measurement:
+    def run_once(self, mesh: InputMesh, method: str, file: Path) -> run.Measurement:
         m = self.measure.one("flatten", method, file, threads=self.options.threads)
         if m.get("failure", "").startswith(("took longer", "out of memory")):
             m["failure"] = "stopped: " + m["failure"]

@@ -11,14 +11,11 @@ import pandas as pd
 from report import DASH, cell, table
 
 METHODS = {
-    "abf++": "ABF++", "habf++": "hierarchical ABF++", "abf": "ABF (2001)",
-    "paper-abf++": "ABF++ to the letter (2005)",
-    "log-abf": "ABF in logarithms (Zayer et al. 2005)", "linear-abf": "linear ABF (2007)",
-    "mips": "MIPS", "stretch": "stretch minimization", "hlscm": "hierarchical LSCM",
-    "lscm": "LSCM (CGAL)", "arap": "ARAP (CGAL)",
+    "abf++": "ABF++", "habf++": "hierarchical ABF++", "abf": "ABF (2001)", "paper-abf++": "ABF++ to the letter (2005)",
+    "log-abf": "ABF in logarithms (Zayer et al. 2005)", "linear-abf": "linear ABF (2007)", "mips": "MIPS",
+    "stretch": "stretch minimization", "hlscm": "hierarchical LSCM", "lscm": "LSCM (CGAL)", "arap": "ARAP (CGAL)",
     "conformal": "discrete conformal map, on a circle (CGAL)",
-    "mean-value": "mean value coordinates, on a circle (CGAL)",
-    "authalic": "iterative authalic, on a circle (CGAL)"}
+    "mean-value": "mean value coordinates, on a circle (CGAL)", "authalic": "iterative authalic, on a circle (CGAL)"}
 NUMBERS = ["runs", "seconds", "bytes", "shear", "principal_shear", "equal_stretch_error", "stretch",
            "linf_stretch", "angular", "quasi_conformal", "area", "symmetric_dirichlet", "flips",
            "border_is_simple"]
@@ -72,7 +69,8 @@ def times_table(results: Results) -> str:
     """Run times: a row for each method, a column for each mesh"""
     wide = results.wide("seconds")[results.meshes["faces"] <= TABLE_1]
     return table(["method", *results.mesh_titles()[wide.index]],
-                 [[METHODS[method], *(cell(number, "seconds") for number in wide[method])] for method in results.methods])
+                 [[METHODS[method], *(cell(number, "seconds") for number in wide[method])]
+                  for method in results.methods])
 
 
 def distortions_table(results: Results, least: int, most: float) -> str:

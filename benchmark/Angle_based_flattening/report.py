@@ -18,9 +18,9 @@ DASH = "–"  # for what was not measured
 Column = tuple[str, str, str]  # its title, the name of its number, and the format of a cell
 
 
-def cell(number: float | None, form: str = ".4f") -> str:
-    """A number by its format, or as `seconds`, or as `yes` or no; a dash for None and NaN"""
-    if number is None or math.isnan(number):
+def cell(number: float, form: str = ".4f") -> str:
+    """A number by its format, or as `seconds`, or as `yes` or no; a dash for NaN"""
+    if math.isnan(number):
         return DASH
     if form == "yes":
         return "yes" if number else "no"
@@ -49,21 +49,15 @@ class Table:
         self.columns, self.text_columns = columns, text_columns
         self.rows: list[list[str]] = []
 
-    def add(self, cells: list[str], m: Measurement) -> None:
+    def add(self, cells: list[object], m: Measurement) -> None:
         """If there are no numbers, the reason is in the last cell."""
+        numbers = [cell(m[name], form) for _, name, form in self.columns]
         if "failure" in m:
             numbers = [DASH] * (len(self.columns) - 1) + ["FAILED: " + m["failure"]]
-        else:
-            numbers = [cell(m.get(name), form) for _, name, form in self.columns]
-        self.rows.append(cells + numbers)
+        self.rows.append([*map(str, cells), *numbers])
 
     def __str__(self) -> str:
         return table(self.titles, self.rows, self.text_columns)
-
-
-def ratio(numerator: float | None, denominator: float | None) -> float:
-    """NaN if one of them was not measured"""
-    return math.nan if None in (numerator, denominator) else numerator / denominator
 
 
 class Targets:
@@ -72,13 +66,9 @@ class Targets:
     def __init__(self) -> None:
         self.rows: list[list[str]] = []
 
-    def at_most(self, what: str, form: str, number: float, limit: float) -> None:
-        self._add(what, f"at most {limit:{form}}", form, number, number <= limit)
-
-    def at_least(self, what: str, form: str, number: float, limit: float) -> None:
-        self._add(what, f"at least {limit:{form}}", form, number, number >= limit)
-
-    def _add(self, what: str, limit: str, form: str, number: float, met: bool) -> None:
+    def add(self, what: str, form: str, number: float, *, most: float | None = None, least: float = -math.inf) -> None:
+        limit = f"at least {least:{form}}" if most is None else f"at most {most:{form}}"
+        met = number >= least if most is None else number <= most
         verdict = "not measured" if math.isnan(number) else "yes" if met else "NO"
         self.rows.append([what, limit, cell(number, form), verdict])
 
@@ -87,18 +77,14 @@ class Targets:
 
 
 class Report:
-    """Text that goes to standard output, and to a file if there is one. What was added is not lost if the
-    program is stopped."""
+    """Goes to standard output, and to a file if there is one, at once: nothing is lost if the program is stopped."""
 
     def __init__(self, file: Path | None) -> None:
-        self.file = file
-        self.text = ""
+        self.files = [sys.stdout] + ([file.open("w", encoding="utf-8")] if file else [])
 
     def add(self, text: str) -> None:
-        self.text += text
-        print(text, end="", flush=True)
-        if self.file:
-            self.file.write_text(self.text, encoding="utf-8")
+        for file in self.files:
+            print(text, end="", file=file, flush=True)
 
 
 def head(title: str, measure: Measure) -> str:

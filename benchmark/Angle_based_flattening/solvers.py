@@ -7,10 +7,9 @@
 """Compares sparse direct solvers on the matrices of ABF++."""
 
 import argparse
-import tempfile
 
 import run
-from report import Report, Table, cell, head, ratio, table
+from report import Report, Table, cell, head, table
 
 SOLVERS = {"superlu": "SuperLU, `CGAL::SuperLU_solver_traits`",
            "eigen-superlu": "SuperLU, `Eigen::SuperLU`",
@@ -46,28 +45,26 @@ with the same pattern does not order again.
 def measure_size(measure: run.Measure, options: argparse.Namespace, triangles: int) -> dict:
     """The results of each matrix and solver"""
     def solve(task: tuple[str, str]) -> run.Measurement:
-        matrix, solver = task
-        m = measure.one("solve", solver, file, matrix)
-        if "failure" not in m:
-            m["first"] = m["order"] + m["factor"]
-            m["total"] = m["first"] + m["solve"]
-            m["megabytes"] = m["bytes"] / 1e6
-            m["millions_of_nonzeros"] = m["nonzeros"] / 1e6
-        run.tell(f"{file.stem}, {matrix}, {solver}", m, "total")
+        m = measure.one("solve", task[1], file, task[0])
+        m["first"] = m["order"] + m["factor"]
+        m["total"] = m["first"] + m["solve"]
+        m["megabytes"] = m["bytes"] / 1e6
+        m["millions_of_nonzeros"] = m["nonzeros"] / 1e6
+        run.tell(f"{file.stem}, {', '.join(task)}", m, "total")
         return m
 
+    file = measure.resized(options.mesh, triangles)
     tasks = [(matrix, solver) for matrix in MATRICES for solver in options.solvers]
-    with tempfile.TemporaryDirectory() as folder:
-        file = measure.resized(options.mesh, triangles, folder)
-        return dict(zip(tasks, run.interleaved(solve, tasks, options.repeat)))
+    return dict(zip(tasks, run.interleaved(solve, tasks, options.repeat)))
 
 
 def ratio_row(results: dict, matrix: str, triangles: int) -> list[str]:
-    ours, eigens, cholmods = (results.get((matrix, solver), {}) for solver in ("superlu", "eigen-superlu", "cholmod"))
-    ratios = [ratio(eigens.get("total"), ours.get("total")), ratio(ours.get("total"), cholmods.get("total")),
-              ratio(ours.get("factor"), cholmods.get("factor")), ratio(ours.get("again"), ours.get("first"))]
-    return [MATRICES[matrix], str(ours.get("triangles", triangles)), *(cell(number, ".2f") for number in ratios),
-            cell(ours.get("ordering_reused"), "yes")]
+    ours, eigens, cholmods = (results.get((matrix, solver), run.Measurement())
+                              for solver in ("superlu", "eigen-superlu", "cholmod"))
+    ratios = [eigens["total"] / ours["total"], ours["total"] / cholmods["total"],
+              ours["factor"] / cholmods["factor"], ours["again"] / ours["first"]]
+    return [MATRICES[matrix], str(ours.get("triangles", triangles)),
+            *(cell(number, ".2f") for number in ratios), cell(ours["ordering_reused"], "yes")]
 
 
 def main() -> None:
@@ -75,21 +72,22 @@ def main() -> None:
     run.add_mesh(parser, nargs="?")
     parser.add_argument("--sizes", type=run.numbers, default="20000,100000,400000,1500000", metavar="N,N,...",
                         help="numbers of triangles (%(default)s)")
-    parser.add_argument("--solvers", type=run.words(SOLVERS), default=",".join(SOLVERS), metavar="NAME,NAME,...",
-                        help="which (%(default)s)")
+    parser.add_argument("--solvers", type=run.words(SOLVERS), default=",".join(SOLVERS),
+                        metavar="NAME,NAME,...", help="which (%(default)s)")
     run.add_options(parser)
     options = parser.parse_args()
     measure = run.measure_of(options)
     results = {size: measure_size(measure, options, size) for size in options.sizes}
 
     report = Report(options.output)
-    report.add(head("Sparse direct solvers on the matrices of ABF++", measure) + CAPTION.format(options=options))
+    report.add(head("Sparse direct solvers on the matrices of ABF++", measure) +
+               CAPTION.format(options=options))
     for matrix, title in MATRICES.items():
         solvers = Table(["solver", "triangles"], COLUMNS)
         for size, measured in results.items():
             for (of, solver), m in measured.items():
                 if of == matrix:
-                    solvers.add([SOLVERS[solver], str(m.get("triangles", size))], m)
+                    solvers.add([SOLVERS[solver], m.get("triangles", size)], m)
         report.add(f"\n## {title}\n\n{solvers}")
     report.add(RATIOS_CAPTION + table(RATIOS, [ratio_row(measured, matrix, size) for matrix in MATRICES
                                                for size, measured in results.items()]))

@@ -86,8 +86,8 @@ private:
   static bool search(const Map_energy<Energy>& energy, double slope, const Eigen::VectorXd& step,
                      Eigen::VectorXd& x, Run_report& report)
   {
-    for(double length = 1; length > 1e-12;
-        length /= 2) { // the energy is infinite where a triangle is flipped
+    // The energy is infinite where a triangle is flipped.
+    for(double length = 1; length > 1e-12; length /= 2) {
       const Eigen::VectorXd next = x + length * step;
       const double value = energy.value(next);
       if(value <= report.energy + 1e-4 * length * slope) {

@@ -31,142 +31,92 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ABF_benchmark {
 
-inline void neighbours(const abf::Edge_collapses& mesh, const int v, std::vector<int>& ring)
+inline std::vector<int> neighbours(const abf::Edge_collapses& mesh, const int v)
 {
   const abf::Chart& chart = mesh.chart();
-  ring.clear();
+  std::vector<int> ring;
   mesh.for_each_corner(v, [&](const int c) {
     ring.push_back(chart.vertex[abf::previous_corner(c)]);
     if(chart.rotate(c) < 0)
       ring.push_back(chart.vertex[abf::next_corner(c)]);
   });
+  return ring;
 }
 
-// Removes the vertex whose collapse is the cheapest of all, again and again.
-class Sequential_coarsening
+// A vertex in the queue, whose top is the largest entry
+struct Ranked_vertex
 {
-public:
-  Sequential_coarsening(abf::Edge_collapses& mesh, const double extreme_angle)
-      : m_mesh(mesh), m_cost(mesh, extreme_angle), m_handles(mesh.chart().points.size())
+  abf::Collapse_candidate candidate;
+  int vertex;
+
+  bool operator<(const Ranked_vertex& other) const
   {
-    for(int v = 0; v < m_mesh.chart().number_of_vertices(); ++v) {
-      m_handles[v] = m_queue.push({m_cost.best(v), v});
-    }
+    return std::tie(candidate.cost, vertex) > std::tie(other.candidate.cost, other.vertex);
   }
-
-  // Goes on until `target` vertices are left, or no collapse is allowed any more.
-  void coarsen(const int target)
-  {
-    int vertices = m_mesh.chart().number_of_vertices();
-    while(vertices > target && m_queue.top().candidate) {
-      const Entry next = m_queue.top();
-      // What is farther than its star can forbid a collapse, too.
-      if(m_cost.is_still_allowed(next.vertex, next.candidate.record)) {
-        collapse(next);
-        --vertices;
-      } else {
-        rank(next.vertex);
-      }
-    }
-  }
-
-private:
-  struct Entry
-  {
-    abf::Collapse_candidate candidate;
-    int vertex;
-
-    // The top of the queue is the largest entry.
-    bool operator<(const Entry& other) const
-    {
-      return candidate.cost > other.candidate.cost ||
-             (candidate.cost == other.candidate.cost && vertex > other.vertex);
-    }
-  };
-
-  typedef boost::heap::d_ary_heap<Entry, boost::heap::arity<4>, boost::heap::mutable_<true>> Queue;
-
-  void rank(const int v) { m_queue.update(m_handles[v], {m_cost.best(v), v}); }
-
-  void collapse(const Entry& entry)
-  {
-    neighbours(m_mesh, entry.vertex, m_ring);
-    m_queue.erase(m_handles[entry.vertex]);
-    m_mesh.collapse(entry.candidate.record);
-    for(const int v : m_ring)
-      rank(v);
-  }
-
-  abf::Edge_collapses& m_mesh;
-  abf::Collapse_cost m_cost;
-  Queue m_queue;
-  std::vector<Queue::handle_type> m_handles; // of each vertex
-  std::vector<int> m_ring;
 };
 
-// Puts the vertices back one by one (Section 5.2).
-class Sequential_refinement
+// Removes the vertex whose collapse is the cheapest of all, again and again, until `target` vertices are left, or no
+// collapse is allowed any more.
+inline void coarsen_sequentially(abf::Edge_collapses& mesh, const double extreme_angle, const int target)
 {
-public:
-  Sequential_refinement(abf::Edge_collapses& mesh, std::vector<abf::Planar_point>& uv)
-      : m_mesh(mesh), m_uv(uv)
-  {}
-
-  int kernel_insertions() const { return m_kernel_insertions; }
-
-  // Returns `false` if a vertex has no place in its star.
-  bool run()
-  {
-    while(!m_mesh.records().empty()) {
-      const int v = m_mesh.removed_vertex(m_mesh.records().back());
-      m_mesh.undo();
-      if(!insert(v))
-        return false;
-      smooth_around(v);
+  typedef boost::heap::d_ary_heap<Ranked_vertex, boost::heap::arity<4>, boost::heap::mutable_<true>> Queue;
+  int vertices = mesh.chart().number_of_vertices();
+  abf::Collapse_cost cost(mesh, extreme_angle);
+  Queue queue;
+  std::vector<Queue::handle_type> handles(vertices);
+  for(int v = 0; v < vertices; ++v)
+    handles[v] = queue.push({cost.best(v), v});
+  const auto rank = [&](const int v) { queue.update(handles[v], {cost.best(v), v}); };
+  while(vertices > target && queue.top().candidate) {
+    const Ranked_vertex next = queue.top();
+    // What is farther than its star can forbid a collapse, too.
+    if(!cost.is_still_allowed(next.vertex, next.candidate.record)) {
+      rank(next.vertex);
+      continue;
     }
-    return true;
+    const std::vector<int> ring = neighbours(mesh, next.vertex);
+    queue.erase(handles[next.vertex]);
+    mesh.collapse(next.candidate.record);
+    for(const int v : ring)
+      rank(v);
+    --vertices;
   }
+}
 
-private:
-  // Steps 1 and 2
-  bool insert(const int v)
-  {
-    m_star.gather(m_mesh, m_uv, v);
-    m_uv[v] = abf::harmonic_position(m_star);
-    if(abf::is_valid(m_star, m_uv[v]))
-      return true;
-    ++m_kernel_insertions;
-    m_uv[v] = abf::kernel_centre(m_star);
-    return abf::is_valid(m_star, m_uv[v]);
-  }
-
-  // Step 3: the neighbours, and then the vertex itself
-  void smooth_around(const int v)
-  {
-    neighbours(m_mesh, v, m_ring);
-    for(const int neighbour : m_ring)
+// Puts the vertices back one by one (Section 5.2), and counts those that go to the kernel. Returns `false` if a vertex
+// has no place in its star.
+inline bool refine_sequentially(abf::Edge_collapses& mesh, std::vector<abf::Planar_point>& uv,
+                                int& kernel_insertions)
+{
+  abf::Planar_star star;
+  const auto smooth = [&](const int v) {
+    star.gather(mesh, uv, v);
+    const abf::Planar_point place = abf::harmonic_position(star);
+    if(abf::is_valid(star, place))
+      uv[v] = place;
+  };
+  while(!mesh.records().empty()) {
+    const int v = mesh.removed_vertex(mesh.records().back());
+    mesh.undo();
+    star.gather(mesh, uv, v); // steps 1 and 2
+    uv[v] = abf::harmonic_position(star);
+    if(!abf::is_valid(star, uv[v])) {
+      ++kernel_insertions;
+      uv[v] = abf::kernel_centre(star);
+      if(!abf::is_valid(star, uv[v]))
+        return false;
+    }
+    for(const int neighbour : neighbours(mesh, v)) // step 3
       smooth(neighbour);
     smooth(v);
   }
-
-  void smooth(const int v)
-  {
-    m_star.gather(m_mesh, m_uv, v);
-    const abf::Planar_point place = abf::harmonic_position(m_star);
-    if(abf::is_valid(m_star, place))
-      m_uv[v] = place;
-  }
-
-  abf::Edge_collapses& m_mesh;
-  std::vector<abf::Planar_point>& m_uv;
-  int m_kernel_insertions = 0;
-  abf::Planar_star m_star;
-  std::vector<int> m_ring;
-};
+  return true;
+}
 
 // Solves the coarse chart by direct ABF++. Returns whether that worked.
 inline bool solve_coarse_chart(const abf::Coarse_chart& coarse, const std::vector<int>& alive,
@@ -194,7 +144,7 @@ inline void run_sequential_hierarchy(Surface& surface, const SMP::Hierarchical_o
   abf::Edge_collapses collapses(reader.chart);
   m.add("coarsen", seconds_of([&] {
           const int target = static_cast<int>((1 - options.simplification_rate) * vertices);
-          Sequential_coarsening(collapses, options.extreme_angle).coarsen((std::max)(target, 100));
+          coarsen_sequentially(collapses, options.extreme_angle, (std::max)(target, 100));
         }));
 
   std::vector<int> alive;
@@ -211,9 +161,9 @@ inline void run_sequential_hierarchy(Surface& surface, const SMP::Hierarchical_o
   if(!succeeded)
     return m.fail("the coarse chart cannot be solved");
 
-  Sequential_refinement refinement(collapses, places);
-  m.add("refine", seconds_of([&] { succeeded = refinement.run(); }));
-  m.add("kernel_insertions", refinement.kernel_insertions());
+  int kernel_insertions = 0;
+  m.add("refine", seconds_of([&] { succeeded = refine_sequentially(collapses, places, kernel_insertions); }));
+  m.add("kernel_insertions", kernel_insertions);
   if(!succeeded)
     return m.fail("a vertex has no valid position in its star");
 
