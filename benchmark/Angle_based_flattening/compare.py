@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Flattens meshes by ABF++ and the methods that it is compared with, side by side: the tables of the
 paper, ratios, and whether what the paper says is seen."""
 
@@ -33,8 +30,7 @@ class InputMesh:
 
 
 def find_meshes(measure: run.Measure, options: argparse.Namespace) -> list[InputMesh]:
-    """The disks, small ones first. Folders have much in them that is no disk; what is named has to be
-    one."""
+    """The disks, small ones first. Folders have much in them that is no disk; what is named has to be one."""
     files = {file: False for file in options.meshes if not file.is_dir()}  # whether it may be left out
     for folder in (*filter(Path.is_dir, options.meshes), *options.data):
         if folder.is_dir():
@@ -91,17 +87,14 @@ def parse_command_line() -> argparse.Namespace:
         epilog="methods:\n" + "\n".join(f"  {name}: {title}" for name, title in METHODS.items()))
     parser.add_argument("meshes", nargs="*", type=Path, metavar="FILE|FOLDER", help="of meshes")
     parser.add_argument("--data", type=Path, action="append", default=[], metavar="FOLDER",
-                        help="as above, but nothing is wrong if there is no such folder; may be given "
-                        "again")
+                        help="as above, but nothing is wrong if there is no such folder; may be given again")
     parser.add_argument("--sizes", type=run.numbers, default=[], metavar="N,N,...",
-                        help="numbers of triangles to which the base is simplified or subdivided, with "
-                        "noise")
+                        help="numbers of triangles to which the base is simplified or subdivided, with noise")
     parser.add_argument("--base", type=Path, default=run.SHELL, metavar="FILE",
                         help="a disk; by default the examples' sea shell")
-    parser.add_argument("--least", type=int, default=500, metavar="N",
-                        help="smaller meshes of folders are left out (%(default)s)")
-    parser.add_argument("--most", type=int, default=10000000, metavar="N",
-                        help="larger meshes of folders are left out (%(default)s)")
+    for name, default, which in (("--least", 500, "smaller"), ("--most", 10000000, "larger")):
+        parser.add_argument(name, type=int, default=default, metavar="N",
+                            help=f"{which} meshes of folders are left out ({default})")
     parser.add_argument("--methods", type=run.words(METHODS), default=list(METHODS), metavar="NAME,NAME,...",
                         help="as listed below; all by default")
     presets = parser.add_mutually_exclusive_group()
@@ -110,8 +103,7 @@ def parse_command_line() -> argparse.Namespace:
                              help=" ".join(f"--{key} {value}" for key, value in preset.items()))
     parser.add_argument("--threads", type=int, default=1, metavar="N", help="cores of a process")
     parser.add_argument("--csv", type=Path, metavar="FILE.csv", help="write all figures there")
-    parser.add_argument("--plots", type=Path, metavar="FOLDER",
-                        help="draw time.svg and distortion.svg there")
+    parser.add_argument("--plots", type=Path, metavar="FOLDER", help="draw time.svg and distortion.svg there")
     run.add_options(parser, timeout=120)
     options = parser.parse_args()
     parser.set_defaults(**(QUICK if options.quick else ALL if options.all else {}))
@@ -119,21 +111,18 @@ def parse_command_line() -> argparse.Namespace:
 
 
 def add_tables(report: Report, results: Results) -> None:
-    report.add("\n## Table I: run times\n\nIn seconds, of meshes up to 60,000 faces.\n\n" +
-               times_table(results))
-    report.add("\n## Table II: small to large meshes\n\nShear is that of Eq. 24, which depends on the "
-               "direction of the axes; principal shear does not. Stretch is that of the mirror image "
-               "where a triangle is flipped, and infinite where one has no area.\n\n" +
-               distortions_table(results, 0, TABLE_2))
-    report.add("\n## Table III: very large meshes\n\n" +
-               distortions_table(results, TABLE_2, float("inf")))
-    report.add("\n## Ratios to CGAL's LSCM\n\nGeometric means over the meshes that both methods could do, "
-               "but for developable ones; of stretch, those where it is finite.\n\n" +
-               ratios_table(results, "lscm"))
-    report.add("\n## Growth\n\nOf the run time on one surface in several sizes.\n\n" +
-               growth_table(results))
-    report.add("\n## What the paper says\n\nQuotients on every mesh where both were measured, but for "
-               "developable ones.\n\n" + relations_table(results))
+    for title, caption, table in (
+            ("Table I: run times", "In seconds, of meshes up to 60,000 faces.\n\n", times_table(results)),
+            ("Table II: small to large meshes", "Shear is that of Eq. 24, which depends on the direction of the "
+             "axes; principal shear does not. Stretch is that of the mirror image where a triangle is flipped, "
+             "and infinite where one has no area.\n\n", distortions_table(results, 0, TABLE_2)),
+            ("Table III: very large meshes", "", distortions_table(results, TABLE_2, float("inf"))),
+            ("Ratios to CGAL's LSCM", "Geometric means over the meshes that both methods could do, but for "
+             "developable ones; of stretch, those where it is finite.\n\n", ratios_table(results, "lscm")),
+            ("Growth", "Of the run time on one surface in several sizes.\n\n", growth_table(results)),
+            ("What the paper says", "Quotients on every mesh where both were measured, but for developable "
+             "ones.\n\n", relations_table(results))):
+        report.add(f"\n## {title}\n\n{caption}{table}")
 
 
 def main() -> None:

@@ -1,8 +1,5 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """The results of `compare` in tables like those of the paper, ratios, and growth."""
 
 import numpy as np

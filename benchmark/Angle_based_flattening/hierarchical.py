@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Measures the hierarchical parameterizer: speed, memory, distortion, against the direct one, CGAL's LSCM,
 hierarchical LSCM and the paper's order."""
 

@@ -1,8 +1,5 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """What the paper says of pairs of methods, and on how many meshes it is seen."""
 
 from math import inf

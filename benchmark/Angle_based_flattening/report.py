@@ -1,8 +1,5 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Reports in Markdown: tables, numbers in their cells, and on what machine they were measured."""
 
 import math

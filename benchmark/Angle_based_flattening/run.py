@@ -1,8 +1,5 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Runs the program `measure`, each time in a process of its own, with limits of time and memory."""
 
 import argparse
@@ -57,8 +54,10 @@ class Measure:
         limit, failure = seconds or self.seconds, ""
         environment = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
         try:
-            done = subprocess.run([self.program, *map(str, arguments)], stdout=subprocess.PIPE, timeout=limit,
-                                  env=environment, preexec_fn=confine, check=False)
+            # In a folder of its own, for some libraries write files where they are.
+            words = [str(word.resolve() if isinstance(word, Path) else word) for word in arguments]
+            done = subprocess.run([self.program, *words], stdout=subprocess.PIPE, timeout=limit, env=environment,
+                                  cwd=FOLDER.name, preexec_fn=confine, check=False)
             output = done.stdout
             if done.returncode:
                 failure = (f"killed by signal {-done.returncode}" if done.returncode < 0 else
@@ -68,7 +67,8 @@ class Measure:
         except (OSError, subprocess.SubprocessError) as error:
             output, failure = b"", f"cannot be started: {error}"
         # Libraries print, too.
-        return [json.loads(line, object_hook=Measurement) for line in output.decode(errors="replace").splitlines()
+        lines = output.decode(errors="replace").splitlines()
+        return [json.loads(line, object_hook=Measurement) for line in lines
                 if line.startswith("{") and line.endswith("}")], failure
 
     def one(self, *arguments: object, **how) -> Measurement:
@@ -144,20 +144,22 @@ def words(known: Iterable[str]) -> Callable[[str], list[str]]:
 
 def add_mesh(parser: argparse.ArgumentParser, name: str = "mesh", **how: str) -> None:
     """The mesh of which others are made"""
-    parser.add_argument(name, type=Path, default=SHELL, metavar="FILE", **how, help="a disk, which is simplified "
-                        "or subdivided; by default the sea shell of the examples")
+    parser.add_argument(name, type=Path, default=SHELL, metavar="FILE", **how, help="a disk, which is "
+                        "simplified or subdivided; by default the sea shell of the examples")
 
 
-def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int = 600, memory: int = 16) -> None:
+def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int = 600,
+                memory: int = 16) -> None:
     """Those that the benchmarks have in common"""
     if repeat:
         parser.add_argument("--repeat", type=int, default=repeat, metavar="N",
                             help="of how many processes each the medians are taken (%(default)s)")
     parser.add_argument("--timeout", type=float, default=timeout, metavar="SECONDS",
                         help="limit of a process, which is stopped then (%(default)s)")
-    parser.add_argument("--memory", type=float, default=memory, metavar="GB", help="limit of a process (%(default)s)")
-    parser.add_argument("--measure", type=Path, default=ROOT / "build/benchmark/Angle_based_flattening/measure",
-                        metavar="PROGRAM", help="what measures (%(default)s)")
+    parser.add_argument("--memory", type=float, default=memory, metavar="GB",
+                        help="limit of a process (%(default)s)")
+    parser.add_argument("--measure", type=Path, metavar="PROGRAM", help="what measures (%(default)s)",
+                        default=ROOT / "build/benchmark/Angle_based_flattening/measure")
     parser.add_argument("-o", "--output", type=Path, metavar="FILE.md", help="write the report there as well")
 
 

@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Compares sparse direct solvers on the matrices of ABF++."""
 
 import argparse

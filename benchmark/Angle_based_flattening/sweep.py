@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Flattens every component with a border of every mesh in a folder, each file in a process of its own, and
 looks at each map with the exact certificate, whatever the parameterizer said. The exit status is 0 only if
 there was no crash, no timeout, and no map that was called valid and is not."""

@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """Shows how the error of the greedy unfolding accumulates (Section 4 of the paper), and that of our layouts does
 not: the largest closing error against the number of triangles, for the same angles."""
 

@@ -1,8 +1,5 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
-# All rights reserved.
-#
 # SPDX-License-Identifier: GPL-3.0-or-later
-
 """What the benchmark `compare.py` makes of its figures, and what is told of processes that fail."""
 
 import sys

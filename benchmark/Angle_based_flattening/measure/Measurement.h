@@ -22,8 +22,8 @@
 
 namespace ABF_benchmark {
 
-// What a run found out: names and values, printed as an object of JSON in one line, with NaN and Infinity as Python reads them. If
-// there is a failure, with its reason, the rest may be missing.
+// What a run found out: names and values, printed as an object of JSON in one line, with NaN and Infinity as Python
+// reads them. If there is a failure, with its reason, the rest may be missing.
 class Measurement
 {
 public:
@@ -42,9 +42,8 @@ public:
 
   void add(const std::string& name, std::string text)
   {
-    for(char& c : text)
-      if(static_cast<unsigned char>(c) < ' ')
-        c = ' ';
+    std::replace_if(
+        text.begin(), text.end(), [](const unsigned char c) { return c < ' '; }, ' ');
     std::ostringstream quoted;
     quoted << std::quoted(text); // the same escapes as in JSON, but for control characters
     put(name, quoted.str());

@@ -15,8 +15,8 @@
 
 namespace ABF_benchmark {
 
-// Reads a mesh; makes one of about that many triangles of it, unless that is 0; adds noise; writes it, unless `output` is
-// empty. Tells its triangles, and fails if it is no disk with holes closed.
+// Reads a mesh, makes one of about that many triangles of it (unless that is 0), adds noise, writes it (if `output` is
+// not empty), and tells its triangles. Fails if it is no disk.
 void make_mesh(const std::string& file, std::size_t triangles, bool noise, const std::string& output,
                Measurement& m);
 
@@ -24,15 +24,15 @@ void make_mesh(const std::string& file, std::size_t triangles, bool noise, const
 void flatten(const std::string& method, const std::string& file,
              const CGAL::Surface_mesh_parameterization::Hierarchical_options& options, Measurement& m);
 
-// Runs a linear solver on the matrix of the first Newton step on a mesh: `full`, or the `block` of planarity.
+// Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 
 // Lays out the same angles, solved up to a gradient of that norm, in three ways.
 void lay_out(const std::string& file, double tolerance, Measurement& m);
 
-// Flattens all components with a border of a mesh, `direct`ly or `hierarchical`ly, but for the first runs, and prints a
-// measurement before and after each run: what it was at is known if it crashes. Components with several
-// borders are flattened twice, the second time with holes allowed.
+// Flattens all components with a border, `direct`ly or `hierarchical`ly, but for the first runs, those with several
+// borders twice, the second time with holes allowed. Prints a measurement before each run, too: what it was at is known
+// if it crashes.
 void sweep(const std::string& file, const std::string& method, int first_run, Measurement& m);
 
 // What this program was made of
