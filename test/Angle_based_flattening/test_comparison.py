@@ -81,7 +81,7 @@ class Processes(unittest.TestCase):
     def test_failures_are_named(self) -> None:
         for script, failure in (("kill -11 $$", "killed by signal 11"), ("exit 3", "ended with status 3"),
                                 ("true", "the process ended without a result"),
-                                ("sleep 60", "took longer than 0.5 s")):
+                                ("exec sleep 60", "took longer than 0.5 s")):
             self.assertEqual(self.measure(script, 0.5), {"failure": failure})
 
     def test_medians_are_those_of_runs_that_succeeded(self) -> None:
