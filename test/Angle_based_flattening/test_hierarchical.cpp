@@ -26,6 +26,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_hierarchical)
@@ -345,6 +346,28 @@ BOOST_AUTO_TEST_CASE(more_than_a_full_turn_at_the_border)
   BOOST_TEST(measures.flipped_triangles == 0);
   BOOST_TEST(!measures.border_is_simple);
   BOOST_TEST(hierarchical.report().start == Report::COARSE_PARAMETERIZER);
+}
+
+// Corners at random points of a square: coarse charts overlap themselves, and angles at the border come near to full turns.
+BOOST_AUTO_TEST_CASE(flattens_disks_with_random_corners)
+{
+  for(unsigned int seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> coordinate;
+    Chart chart = flat_grid(12, 0);
+    for(Point_3& p : chart.points) {
+      const double x = coordinate(random);
+      p = Point_3(x, coordinate(random), 0);
+    }
+    Mesh mesh = mesh_of(chart);
+    Options options;
+    options.polish = seed % 2 == 1;
+    SMP::Hierarchical_parameterizer_3<Mesh> hierarchical(options);
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      BOOST_TEST(flatten(mesh, hierarchical).flipped_triangles == 0);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(angle_sweeps_lower_the_angular_distortion)

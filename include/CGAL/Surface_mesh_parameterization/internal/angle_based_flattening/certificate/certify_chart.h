@@ -46,6 +46,12 @@ inline std::vector<int> multiply_wound_triangles(const Chart& chart, const std::
   return wound;
 }
 
+inline bool is_valid_map(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  const std::vector<Exact_point_2> points = exact_points(uv);
+  return flipped_triangles(chart.vertex, points).empty() && multiply_wound_triangles(chart, points).empty();
+}
+
 inline Certificate certify(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
   const std::vector<Exact_point_2> points = exact_points(uv);

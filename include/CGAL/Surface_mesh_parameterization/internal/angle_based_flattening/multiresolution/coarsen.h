@@ -52,18 +52,28 @@ public:
     }
   }
 
-  // Undoes the coarsest level. Returns the vertices that it had removed.
-  std::vector<int> undo_level()
+  // Undoes the coarsest level. Returns the vertices that it had removed. `visit` is called with each of them and the vertex
+  // that it had been merged into.
+  template <typename Visitor>
+  std::vector<int> undo_level(const Visitor& visit)
   {
     m_level_begin.pop_back();
     std::vector<int> restored;
-    while(static_cast<int>(m_mesh.records().size()) > m_level_begin.back())
+    while(static_cast<int>(m_mesh.records().size()) > m_level_begin.back()) {
+      const int kept = m_mesh.kept_vertex(m_mesh.records().back());
       restored.push_back(m_mesh.undo());
+      visit(restored.back(), kept);
+    }
     // in order of their numbers neighbours are near to each other in memory
     std::sort(restored.begin(), restored.end());
     const auto middle = m_alive.insert(m_alive.end(), restored.begin(), restored.end());
     std::inplace_merge(m_alive.begin(), middle, m_alive.end());
     return restored;
+  }
+
+  std::vector<int> undo_level()
+  {
+    return undo_level([](int, int) {});
   }
 
 private:

@@ -74,6 +74,18 @@ bool is_valid(const Star& star, const Planar_point& x)
   return true;
 }
 
+// How often the triangles of a star wind around `x`: how many lead from the lower half of the plane to the upper one
+template <typename Star>
+int winding_number(const Star& star, const Planar_point& x)
+{
+  const auto is_in_upper_half = [&](const Planar_point& p) {
+    return p.y() == x.y() ? p.x() > x.x() : p.y() > x.y();
+  };
+  return static_cast<int>(std::count_if(star.triangles.begin(), star.triangles.end(), [&](const auto& t) {
+    return !is_in_upper_half(t.p) && is_in_upper_half(t.q);
+  }));
+}
+
 // The triangles around one vertex, in space and in the plane: all that the position where it is inserted
 // depends on.
 struct Planar_star : Planar_star_base

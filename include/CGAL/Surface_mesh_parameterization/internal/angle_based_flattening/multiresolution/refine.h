@@ -43,7 +43,7 @@ public:
   {
     sweep(sweeps);
     while(m_coarsening.number_of_levels() > 0) {
-      if(!insert(m_coarsening.undo_level()))
+      if(!insert(m_coarsening.undo_level([&](int v, int kept) { m_uv[v] = m_uv[kept]; })))
         return false;
       visit_level(visitor, m_coarsening.number_of_vertices(),
                   m_coarsening.mesh().chart().number_of_vertices());
@@ -89,12 +89,9 @@ private:
       const int end = begin_of_block(b + 1, blocks, n);
       for(int i = begin_of_block(b, blocks, n); results[b].complete && i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(star.on_border) { // until then it is where it does not change the border
-          m_uv[vertices[i]] = (star.triangles.front().q + star.triangles.back().p) / 2;
+        insert(star, vertices[i], results[b]);
+        if(star.on_border)
           results[b].deferred.push_back(vertices[i]);
-        } else {
-          insert(star, vertices[i], results[b]);
-        }
       }
     });
     Planar_star star;
@@ -102,7 +99,7 @@ private:
     for(Block_result& result : results) {
       for(std::size_t i = 0; result.complete && i < result.deferred.size(); ++i) {
         star.gather(m_coarsening.mesh(), m_uv, result.deferred[i]);
-        insert(star, result.deferred[i], result);
+        widen(star, result.deferred[i]);
       }
       m_counts.kernel_insertions += result.kernel_insertions;
       complete = complete && result.complete;
@@ -110,36 +107,58 @@ private:
     return complete;
   }
 
+  // A border vertex stays close to the border as it is, or was merged: angles around its neighbours are only known when all
+  // vertices of the level are there.
   void insert(const Planar_star& star, int v, Block_result& result)
   {
-    const Planar_point before = m_uv[v];
-    Insertion insertion = insert_vertex(star, m_uv[v]);
-    if(insertion != NOT_INSERTED && star.on_border && border_overlaps(v, before))
-      insertion = insert_cautiously(star, v, before);
+    const bool is_close = star.on_border && insert_closely(star, v);
+    const Insertion insertion = is_close ? INSERTED : insert_vertex(star, m_uv[v]);
+    // Around a border vertex with more than a full turn, all triangles of a vertex that is split off it can be positively
+    // oriented and wind around it twice. No other position is any better: the valid ones are convex, and nothing
+    // can change on the way between two of them.
+    const bool is_wound = insertion != NOT_INSERTED && !star.on_border && winding_number(star, m_uv[v]) != 1;
     result.kernel_insertions += insertion == INSERTED_IN_KERNEL;
-    result.complete = insertion != NOT_INSERTED;
+    result.complete = insertion != NOT_INSERTED && !is_wound;
   }
 
-  // Where the border stays as it is, or nearly: the tip of an ear a little outside of the edge between its neighbours, any
-  // other vertex next to one of them, in the middle of what it takes over of its triangles. With the one that it had
-  // been merged into, that is valid.
-  Insertion insert_cautiously(const Planar_star& star, int v, const Planar_point& before)
+  bool insert_closely(const Planar_star& star, int v)
+  {
+    const bool is_first = m_uv[v] == star.triangles.front().q; // there it had been merged into
+    for(double distance : {1e-4, 1e-6, 1e-8}) {
+      m_uv[v] =
+          star.triangles.size() == 1 ? tip_of_ear(star, distance) : next_to_end(star, is_first, distance);
+      if(is_valid(star, m_uv[v]))
+        return true;
+    }
+    return false;
+  }
+
+  // Moves a border vertex to where it would be inserted, or as far as the border does not overlap itself.
+  void widen(const Planar_star& star, int v)
+  {
+    const Planar_point close = m_uv[v];
+    if(insert_vertex(star, m_uv[v]) != NOT_INSERTED && !border_overlaps(v, close))
+      return;
+    for(double distance : {0.5, 0.1, 0.01})
+      for(const Planar_point& position : {tip_of_ear(star, distance), next_to_end(star, true, distance),
+                                          next_to_end(star, false, distance)}) {
+        m_uv[v] = position;
+        if(is_valid(star, position) && !border_overlaps(v, close))
+          return;
+      }
+    m_uv[v] = close;
+  }
+
+  // A position a little outside of the edge between the neighbours on the border
+  static Planar_point tip_of_ear(const Planar_star& star, double distance)
   {
     const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
-    const Planar_point outwards(b.y() - a.y(), a.x() - b.x());
-    for(double distance : {0.5, 0.1, 0.01, 0.001, 0.0001})
-      for(const Planar_point& position :
-          {Planar_point((a + b) / 2 + distance * outwards), next_to_end(star, true, distance),
-           next_to_end(star, false, distance)}) {
-        m_uv[v] = position;
-        if(is_valid(star, position) && !border_overlaps(v, before))
-          return INSERTED_IN_KERNEL;
-      }
-    return NOT_INSERTED;
+    return (a + b) / 2 + distance * Planar_point(b.y() - a.y(), a.x() - b.x());
   }
 
   // A position next to the first or the last vertex of the ring of a border vertex, in the middle of the triangles between
-  // that and the others; `distance` is relative to the nearest one.
+  // that and the others; `distance` is relative to the nearest one. Next to the one that the vertex had been merged into
+  // all triangles are valid.
   static Planar_point next_to_end(const Planar_star& star, bool first, double distance)
   {
     const Planar_star::Triangle &front = star.triangles.front(), &back = star.triangles.back();
@@ -157,23 +176,24 @@ private:
            distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
-  // Whether the triangles around border vertex `v` or a neighbour of it on the border take a full turn, but do not with `v` at
-  // `before`. Vertices could come to lie in triangles twice there, with all of them positively oriented. Where a chart
-  // overlaps itself anyway, that is no reason to refuse a position.
+  // Whether the triangles around border vertex `v` or a neighbour of it on the border nearly take a full turn, but do not take
+  // one with `v` at `before`. Vertices could come to lie in triangles twice there, with all of them positively oriented.
+  // Where a chart overlaps itself anyway, that is no reason to refuse a position. What is left of the turn is for vertices
+  // that have yet to be inserted.
   bool border_overlaps(int v, const Planar_point& before)
   {
-    const unsigned now = full_turns(v);
+    const unsigned now = wide_angles(v, 2 * pi - 1e-2);
     if(now == 0)
       return false;
     const Planar_point position = m_uv[v];
     m_uv[v] = before;
-    const unsigned then = full_turns(v);
+    const unsigned then = wide_angles(v, 2 * pi);
     m_uv[v] = position;
     return (now & ~then) != 0;
   }
 
   // One bit for border vertex `v` and one for each of its neighbours on the border
-  unsigned full_turns(int v) const
+  unsigned wide_angles(int v, double limit) const
   {
     const Edge_collapses& mesh = m_coarsening.mesh();
     const int first = mesh.first_corner(v);
@@ -182,7 +202,7 @@ private:
       last = c;
     unsigned bits = 0;
     for(int w : {v, mesh.chart().vertex[previous_corner(first)], mesh.chart().vertex[next_corner(last)]})
-      bits = 2 * bits + (turn(w) > 2 * pi - 1e-3);
+      bits = 2 * bits + (turn(w) > limit);
     return bits;
   }
 

@@ -44,7 +44,7 @@ inline Polished_map polish(const Chart& chart, const std::vector<Chart::Point_2>
     return result;
   std::optional<Layout> layout =
       lay_out(chart, solution.alpha, kind, solvers, std::move(solution.scalar_solver));
-  if(layout && flipped_triangles(chart, layout->uv).empty())
+  if(layout && is_valid_map(chart, layout->uv))
     result.uv = std::move(layout->uv);
   return result;
 }
@@ -66,13 +66,17 @@ inline void certify(const Chart& chart, const Hierarchical_options& options, Rou
 {
   const Stage stage(options.visitor, Flattening_visitor::CERTIFY, result.report.seconds.certify);
   scale_to_surface_area(chart, result.uv);
+  const std::vector<Chart::Point_2> not_rounded = result.uv;
   round(result.uv);
   Certificate certificate = certify(chart, result.uv);
   take_certificate(certificate, result.report);
-  if(!certificate.is_valid())
+  if(!certificate.is_valid() && is_valid_map(chart, not_rounded))
     fail(result.report, Flattening_report::PRECISION_EXCEEDED,
          "there is a valid map, but rounded to the coordinates' number type it has " +
              describe_invalid(chart, certificate));
+  else if(!certificate.is_valid())
+    fail(result.report, Flattening_report::FLIPPED_TRIANGLES,
+         "the map that refinement left has " + describe_invalid(chart, certificate));
   result.invalid = std::move(certificate.invalid);
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
@@ -113,7 +113,7 @@ private:
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
       m_report.coarse_triangles = coarse.chart.number_of_triangles();
       const std::optional<Layout> uv = m_solve(coarse.chart);
-      if(uv && flipped_triangles(coarse.chart, *uv).empty()) {
+      if(uv && is_valid_map(coarse.chart, *uv)) {
         take(coarse, *uv);
         return true;
       }
