@@ -7,10 +7,13 @@
 
 #include "flatten_mesh/Chart.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/Polygon_soup.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/Run_record.h"
 #include "flatten_mesh/build_mesh.h"
+#include "flatten_mesh/components.h"
 #include "flatten_mesh/flatten_chart.h"
 #include "flatten_mesh/parse_command_line.h"
 #include "flatten_mesh/read_polygon_soup.h"
@@ -52,12 +55,12 @@ struct Surface
   Chart chart;
 };
 
-Surface read_surface(const Command_line& command)
+Surface read_surface(const Command_line& command, Notes& notes)
 {
   Surface surface;
-  surface.soup = read_polygon_soup(command.input);
+  surface.soup = read_polygon_soup(command.input, notes);
   try {
-    surface.mesh = build_mesh(surface.soup);
+    surface.mesh = build_mesh(surface.soup, command.repair == "on", notes);
     surface.chart = choose_chart(surface.mesh, static_cast<std::size_t>(command.component),
                                  static_cast<std::size_t>(command.border));
   } catch(const Input_error& error) {
@@ -124,8 +127,10 @@ Exit_status run(const Command_line& command)
 
   CGAL::Real_timer timer;
   timer.start();
-  Surface surface = read_surface(command);
+  Notes notes;
+  Surface surface = read_surface(command, notes);
   Run_record record;
+  record.notes = notes.texts();
   record.read_seconds = timer.time();
   record.input = command.input;
   record.vertices = surface.chart.vertices.size();
@@ -135,6 +140,10 @@ Exit_status run(const Command_line& command)
   progress.stage("read", record.read_seconds, std::to_string(record.triangles) + " triangles to flatten");
 
   record.flattening = flatten_chart(surface.mesh, surface.chart, command, progress);
+  if(!record.flattening.succeeded()) {
+    record.flattening.place +=
+        other_component_text(surface.mesh, static_cast<std::size_t>(command.component));
+  }
   tell_stages(record, progress);
   write_files(command, surface, record);
   progress.stage("write", record.write_seconds);

@@ -520,6 +520,94 @@ BOOST_AUTO_TEST_CASE(all_options)
   check_success();
 }
 
+// Lines that say nothing about the surface are skipped, and told where they might have.
+BOOST_AUTO_TEST_CASE(obj_lines)
+{
+  const Sheet sheet;
+  const std::string text = obj_input(sheet);
+  flatten(write("silent.obj", "\xEF\xBB\xBFmtllib a.mtl\n" + text + "vt 0 0 # comment\ns off\n"));
+  check_success();
+
+  flatten(write("skipped.obj", "call other.obj\n" + text + "l 1 2\np 3\ncurve 7\n"));
+  BOOST_TEST(status == 0);
+  BOOST_TEST(lines_of(standard_error).size() == 1u, standard_error);
+  for(const char* word : {"note", "4 lines", "line 1", "'call'"}) {
+    BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
+  }
+  BOOST_TEST((json().get_child("notes").front().second.get_value<std::string>().find("4 lines") !=
+              std::string::npos));
+
+  std::string continued = text;
+  continued.replace(continued.find("\nf ") + 2, 1, " \\\r\n");
+  flatten(write("continued.obj", continued));
+  check_success();
+  BOOST_TEST(lines_with(obj(), "f").size() == sheet.faces().size());
+  flatten(write("backwards.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3/1/1 -2//2 -1\n"));
+  check_success();
+}
+
+BOOST_AUTO_TEST_CASE(byte_order_marks)
+{
+  for(const std::string& input : {write("sheet.off", "\xEF\xBB\xBF" + off(Sheet())),
+                                  write("sheet.stl", "\xEF\xBB\xBF" + stl(Sheet()))}) {
+    BOOST_TEST_CONTEXT(input)
+    {
+      flatten(input);
+      check_success();
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(soup_is_welded)
+{
+  const Sheet sheet;
+  const Lines points = lines_of(sheet.points());
+  std::string text;
+  std::vector<std::vector<int>> faces;
+  for(const std::vector<int>& face : sheet.faces()) {
+    const int first = 3 * static_cast<int>(faces.size());
+    for(const int v : face) {
+      text += points[static_cast<std::size_t>(v)] + "\n";
+    }
+    faces.push_back({first, first + 1, first + 2});
+  }
+  const std::string input = write("soup.off", off(3 * static_cast<int>(faces.size()), text, faces));
+  flatten(input);
+  BOOST_TEST(status == 0);
+  BOOST_TEST((standard_error.find("welded, 35 vertices remain of 144") != std::string::npos), standard_error);
+  BOOST_TEST(json().get<int>("components") == 1);
+  BOOST_TEST(json().get<int>("vertices") == sheet.vertices());
+  flatten(input, "--repair off");
+  check_success();
+  BOOST_TEST(json().get<int>("components") == 48);
+}
+
+BOOST_AUTO_TEST_CASE(orientation_is_repaired)
+{
+  for(const std::size_t turned : {0u, 1u, 47u}) {
+    BOOST_TEST_CONTEXT(turned)
+    {
+      std::vector<std::vector<int>> faces = Sheet().faces();
+      std::swap(faces[turned][1], faces[turned][2]);
+      flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)));
+      BOOST_TEST(status == 0);
+      const std::string told = "1 face turned, the first is face " + std::to_string(turned + 1);
+      BOOST_TEST((standard_error.find(told) != std::string::npos), standard_error);
+      BOOST_TEST(json().get<int>("triangles") == 48);
+      BOOST_TEST(json().get<int>("components") == 1);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bow_tie_is_repaired)
+{
+  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
+  BOOST_TEST(status == 0);
+  BOOST_TEST((standard_error.find("at vertex 1: 1 vertex added") != std::string::npos), standard_error);
+  BOOST_TEST(json().get<int>("components") == 2);
+  BOOST_TEST(lines_with(obj(), "v").size() == 6u);
+}
+
 BOOST_AUTO_TEST_CASE(layouts_are_named)
 {
   const std::string input = write("sheet.off", off(Sheet()));
@@ -635,11 +723,24 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   };
   const int more = sheet.vertices();
   flatten(write("twice.off", with({{more, more + 1, more}})));
-  check_refusal({"face 49", "vertex 36", "twice"});
+  check_refusal({"face 49", "names vertex 36 twice"});
   flatten(write("short_face.off", with({{more, more + 1}})));
   check_refusal({"short_face.off"});
   flatten(write("absent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"));
-  check_refusal({"absent.obj", "not there"});
+  check_refusal({"absent.obj", "line 4", "vertex 4", "not there"});
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  flatten(write("zero.obj", triangle + "f 0 1 2\n"));
+  check_refusal({"line 4", "vertex 0"});
+  flatten(write("behind.obj", triangle + "\nf -1 -2 -4\n"));
+  check_refusal({"line 5", "vertex -4"});
+  flatten(write("pair.obj", triangle + "f 1 2\n"));
+  check_refusal({"line 4", "fewer than three"});
+  flatten(write("words.obj", triangle + "f one two three\n"));
+  check_refusal({"line 4", "'one'"});
+  flatten(write("plane.obj", "v 0 0\n"));
+  check_refusal({"line 1", "three coordinates"});
+  flatten(write("named_twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 3\n"));
+  check_refusal({"line 5", "names vertex 3 twice"});
   flatten(write("third.off", with({{0, 8, more}})));
   check_refusal({"between vertices 1 and 9", "3 faces", "manifold"});
   flatten(write("turned.off", with({{1, 0, more}, {1, 0, more + 1}})));
@@ -650,20 +751,41 @@ BOOST_AUTO_TEST_CASE(orientation)
 {
   std::vector<std::vector<int>> faces = Sheet().faces();
   std::swap(faces[1][1], faces[1][2]);
-  flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)));
+  flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)), "--repair off");
   check_refusal({"oriented differently", "faces 2 and 13", "vertices 8 and 9"});
 }
 
 BOOST_AUTO_TEST_CASE(bow_tie)
 {
-  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
+  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"),
+          "--repair off");
   check_refusal({"vertex 1", "manifold"});
   const std::string points = "OFF\n6 4 0\n1 0 1\n1 0 0\n0 1 0\n-1 -1 0\n0 0 1\n0 0 0\n";
   const std::string fan = "3 5 1 2\n3 5 2 3\n3 5 3 1\n", flag = "3 5 4 0\n";
   for(const std::string& faces : {fan + flag, flag + fan}) {
-    flatten(write("flag.off", points + faces));
+    flatten(write("flag.off", points + faces), "--repair off");
     check_refusal({"vertex 6", "manifold"});
   }
+}
+
+// However the faces are turned, and whichever face is the first.
+BOOST_AUTO_TEST_CASE(one_sided)
+{
+  const int n = 12;
+  std::ostringstream points;
+  std::vector<std::vector<int>> faces;
+  for(int i = 0; i < n; ++i) {
+    const double a = 2 * std::acos(-1.) * i / n, r = 0.5 * std::cos(a / 2);
+    for(const int side : {-1, 1}) {
+      points << (3 + side * r) * std::cos(a) << ' ' << (3 + side * r) * std::sin(a) << ' '
+             << side * 0.5 * std::sin(a / 2) << '\n';
+    }
+    const int b = 2 * i, c = b + 1, d = i + 1 < n ? b + 2 : 1, e = i + 1 < n ? b + 3 : 0;
+    faces.push_back({b, d, e});
+    faces.push_back({b, e, c});
+  }
+  flatten(write("strip.off", off(2 * n, points.str(), faces)));
+  check_refusal({"one-sided", "between vertices"});
 }
 
 // Half of a wheel: its hub has all of the faces, which are then added at once.
@@ -692,6 +814,14 @@ BOOST_AUTO_TEST_CASE(closed_surface)
   check_refusal({"closed", "border", "cut"});
 }
 
+BOOST_AUTO_TEST_CASE(another_component_is_named)
+{
+  const std::string tetrahedron = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", triangle = "3 4 5 6\n";
+  flatten(write("two.off",
+                "OFF\n7 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 0\n6 0 0\n5 1 0\n" + tetrahedron + triangle));
+  check_refusal({"closed", "--component 1"});
+}
+
 BOOST_AUTO_TEST_CASE(handle)
 {
   // A torus of 5 by 5 quadrangles without one of them.
@@ -706,6 +836,13 @@ BOOST_AUTO_TEST_CASE(handle)
       faces.push_back({i, right, across, up});
     }
   }
+  std::vector<std::vector<int>> with_triangle = faces;
+  with_triangle.push_back({25, 26, 27});
+  flatten(write("two.off", off(28, points.str() + "9 0 0\n9 1 0\n9 0 1\n", with_triangle)));
+  BOOST_TEST((standard_error.find("handle") != std::string::npos), standard_error);
+  BOOST_TEST((standard_error.find("--component 1") != std::string::npos), standard_error);
+  fs::remove(file("flat.json"));
+
   const std::string input = write("handle.off", off(25, points.str(), faces));
   run(quoted(input) + " --output " + quoted(file("flat.obj")));
   check_refusal({"NONZERO_GENUS", "handle"});

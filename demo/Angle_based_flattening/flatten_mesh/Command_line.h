@@ -31,6 +31,7 @@ struct Command_line
   int component = 0;
   int border = 0;
   std::string holes = "close";
+  std::string repair = "on";
   std::string method = "auto";
   std::string solver = "superlu";
   std::string layout = "auto";
@@ -95,6 +96,10 @@ inline po::options_description chart_options(Command_line& command)
       "close: each hole is covered by a fan of triangles while the surface is flattened; its shape then "
       "changes "
       "little. open: holes may take any shape; only for small distortions this comes out valid");
+  add("repair", name_option(command.repair),
+      "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
+      "parts that "
+      "touch in a vertex separated, each with a note. off: such surfaces are refused");
   return options;
 }
 

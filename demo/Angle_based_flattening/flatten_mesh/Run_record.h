@@ -53,6 +53,7 @@ struct Run_record
   double write_seconds = 0;
   Flattening flattening;
   std::vector<std::string> written;
+  std::vector<std::string> notes;
 };
 
 // The name of a diagnosis, "OK" for none.

@@ -95,6 +95,7 @@ inline void understand_names(Command_line& command)
   };
   check("method", command.method, {"direct", "hierarchical", "auto"});
   check("holes", command.holes, {"close", "open"});
+  check("repair", command.repair, {"on", "off"});
   check("solver", command.solver, {"superlu", "eigen", "cholmod"});
   check("layout", command.layout, {"auto", "exact", "least-squares"});
   check("step", command.step, {"newton", "sqp"});

@@ -6,9 +6,11 @@
 #ifndef FLATTEN_MESH_READ_POLYGON_SOUP_H
 #define FLATTEN_MESH_READ_POLYGON_SOUP_H
 
+#include "Notes.h"
+#include "Polygon_soup.h"
+#include "read_obj.h"
 #include "texts.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
 #ifdef CGAL_USE_VTK
@@ -27,22 +29,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
 namespace flatten_mesh {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Polygon = std::vector<std::size_t>;
-
-// Points and polygons in the order of the file.
-struct Polygon_soup
-{
-  std::vector<Kernel::Point_3> points;
-  std::vector<Polygon> polygons;
-};
 
 namespace internal {
 
@@ -85,20 +78,39 @@ inline void check_file_format(const std::string& name)
 #endif
 }
 
+// Text files of some programs begin with a byte order mark, which readers take for a word.
+inline void open_file(const std::string& name, std::ifstream& file)
+{
+  file.open(name, std::ios::binary);
+  std::array<char, 3> mark = {};
+  file.read(mark.data(), mark.size());
+  if(mark != std::array<char, 3>{'\xEF', '\xBB', '\xBF'}) {
+    file.clear();
+    file.seekg(0);
+  }
+}
+
 // Whether CGAL can read the file. Its readers may throw, and talk to standard error: neither gets out of
 // here.
 inline bool try_to_read(const std::string& name, Polygon_soup& soup)
 {
   const boost::io::ios_rdbuf_saver no_output(std::cout, nullptr), no_errors(std::cerr, nullptr);
+  const std::string format = file_format(name);
   try {
 #ifdef CGAL_USE_VTK
-    // CGAL 5.5 forgets this format in the function below.
-    if(file_format(name) == "vtp") {
+    if(format == "vtp") {
       vtkObject::GlobalWarningDisplayOff();
       return CGAL::IO::read_VTP(name, soup.points, soup.polygons);
     }
 #endif
-    return CGAL::IO::read_polygon_soup(name, soup.points, soup.polygons);
+    std::ifstream file;
+    open_file(name, file);
+    return format == "off"   ? CGAL::IO::read_OFF(file, soup.points, soup.polygons)
+           : format == "ply" ? CGAL::IO::read_PLY(file, soup.points, soup.polygons)
+           : format == "stl" ? CGAL::IO::read_STL(file, soup.points, soup.polygons)
+                             : CGAL::IO::read_GOCAD(file, soup.points, soup.polygons);
+  } catch(const std::bad_alloc&) {
+    throw;
   } catch(const std::exception&) {
     return false;
   }
@@ -135,13 +147,17 @@ inline std::string explain_unreadable_file(const std::string& name)
 
 } // namespace internal
 
-// Throws an `Input_error` if the file cannot be read. The content is not looked at.
-inline Polygon_soup read_polygon_soup(const std::string& name)
+// Throws an `Input_error` if the file cannot be read. Whether the polygons fit together is not looked at.
+inline Polygon_soup read_polygon_soup(const std::string& name, Notes& notes)
 {
   internal::check_file_is_there(name);
   internal::check_file_format(name);
   Polygon_soup soup;
-  if(!internal::try_to_read(name, soup)) {
+  if(internal::file_format(name) == "obj") {
+    std::ifstream file;
+    internal::open_file(name, file);
+    read_obj(file, name, soup, notes);
+  } else if(!internal::try_to_read(name, soup)) {
     throw Input_error(internal::explain_unreadable_file(name));
   }
   return soup;

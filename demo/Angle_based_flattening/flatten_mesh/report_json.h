@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -44,6 +45,15 @@ std::string json_number(const Number number)
   }
   append_number(text, number);
   return text;
+}
+
+inline std::string json_texts(const std::vector<std::string>& values)
+{
+  std::string text;
+  for(const std::string& value : values) {
+    text += (text.empty() ? "" : ", ") + json_text(value);
+  }
+  return "[" + text + "]";
 }
 
 // An object, member by member; their values are JSON themselves.
@@ -96,6 +106,7 @@ inline std::string report_json(const Run_record& record)
   internal::Json_object json;
   json.add("status", json_text(status_name(report)));
   json.add("message", json_text(report.message + record.flattening.place));
+  json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));

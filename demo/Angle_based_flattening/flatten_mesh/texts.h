@@ -33,9 +33,10 @@ inline std::string face_name(const std::size_t index)
 }
 
 // A count with its noun: "1 border", "3 borders".
-inline std::string count_text(const std::size_t count, const std::string& noun)
+inline std::string count_text(const std::size_t count, const std::string& noun,
+                              const std::string& plural = "")
 {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  return std::to_string(count) + " " + (count == 1 ? noun : plural.empty() ? noun + "s" : plural);
 }
 
 // A number for people, as `printf` formats it.
