@@ -15,7 +15,9 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -26,8 +28,11 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 BOOST_AUTO_TEST_SUITE(test_flatten_mesh)
@@ -110,14 +115,16 @@ struct Folder
     return file(name);
   }
 
-  void run(const std::string& arguments)
+  void run(const std::string& arguments, const std::string& standard_output_file = "")
   {
-    const std::string command = quoted(program()) + " " + arguments + " > " + quoted(file("stdout")) +
+    const std::string command = quoted(program()) + " " + arguments + " > " +
+                                quoted(standard_output_file.empty() ? file("stdout") : standard_output_file) +
                                 " 2> " + quoted(file("stderr"));
     const int result = std::system(command.c_str());
     status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
     standard_output = content(path / "stdout");
     standard_error = content(path / "stderr");
+    asks_for_json = false;
   }
 
   // Runs the program on a file, with all outputs.
@@ -125,6 +132,7 @@ struct Folder
   {
     run(quoted(input) + " --output " + quoted(file("flat.obj")) + " --svg " + quoted(file("flat.svg")) +
         " --json " + quoted(file("flat.json")) + " " + options);
+    asks_for_json = true;
   }
 
   boost::property_tree::ptree json() const
@@ -136,7 +144,7 @@ struct Folder
 
   std::string obj() const { return content(path / "flat.obj"); }
 
-  // Status 2, one line that contains all the words, and none of the three files.
+  // Status 2, one line that contains all the words, and of the three files only the one that tells what is wrong.
   void check_refusal(const Lines& words)
   {
     BOOST_TEST(status == 2);
@@ -145,10 +153,25 @@ struct Folder
     for(const std::string& word : words) {
       BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
     }
+    if(asks_for_json) {
+      BOOST_TEST(json().get<std::string>("status") != "OK");
+      BOOST_TEST((standard_error.find(json().get<std::string>("message")) != std::string::npos));
+      fs::remove(file("flat.json"));
+    }
+    check_nothing_is_left();
+  }
+
+  void check_nothing_is_left() const
+  {
     for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
       BOOST_TEST(entry.path().stem() != "flat", entry.path() << " is left");
       BOOST_TEST(entry.path().extension() != ".unfinished", entry.path() << " is left");
     }
+  }
+
+  void check_told(const std::string& word) const
+  {
+    BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
   }
 
   void check_success()
@@ -161,6 +184,7 @@ struct Folder
 
   fs::path path;
   int status = -1;
+  bool asks_for_json = false;
   std::string standard_output;
   std::string standard_error;
 };
@@ -637,6 +661,13 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
   }
 }
 
+BOOST_AUTO_TEST_CASE(version)
+{
+  run("--version");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(standard_output.compare(0, 15, "flatten_mesh 0.") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(names_with_blanks_and_quotes)
 {
   fs::create_directory(path / "a \"b\"");
@@ -849,6 +880,7 @@ BOOST_AUTO_TEST_CASE(handle)
   flatten(input);
   BOOST_TEST(status == 2);
   BOOST_TEST(json().get<std::string>("status") == "NONZERO_GENUS");
+  BOOST_TEST(json().get<int>("triangles") == 48);
   BOOST_TEST(!fs::exists(file("flat.obj")));
   BOOST_TEST(!fs::exists(file("flat.svg")));
 }
@@ -865,22 +897,152 @@ BOOST_AUTO_TEST_CASE(component_and_border_out_of_range)
 BOOST_AUTO_TEST_CASE(unwritable_output)
 {
   const std::string input = write("sheet.off", off(Sheet()));
-  for(const char* option : {"--output ", "--svg ", "--json "}) {
+  for(const std::string option : {"output .obj", "svg .svg", "json .json"}) {
     BOOST_TEST_CONTEXT(option)
     {
-      run(quoted(input) + " " + option + quoted(file("absent/flat.x")));
-      check_refusal({"cannot write", "absent/flat.x"});
-      run(quoted(input) + " " + option + quoted(path.string()));
+      const std::string name = " --" + option.substr(0, option.find(' ')) + " ";
+      const std::string extension = option.substr(option.find(' ') + 1);
+      run(quoted(input) + name + quoted(file("absent/flat" + extension)));
+      check_refusal({"cannot write", "absent/flat"});
+      run(quoted(input) + name + quoted(path.string()));
       check_refusal({"cannot write", "folder"});
-      run(quoted(input) + " " + option + quoted(input));
-      check_refusal({"overwrite"});
+      run(quoted(input) + name + "''");
+      check_refusal({"empty"});
+      run(quoted(input) + name + quoted(file("flat.off")));
+      check_refusal({"flat.off", "--output .obj", "--svg .svg", "--picture .png", "--json .json"});
     }
   }
   run(quoted(input) + " --output " + quoted(file("flat.obj")) + " --svg " + quoted(file("absent/flat.svg")));
   check_refusal({"cannot write"});
-  run(quoted(input) + " --output " + quoted(file("flat")) + " --svg " + quoted(file("flat")));
-  check_refusal({"same name"});
+  run(quoted(input) + " --output " + quoted(file("flat.OBJ")));
+  BOOST_TEST(status == 0);
   BOOST_TEST(content(input) == off(Sheet()));
+}
+
+// By any path, also through links, and before anything is computed: there is no input.
+BOOST_AUTO_TEST_CASE(outputs_that_are_one_file)
+{
+  fs::create_directory(path / "folder");
+  fs::create_directory_symlink(path / "folder", path / "link");
+  fs::create_symlink("folder/absent", path / "dangling");
+  const std::string input = write("sheet.obj", obj_input(Sheet()));
+  fs::create_hard_link(input, path / "hard.obj");
+  fs::create_symlink("sheet.obj", path / "soft.obj");
+  for(const char* name : {"sheet.obj", "hard.obj", "soft.obj", "folder/../sheet.obj"}) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      run(quoted(input) + " --output " + quoted(file(name)));
+      check_refusal({"overwrite the input"});
+    }
+  }
+  const auto check_pair = [this](const std::string& a, const std::string& b) {
+    BOOST_TEST_CONTEXT(a << " and " << b)
+    {
+      run("absent.obj --output " + quoted(a) + " --svg " + quoted(b));
+      check_refusal({"are the same"});
+    }
+  };
+  check_pair(file("flat"), file("flat"));
+  check_pair(file("flat"), file("folder/../flat"));
+  check_pair(file("folder/flat"), file("link/flat"));
+  check_pair(file("dangling"), file("link/absent"));
+  check_pair("-", "-");
+  write("a", "");
+  fs::create_hard_link(path / "a", path / "b");
+  check_pair(file("a"), file("b"));
+  BOOST_TEST(content(input) == obj_input(Sheet()));
+}
+
+BOOST_AUTO_TEST_CASE(standard_output_as_file)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  run(quoted(input) + " --output -");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(lines_with(standard_output, "vt").size() == 35u);
+  BOOST_TEST((standard_output.find("seconds") == std::string::npos));
+  check_told("angular distortion");
+  run(quoted(input) + " --json -");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(standard_output.compare(0, 15, "{\"status\": \"OK\"") == 0);
+  run("absent.off --json -");
+  BOOST_TEST(status == 2);
+  BOOST_TEST(standard_output.compare(0, 15, "{\"status\": \"WRO") == 0);
+#ifdef __linux__
+  run(quoted(input) + " --output /dev/fd/9 9>&1 | cat");
+  BOOST_TEST(lines_with(standard_output, "vt").size() == 35u);
+  for(const std::string& arguments : {quoted(input), quoted(input) + " --output -", std::string("--help")}) {
+    BOOST_TEST_CONTEXT(arguments)
+    {
+      run(arguments + " --json " + quoted(file("flat.json")) + " --svg " + quoted(file("flat.svg")),
+          "/dev/full");
+      BOOST_TEST(status == 2);
+      check_told("cannot write to standard output");
+      BOOST_TEST(!fs::exists(file("flat.svg")));
+    }
+  }
+  BOOST_TEST(json().get<std::string>("status") == "CANNOT_WRITE");
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(read_only_output_is_kept)
+{
+  const std::string input = write("sheet.off", off(Sheet())), kept = write("kept.obj", "kept");
+  fs::permissions(kept, fs::perms::owner_read);
+  run(quoted(input) + " --output " + quoted(kept));
+  check_refusal({"kept.obj", "read-only"});
+  BOOST_TEST(content(kept) == "kept");
+}
+
+// It waits for a reader of the pipe while its first file is there under a temporary name.
+BOOST_AUTO_TEST_CASE(interrupted)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  BOOST_REQUIRE(::mkfifo(file("pipe").c_str(), 0600) == 0);
+  const pid_t process = ::fork();
+  if(process == 0) {
+    ::execl(program().c_str(), "flatten_mesh", input.c_str(), "--output", file("flat.obj").c_str(), "--svg",
+            file("pipe").c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  std::string unfinished;
+  for(int i = 0; i < 3000 && unfinished.empty(); ++i) {
+    for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
+      unfinished = entry.path().extension() == ".unfinished" ? entry.path().string() : unfinished;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  BOOST_TEST((unfinished.find("." + std::to_string(process) + ".") != std::string::npos), unfinished);
+  ::kill(process, SIGTERM);
+  int result = 0;
+  ::waitpid(process, &result, 0);
+  BOOST_TEST(WIFSIGNALED(result));
+  BOOST_TEST(WTERMSIG(result) == SIGTERM);
+  check_nothing_is_left();
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_without_area)
+{
+  Sheet sheet;
+  const auto check = [this, &sheet](const char* name, const char* step, const std::string& where) {
+    std::string points;
+    for(int i = 0; i < sheet.vertices(); ++i) {
+      std::ostringstream number;
+      number << 0.1 * i;
+      points += step[0] == '0' ? "1 2 3\n" : number.str() + " " + number.str() + " " + step + "\n";
+    }
+    flatten(write(name, off(sheet.vertices(), points, sheet.faces())));
+    BOOST_TEST(status == 3);
+    check_told("no area");
+    check_told(where);
+    BOOST_TEST(json().get<std::string>("status") == "NO_AREA");
+    BOOST_TEST(fs::exists(file("flat.obj")));
+  };
+  check("point.off", "0", "in one point");
+  check("line.off", "7", "on a line");
+
+  flatten(write("corner.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n3 0 1 2\n3 1 0 3\n"));
+  BOOST_TEST(status == 0);
+  check_told("1 triangle of 2 without area");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage)

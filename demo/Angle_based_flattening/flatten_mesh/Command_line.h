@@ -41,6 +41,7 @@ struct Command_line
   SMP::Hierarchical_options hierarchical;
   bool verbose = false;
   bool help = false;
+  bool version = false;
 };
 
 namespace internal {
@@ -64,7 +65,9 @@ inline po::options_description file_options(Command_line& command)
       "(where built with libpng)");
   add("json", po::value(&command.json)->value_name("FILE.json"),
       "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
-      "Also written when the parameterizer fails.");
+      "Also written when something is wrong, with 'status', 'message' and 'input' at least. A '-' in place "
+      "of any of "
+      "these four files is standard output; the text for people is then on standard error");
   return options;
 }
 
@@ -143,6 +146,7 @@ inline po::options_description other_options(Command_line& command)
   add("verbose,v", po::bool_switch(&command.verbose),
       "tell on standard error what is done: a line for every stage and every Newton step");
   add("help,h", po::bool_switch(&command.help), "print this text");
+  add("version", po::bool_switch(&command.version), "print the version");
   return options;
 }
 
@@ -170,9 +174,15 @@ inline std::string help_text()
           "\nA surface without a border has to be cut open first. Messages count vertices, faces and lines\n"
           "from 1, as OBJ files do.\n"
           "\nExit status: 0 when the flattening is valid, with no flipped triangle, and written where asked\n"
-          "for; 1 when the computation failed; 2 when the command line or the input is wrong. Where it is\n"
-          "not 0, neither OBJ nor SVG nor PNG are written.\n";
+          "for; 1 when the computation failed; 2 when the command line or the input is wrong, or an output\n"
+          "cannot be written; in these two cases neither OBJ nor SVG nor PNG are written. 3 when there is a\n"
+          "layout, written where asked for, but of a surface without area, so that it means nothing.\n";
   return text.str();
+}
+
+inline std::string version_text()
+{
+  return "flatten_mesh " ABF_VERSION "\n";
 }
 
 } // namespace flatten_mesh

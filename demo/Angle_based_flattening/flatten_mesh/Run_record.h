@@ -54,6 +54,7 @@ struct Run_record
   Flattening flattening;
   std::vector<std::string> written;
   std::vector<std::string> notes;
+  bool has_area = true;
 };
 
 // The name of a diagnosis, "OK" for none.

@@ -8,6 +8,7 @@
 
 #include "Notes.h"
 #include "Polygon_soup.h"
+#include "file_names.h"
 #include "read_obj.h"
 #include "texts.h"
 
@@ -17,7 +18,6 @@
 #include <vtkObject.h>
 #endif
 
-#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/io/ios_state.hpp>
 
 #include <algorithm>
@@ -54,12 +54,6 @@ inline void check_file_is_there(const std::string& name)
   if(std::filesystem::is_regular_file(name, ignored) && std::filesystem::file_size(name, ignored) == 0) {
     throw Input_error("'" + name + "' is empty: export the mesh again");
   }
-}
-
-inline std::string file_format(const std::string& name)
-{
-  const std::string extension = std::filesystem::path(name).extension().string();
-  return boost::algorithm::to_lower_copy(extension.empty() ? extension : extension.substr(1));
 }
 
 inline void check_file_format(const std::string& name)
@@ -153,7 +147,7 @@ inline Polygon_soup read_polygon_soup(const std::string& name, Notes& notes)
   internal::check_file_is_there(name);
   internal::check_file_format(name);
   Polygon_soup soup;
-  if(internal::file_format(name) == "obj") {
+  if(file_format(name) == "obj") {
     std::ifstream file;
     internal::open_file(name, file);
     read_obj(file, name, soup, notes);

@@ -21,6 +21,16 @@ struct Input_error : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+struct Usage_error : public Input_error
+{
+  using Input_error::Input_error;
+};
+
+struct Output_error : public Input_error
+{
+  using Input_error::Input_error;
+};
+
 // Vertices and faces as people know them from OBJ files: counted from 1.
 inline std::string vertex_name(const std::size_t index)
 {
