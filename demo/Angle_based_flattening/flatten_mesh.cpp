@@ -35,6 +35,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -179,7 +180,10 @@ Exit_status run(const Command_line& command)
   record.notes = notes.texts();
 
   record.flattening = flatten_chart(surface.mesh, surface.chart, command, progress);
-  if(!record.flattening.succeeded()) {
+  if(record.flattening.report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
+    record.flattening.place +=
+        std::string("; mostly this means: ") + memory_text; // solvers only say that they failed
+  } else if(!record.flattening.succeeded()) {
     record.flattening.place +=
         other_component_text(surface.mesh, static_cast<std::size_t>(command.component));
   }
@@ -195,15 +199,16 @@ Exit_status run(const Command_line& command)
                                         : WITHOUT_AREA;
 }
 
-} // namespace flatten_mesh
-
-int main(int argc, char* argv[])
+// Where the memory does not suffice, threads of OpenBLAS wait for some, and an orderly end of the process for them: for ever.
+[[noreturn]] void end(const Exit_status status)
 {
-  using namespace flatten_mesh;
-  // Failed assertions of debug builds throw; the catch below tells about them, in one line.
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
-  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
-  Unfinished_files::remove_when_interrupted();
+  std::cout.flush();
+  std::cerr.flush();
+  std::_Exit(status);
+}
+
+Exit_status understand_and_run(const int argc, char* argv[])
+{
   Command_line command;
   try {
     parse_command_line(argc, argv, command);
@@ -215,4 +220,20 @@ int main(int argc, char* argv[])
   } catch(...) {
     return tell_failure(command, current_failure());
   }
+}
+
+} // namespace flatten_mesh
+
+int main(int argc, char* argv[])
+{
+  using namespace flatten_mesh;
+  // Failed assertions of debug builds throw; the catch below tells about them, in one line.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  Unfinished_files::remove_when_interrupted();
+  const Exit_status status = understand_and_run(argc, argv);
+  if(status == COMPUTATION_FAILED) {
+    end(status);
+  }
+  return status;
 }

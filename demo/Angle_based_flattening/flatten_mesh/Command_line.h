@@ -114,7 +114,7 @@ inline po::options_description method_options(Command_line& command)
   add("method", name_option(command.method),
       "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
       "large surfaces. auto: hierarchical for more than 200,000 triangles");
-  add("rate", number_option(command.hierarchical.simplification_rate, "PART"),
+  add("simplification-rate", number_option(command.hierarchical.simplification_rate, "PART"),
       "part of the vertices that the hierarchical method removes");
   add("sweeps", count_option(command.hierarchical.sweeps),
       "sweeps of relaxation on each level of the hierarchical method");

@@ -46,8 +46,7 @@ inline Failure current_failure()
   } catch(const Input_error& error) {
     return {WRONG_INPUT, "WRONG_INPUT", error.what()};
   } catch(const std::bad_alloc&) {
-    return {COMPUTATION_FAILED, "OUT_OF_MEMORY",
-            "the memory does not suffice for this mesh; simplify it or take a larger machine"};
+    return {COMPUTATION_FAILED, "OUT_OF_MEMORY", memory_text};
   } catch(const std::exception& error) {
     return {COMPUTATION_FAILED, "INTERNAL_ERROR", std::string("internal error: ") + error.what()};
   }

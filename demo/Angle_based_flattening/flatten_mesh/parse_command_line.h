@@ -52,10 +52,13 @@ inline void check_numbers(const Command_line& command)
   check(command.component >= 0, "--component counts from 0");
   check(command.border >= 0, "--border counts from 0");
   check(std::isfinite(abf.barrier) && abf.barrier >= 0, "--barrier takes a number of at least 0");
-  check(std::isfinite(abf.tolerance) && abf.tolerance > 0, "--tolerance takes a number above 0");
-  check(rate > 0 && rate < 1, "--rate takes a number between 0 and 1");
-  check(hierarchical.sweeps >= 0 && hierarchical.angle_sweeps >= 0 && abf.threads >= 0,
-        "--sweeps, --angle-sweeps and --threads take a number of at least 0");
+  check(std::isfinite(abf.tolerance) && abf.tolerance >= 1e-14,
+        "--tolerance takes a number of at least 1e-14");
+  check(rate > 0 && rate < 1, "--simplification-rate takes a number between 0 and 1");
+  check(hierarchical.sweeps >= 0 && hierarchical.sweeps <= 1000, "--sweeps takes a number from 0 to 1000");
+  check(hierarchical.angle_sweeps >= 0 && hierarchical.angle_sweeps <= 1000,
+        "--angle-sweeps takes a number from 0 to 1000");
+  check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
   check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
 }
 

@@ -31,6 +31,9 @@ struct Output_error : public Input_error
   using Input_error::Input_error;
 };
 
+const char* const memory_text =
+    "the memory does not suffice for this mesh; simplify it or take a larger machine";
+
 // Vertices and faces as people know them from OBJ files: counted from 1.
 inline std::string vertex_name(const std::size_t index)
 {
