@@ -713,7 +713,19 @@ BOOST_AUTO_TEST_CASE(files_cut_short)
   const Sheet sheet;
   const std::string whole = off(sheet);
   flatten(write("short.off", whole.substr(0, whole.size() / 2)));
-  check_refusal({"short.off"});
+  check_refusal({"short.off", "line 47", "the file ends here"});
+  flatten(write("short.off", whole.substr(0, whole.find('\n', whole.size() / 2) + 1)));
+  check_refusal({"ends after line 47", "35 of 35 vertices and 10 of 48 faces", "cut short"});
+  const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", header = "OFF\n# comment\n4 2 0\n\n";
+  flatten(write("absent.off", header + square + "3 0 1 2\n3 0 2 4\n"));
+  check_refusal({"absent.off', line 10", "face 2", "vertex '4'"});
+  flatten(write("words.off", header + "0 0 0\n1 zero 0\n"));
+  check_refusal({"line 6", "'zero'", "vertex 2"});
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  flatten(write("sheet.ply", text + square + "3 0 1 2\n3 0 2 x\n"));
+  check_refusal({"line 15", "face 2", "'x'"});
   const std::string binary = ply(floats(sheet), sheet.faces());
   flatten(write("short.ply", binary.substr(0, binary.size() - 40)));
   check_refusal({"short.ply"});

@@ -8,6 +8,7 @@
 
 #include "Notes.h"
 #include "Polygon_soup.h"
+#include "explain_unreadable.h"
 #include "file_names.h"
 #include "read_obj.h"
 #include "texts.h"
@@ -22,15 +23,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -72,18 +69,6 @@ inline void check_file_format(const std::string& name)
 #endif
 }
 
-// Text files of some programs begin with a byte order mark, which readers take for a word.
-inline void open_file(const std::string& name, std::ifstream& file)
-{
-  file.open(name, std::ios::binary);
-  std::array<char, 3> mark = {};
-  file.read(mark.data(), mark.size());
-  if(mark != std::array<char, 3>{'\xEF', '\xBB', '\xBF'}) {
-    file.clear();
-    file.seekg(0);
-  }
-}
-
 // Whether CGAL can read the file. Its readers may throw, and talk to standard error: neither gets out of
 // here.
 inline bool try_to_read(const std::string& name, Polygon_soup& soup)
@@ -110,35 +95,6 @@ inline bool try_to_read(const std::string& name, Polygon_soup& soup)
   }
 }
 
-// Whether a word is a number that is none, as programs write it: "nan", "-inf", "1.#IND".
-inline bool is_not_a_finite_number(const std::string& word)
-{
-  char* end = nullptr;
-  const double number = std::strtod(word.c_str(), &end);
-  return word.find("1.#") != std::string::npos || (*end == '\0' && !std::isfinite(number));
-}
-
-// One line about a file that CGAL could not read. Standard C++ streams do not read "nan" and "inf", so that
-// in text files these are found here.
-inline std::string explain_unreadable_file(const std::string& name)
-{
-  std::ifstream file(name, std::ios::binary);
-  std::string line;
-  for(std::size_t number = 1; std::getline(file, line) && line.find('\0') == std::string::npos; ++number) {
-    std::istringstream words(line);
-    std::string word;
-    while(words >> word && word[0] != '#') {
-      if(is_not_a_finite_number(word)) {
-        return "'" + name + "', line " + std::to_string(number) + ": the coordinate '" + word +
-               "' is not a finite number; remove the vertex or repair the scan";
-      }
-    }
-  }
-  return "cannot read '" + name +
-         "': it is damaged, cut short, has a face with a vertex that is not there, or is not in the format "
-         "that its name says; export the mesh again";
-}
-
 } // namespace internal
 
 // Throws an `Input_error` if the file cannot be read. Whether the polygons fit together is not looked at.
@@ -152,7 +108,7 @@ inline Polygon_soup read_polygon_soup(const std::string& name, Notes& notes)
     internal::open_file(name, file);
     read_obj(file, name, soup, notes);
   } else if(!internal::try_to_read(name, soup)) {
-    throw Input_error(internal::explain_unreadable_file(name));
+    throw Input_error(explain_unreadable_file(name));
   }
   return soup;
 }
