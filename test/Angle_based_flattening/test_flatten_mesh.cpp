@@ -604,6 +604,18 @@ BOOST_AUTO_TEST_CASE(soup_is_welded)
   flatten(input, "--repair off");
   check_success();
   BOOST_TEST(json().get<int>("components") == 48);
+
+  std::string triangles = stl(sheet);
+  triangles.insert(triangles.find("endsolid"), "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 0\n"
+                                               "vertex 1 0 0\nendloop\nendfacet\n");
+  const std::string point = "1 2 3\n1 2 3\n1 2 3\n";
+  flatten(write("point.off", "OFF\n6 2 0\n" + point + point + "3 0 1 2\n3 3 4 5\n"));
+  BOOST_TEST(status == 2);
+  check_told("every face has two corners at the same place");
+  flatten(write("collapsed.stl", triangles));
+  BOOST_TEST(status == 0);
+  check_told("1 face with two corners at the same place");
+  BOOST_TEST(json().get<int>("triangles") == 48);
 }
 
 BOOST_AUTO_TEST_CASE(orientation_is_repaired)
@@ -726,6 +738,13 @@ BOOST_AUTO_TEST_CASE(files_cut_short)
       "float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
   flatten(write("sheet.ply", text + square + "3 0 1 2\n3 0 2 x\n"));
   check_refusal({"line 15", "face 2", "'x'"});
+  flatten(write("no_edges.off", "OFF\n3 1\n" + square));
+  check_refusal({"line 2", "numbers"});
+  flatten(write("headless.off", "3 1 0\n" + square));
+  check_refusal({"line 1", "begins with OFF"});
+  flatten(write("vertex.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nvertex 0 1 "
+                              "0\nendloop\nendfacet\nendsolid\n"));
+  check_refusal({"line 5", "vertex 2", "fewer than three coordinates"});
   const std::string binary = ply(floats(sheet), sheet.faces());
   flatten(write("short.ply", binary.substr(0, binary.size() - 40)));
   check_refusal({"short.ply"});

@@ -61,14 +61,18 @@ public:
   std::string complaint()
   {
     const bool has_elements = read_counts();
+    if(m_format == "off" && !has_elements && !m_is_binary) {
+      return "line " + std::to_string(m_number) +
+             ": an OFF file begins with OFF and the numbers of its vertices, faces and edges; export the "
+             "mesh again";
+    }
     while(next_line()) {
       std::string what = not_finite();
-      if(what.empty() && has_elements) {
-        what = m_vertices < m_all_vertices ? wrong_vertex() : m_faces < m_all_faces ? wrong_face() : "";
+      if(what.empty() && (has_elements || is_stl_vertex())) {
+        what = has_elements && m_vertices == m_all_vertices ? wrong_face() : wrong_vertex();
       }
       if(!what.empty()) {
-        return "line " + std::to_string(m_number) + ": " + what +
-               (m_file.peek() == std::ifstream::traits_type::eof() ? " (the file ends here)" : "");
+        return "line " + std::to_string(m_number) + ": " + what;
       }
     }
     if(!has_elements || m_is_binary || (m_vertices == m_all_vertices && m_faces == m_all_faces)) {
@@ -103,12 +107,13 @@ private:
 
   bool read_off_counts()
   {
-    if(!next_line() || m_words[0] != "OFF") { // other kinds have more numbers
+    if(!next_line() || m_words[0].find("OFF") == std::string::npos ||
+       m_words[0].find('4') != std::string::npos) {
       return false;
     }
-    return (m_words.size() > 3 || (next_line() && m_words.insert(m_words.begin(), "OFF") != m_words.end())) &&
-           m_words.size() > 2 && read_number(m_words[1], m_all_vertices) &&
-           read_number(m_words[2], m_all_faces);
+    m_words.erase(m_words.begin());
+    return (!m_words.empty() || next_line()) && m_words.size() > 2 &&
+           read_number(m_words[0], m_all_vertices) && read_number(m_words[1], m_all_faces);
   }
 
   bool read_ply_counts()
@@ -144,12 +149,30 @@ private:
     return "";
   }
 
+  // Whether the line is a vertex in a text file of the format STL. Leaves the coordinates.
+  bool is_stl_vertex()
+  {
+    if(m_format != "stl" || m_words[0] != "vertex") {
+      return false;
+    }
+    m_words.erase(m_words.begin());
+    return true;
+  }
+
+  std::string advice()
+  {
+    return std::string(m_file.peek() == std::ifstream::traits_type::eof()
+                           ? ", for the file ends here: it was cut short"
+                           : "") +
+           "; export the mesh again";
+  }
+
   std::string wrong_vertex()
   {
     ++m_vertices;
     for(std::size_t i = 0; i < 3; ++i) {
       if(i >= m_words.size()) {
-        return vertex_name(m_vertices - 1) + " has fewer than three coordinates; export the mesh again";
+        return vertex_name(m_vertices - 1) + " has fewer than three coordinates" + advice();
       }
       if(!is_number(m_words[i])) {
         return "the coordinate '" + m_words[i] + "' of " + vertex_name(m_vertices - 1) +
@@ -161,10 +184,13 @@ private:
 
   std::string wrong_face()
   {
+    if(m_faces == m_all_faces) { // edges, or what else may follow
+      return "";
+    }
     const std::string name = face_name(m_faces++);
     std::size_t size = 0;
     if(!read_number(m_words[0], size) || size >= m_words.size()) {
-      return name + " has fewer vertices than it says; export the mesh again";
+      return name + " has fewer vertices than it says" + advice();
     }
     for(std::size_t i = 1; i <= size; ++i) {
       std::size_t index = 0;

@@ -56,8 +56,7 @@ public:
     }
     if(m_skipped > 0) {
       notes.add("'" + m_name + "': " + count_text(m_skipped, "line") +
-                " skipped that are neither vertices nor faces: " + (m_skipped > 1 ? "the first is " : "") +
-                m_first_skipped);
+                " skipped, not understood: " + (m_skipped > 1 ? "the first is " : "") + m_first_skipped);
     }
   }
 

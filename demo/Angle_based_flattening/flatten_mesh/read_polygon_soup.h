@@ -103,6 +103,7 @@ inline Polygon_soup read_polygon_soup(const std::string& name, Notes& notes)
   internal::check_file_is_there(name);
   internal::check_file_format(name);
   Polygon_soup soup;
+  soup.is_welded = file_format(name) == "stl";
   if(file_format(name) == "obj") {
     std::ifstream file;
     internal::open_file(name, file);

@@ -89,19 +89,47 @@ inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
 
 } // namespace internal
 
+namespace internal {
+
+// Once equal points are one, faces with two corners at the same place are no more than an edge.
+inline void drop_collapsed_polygons(Polygon_soup& soup, Notes& notes)
+{
+  const std::size_t before = soup.polygons.size();
+  const auto is_collapsed = [](Polygon polygon) {
+    std::sort(polygon.begin(), polygon.end());
+    return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+  };
+  soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_collapsed),
+                      soup.polygons.end());
+  if(soup.polygons.empty()) {
+    throw Input_error(
+        "every face has two corners at the same place, so there is no surface; export the mesh again");
+  }
+  if(soup.polygons.size() < before) {
+    notes.add(count_text(before - soup.polygons.size(), "face") +
+              " with two corners at the same place left out; '--repair off' refuses them");
+  }
+}
+
+} // namespace internal
+
 // Merges equal points if every polygon has vertices of its own, as triangles written one by one have.
 inline void weld_soup(Polygon_soup& soup, Notes& notes)
 {
   const std::vector<std::size_t> valences = internal::valences(soup);
-  if(soup.polygons.size() < 2 || *std::max_element(valences.begin(), valences.end()) > 1) {
-    return;
-  }
   const std::size_t before = soup.points.size();
-  CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons);
-  if(soup.points.size() < before) {
-    notes.add("every face has vertices of its own: those at the same place were welded, " +
-              count_text(soup.points.size(), "vertex", "vertices") + " remain of " + std::to_string(before) +
-              "; '--repair off' leaves them");
+  if(!soup.is_welded && soup.polygons.size() > 1 &&
+     *std::max_element(valences.begin(), valences.end()) == 1) {
+    CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons);
+    soup.is_welded = soup.points.size() < before;
+    if(soup.is_welded) {
+      notes.add("every face has vertices of its own: those at the same place were welded, " +
+                count_text(soup.points.size(), "vertex", "vertices") + " remain of " +
+                std::to_string(before) + "; '--repair off' leaves them");
+    }
+  }
+  if(soup.is_welded) {
+    internal::drop_collapsed_polygons(soup, notes);
   }
 }
 
