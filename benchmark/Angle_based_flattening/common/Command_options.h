@@ -70,7 +70,7 @@ public:
   {
     po::options_description all;
     all.add(m_visible).add(m_hidden);
-    // No guessing: '--size' is not short for '--sizes'.
+    // No guessing: '--rate' is not short for '--rates'.
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::variables_map values;
     po::store(po::command_line_parser(argc, argv).options(all).positional(m_positional).style(style).run(),

@@ -60,7 +60,7 @@ inline Command_options options_of(Command_line& command)
   options.add("sizes", value_with_default(command.sizes, "N,N,..."),
               "numbers of triangles for speed and direct; quality takes the second one");
   options.add("large", value_with_default(command.large_sizes, "N,N,..."), "numbers of triangles for large");
-  options.add("simplification-rates", value_with_default(command.rates, "PERCENT,..."), "for rates");
+  options.add("rates", value_with_default(command.rates, "PERCENT,..."), "simplification rates for rates");
   options.add("sweeps", value_with_default(command.sweeps, "N,N,..."), "sweeps on each level for sweeps");
   options.add("figure", po::value(&command.figure)->value_name("NAME"),
               "what rates measures is also written to NAME.csv and drawn to NAME.svg, by gnuplot");
@@ -72,7 +72,7 @@ inline Command_options options_of(Command_line& command)
   options.add_hidden("measure", po::value(&command.task.method));
   options.add_hidden("file", po::value(&command.task.file));
   options.add_hidden("on-cores", po::value(&command.task.threads));
-  options.add_hidden("simplification-rate", po::value(&command.task.rate));
+  options.add_hidden("rate", po::value(&command.task.rate));
   options.add_hidden("with-sweeps", po::value(&command.task.sweeps));
   return options;
 }

@@ -34,16 +34,11 @@ inline std::vector<std::string> arguments(const Task& task)
 {
   std::ostringstream rate;
   rate << task.rate;
-  return {"--measure",
-          task.method,
-          "--file",
-          task.file,
-          "--on-cores",
-          std::to_string(task.threads),
-          "--simplification-rate",
-          rate.str(),
-          "--with-sweeps",
-          std::to_string(task.sweeps)};
+  return {"--measure",     task.method,
+          "--file",        task.file,
+          "--on-cores",    std::to_string(task.threads),
+          "--rate",        rate.str(),
+          "--with-sweeps", std::to_string(task.sweeps)};
 }
 
 } // namespace hierarchical

@@ -28,7 +28,7 @@ namespace internal {
 inline std::vector<Task> rate_tasks(const Command_line& command)
 {
   std::vector<Task> tasks = {{direct, command.mesh}};
-  for(const double percent : numbers_of_list<double>(command.rates, "--simplification-rates", 1, 99.99)) {
+  for(const double percent : numbers_of_list<double>(command.rates, "--rates", 1, 99.99)) {
     tasks.emplace_back(habf, command.mesh);
     tasks.back().rate = percent / 100;
   }
