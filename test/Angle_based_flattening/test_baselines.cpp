@@ -9,10 +9,7 @@
 
 #include "test_charts.h"
 
-#include "../../benchmark/Angle_based_flattening/methods/linear_abf.h"
-#include "../../benchmark/Angle_based_flattening/methods/logarithmic_abf.h"
-#include "../../benchmark/Angle_based_flattening/methods/original_abf.h"
-#include "../../benchmark/Angle_based_flattening/methods/paper_abf_plus_plus.h"
+#include "../../benchmark/Angle_based_flattening/methods/angle_methods.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>

@@ -6,9 +6,8 @@
 #ifndef ABF_BENCHMARK_LAGRANGIAN_H
 #define ABF_BENCHMARK_LAGRANGIAN_H
 
-#include "Run_report.h"
+#include "chart_method.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 
@@ -38,9 +37,10 @@ class Lagrangian
 {
 public:
   Lagrangian(const Chart& chart, Reconstruction_form form)
-      : m_chart(chart), m_form(form), m_beta(abf::target_angles(chart)),
-        m_corners(chart.number_of_interior_vertices)
+      : m_chart(chart), m_form(form), m_corners(chart.number_of_interior_vertices)
   {
+    const std::vector<double> beta = abf::target_angles(chart);
+    m_beta = Eigen::Map<const Vector>(beta.data(), beta.size());
     for(int c = 0; c < chart.number_of_corners(); ++c)
       if(const int i = chart.interior[chart.vertex[c]]; i >= 0)
         m_corners[i].push_back(c);
@@ -56,15 +56,12 @@ public:
   Vector start() const
   {
     Vector x = Vector::Zero(number_of_angles() + number_of_constraints());
-    x.head(number_of_angles()) = Eigen::Map<const Vector>(m_beta.data(), number_of_angles());
+    x.head(number_of_angles()) = m_beta;
     return x;
   }
 
   // The diagonal of Eq. 6, which is all there is to the energy's second derivatives.
-  Vector energy_curvature() const
-  {
-    return 2 * Eigen::Map<const Vector>(m_beta.data(), number_of_angles()).array().square().inverse();
-  }
+  Vector energy_curvature() const { return 2 * m_beta.array().square().inverse(); }
 
   Vector constraints(const Vector& x) const
   {
@@ -106,11 +103,9 @@ public:
   Vector gradient(const Vector& x) const
   {
     Vector result(x.size());
-    const auto alpha = x.head(number_of_angles());
-    const auto beta = Eigen::Map<const Vector>(m_beta.data(), number_of_angles());
-    result.head(number_of_angles()) = energy_curvature().cwiseProduct(alpha - beta) +
-                                      jacobian(x).transpose() * x.tail(number_of_constraints());
-    result.tail(number_of_constraints()) = constraints(x);
+    result << energy_curvature().cwiseProduct(x.head(number_of_angles()) - m_beta) +
+                  jacobian(x).transpose() * x.tail(number_of_constraints()),
+        constraints(x);
     return result;
   }
 
@@ -137,18 +132,15 @@ public:
 
   std::vector<double> angles(const Vector& x) const { return {x.data(), x.data() + number_of_angles()}; }
 
-  // Energy and constraints, the latter in logarithms, so that all methods tell the same. Angles out of (0, pi) violate
-  // them without bound.
-  void describe(const Vector& x, Run_report& report) const
+  // The largest violated constraint, reconstruction in logarithms, so that all methods tell the same. Angles out of (0, pi)
+  // violate them without bound.
+  double residual(const Vector& x) const
   {
-    const std::vector<double> alpha = angles(x);
-    report.energy = abf::Angle_energy{0}.value(alpha, m_beta);
-    const auto [smallest, largest] = std::minmax_element(alpha.begin(), alpha.end());
-    report.residual = std::numeric_limits<double>::infinity();
-    if(*smallest > 0 && *largest < abf::pi)
-      report.residual =
-          (std::max)(constraints(x).head(m_chart.number_of_triangles()).lpNorm<Eigen::Infinity>(),
-                     abf::constraint_residuals(m_chart, alpha).lpNorm<Eigen::Infinity>());
+    const auto alpha = x.head(number_of_angles());
+    if(!(alpha.minCoeff() > 0 && alpha.maxCoeff() < abf::pi))
+      return std::numeric_limits<double>::infinity();
+    return (std::max)(constraints(x).head(m_chart.number_of_triangles()).lpNorm<Eigen::Infinity>(),
+                      abf::constraint_residuals(m_chart, angles(x)).lpNorm<Eigen::Infinity>());
   }
 
 private:
@@ -197,7 +189,7 @@ private:
 
   const Chart& m_chart;
   Reconstruction_form m_form;
-  std::vector<double> m_beta;
+  Vector m_beta;
   std::vector<std::vector<int>> m_corners; // of each interior vertex
 };
 

@@ -6,18 +6,19 @@
 #ifndef ABF_BENCHMARK_MAP_ENERGY_H
 #define ABF_BENCHMARK_MAP_ENERGY_H
 
-#include "Run_report.h"
+#include "chart_method.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 
 #include <Eigen/Eigenvalues>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace ABF_benchmark {
@@ -60,7 +61,9 @@ class Map_energy
 {
 public:
   explicit Map_energy(const Chart& chart)
-      : m_chart(chart), m_all_vertices(all_vertices(chart)), m_local_hessian(chart.number_of_triangles()),
+      : m_chart(chart), m_all_vertices(boost::counting_iterator<int>(0),
+                                       boost::counting_iterator<int>(chart.number_of_vertices())),
+        m_local_hessian(chart.number_of_triangles()),
         m_hessian(chart.vertex, m_all_vertices, chart.number_of_vertices())
   {
     m_area_hessian.setZero();
@@ -109,22 +112,6 @@ public:
     return abf::eigen_matrix<double>(m_hessian.matrix());
   }
 
-  // The part of `step` at which the first triangle loses its area.
-  double length_to_first_collapse(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const
-  {
-    double length = std::numeric_limits<double>::infinity();
-    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
-      const Vector_6 p = gather(t, x), d = gather(t, step);
-      const double a = d.dot(m_area_hessian * d) / 2, b = d.dot(m_area_hessian * p),
-                   c = p.dot(m_area_hessian * p) / 2;
-      const double discriminant = b * b - 4 * a * c;
-      if(discriminant >= 0 &&
-         std::sqrt(discriminant) > b) // else there is no positive root of a l^2 + b l + c
-        length = (std::min)(length, 2 * c / (std::sqrt(discriminant) - b));
-    }
-    return length;
-  }
-
 private:
   // Area and cotangents on the surface; those of needles are bounded.
   struct Surface_triangle
@@ -134,8 +121,9 @@ private:
 
     Surface_triangle(const Chart& chart, int t)
     {
-      const Chart::Point_3 p[3] = {chart.points[chart.vertex[3 * t]], chart.points[chart.vertex[3 * t + 1]],
-                                   chart.points[chart.vertex[3 * t + 2]]};
+      std::array<Chart::Point_3, 3> p;
+      for(int k = 0; k < 3; ++k)
+        p[k] = chart.points[chart.vertex[3 * t + k]];
       const double longest =
           (std::max)({CGAL::squared_distance(p[0], p[1]), CGAL::squared_distance(p[1], p[2]),
                       CGAL::squared_distance(p[2], p[0])});
@@ -144,13 +132,6 @@ private:
         cotangent[k] = (p[(k + 1) % 3] - p[k]) * (p[(k + 2) % 3] - p[k]) / (2 * area);
     }
   };
-
-  static std::vector<int> all_vertices(const Chart& chart)
-  {
-    std::vector<int> ranks(chart.points.size());
-    std::iota(ranks.begin(), ranks.end(), 0);
-    return ranks;
-  }
 
   Vector_6 gather(int t, const Eigen::VectorXd& x) const
   {

@@ -7,12 +7,11 @@
 #define ABF_BENCHMARK_RELAXED_MAP_H
 
 #include "Map_energy.h"
-#include "finish.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -87,8 +86,8 @@ private:
   static bool search(const Map_energy<Energy>& energy, double slope, const Eigen::VectorXd& step,
                      Eigen::VectorXd& x, Run_report& report)
   {
-    double length = (std::min)(1., 0.9 * energy.length_to_first_collapse(x, step));
-    for(; length > 1e-12; length /= 2) {
+    // The energy is infinite where a triangle is flipped.
+    for(double length = 1; length > 1e-12; length /= 2) {
       const Eigen::VectorXd next = x + length * step;
       const double value = energy.value(next);
       if(value <= report.energy + 1e-4 * length * slope) {

@@ -6,7 +6,7 @@
 #ifndef ABF_BENCHMARK_GREEDY_UNFOLDING_H
 #define ABF_BENCHMARK_GREEDY_UNFOLDING_H
 
-#include "Run_report.h"
+#include "chart_method.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,32 +57,27 @@ inline std::vector<Point_2> unfold_greedily(const Chart& chart, const std::vecto
   return uv;
 }
 
-// How far triangle `t` is from having the angles `alpha`: the distance of its vertex of the largest sine from where
-// the other two want it (Eq. 20), relative to its longest edge.
-inline double closing_error(const Chart& chart, const std::vector<double>& alpha,
-                            const std::vector<Point_2>& uv, int t)
+// How far the worst triangle is from having the angles `alpha`: the distance of its vertex of the largest sine from
+// where the other two want it (Eq. 20), relative to its longest edge.
+inline double largest_closing_error(const Chart& chart, const std::vector<double>& alpha,
+                                    const std::vector<Point_2>& uv)
 {
   const auto point = [&](int c) {
     const Point_2& p = uv[chart.vertex[c]];
     return Complex(p.x(), p.y());
   };
-  int l = 3 * t;
-  double longest = 0;
-  for(int c = 3 * t; c < 3 * t + 3; ++c) {
-    if(std::sin(alpha[c]) > std::sin(alpha[l]))
-      l = c;
-    longest = (std::max)(longest, std::abs(point(abf::next_corner(c)) - point(c)));
-  }
-  const Complex wanted = third_point(alpha, l, point(abf::next_corner(l)), point(abf::previous_corner(l)));
-  return std::abs(point(l) - wanted) / longest;
-}
-
-inline double largest_closing_error(const Chart& chart, const std::vector<double>& alpha,
-                                    const std::vector<Point_2>& uv)
-{
   double largest = 0;
-  for(int t = 0; t < chart.number_of_triangles(); ++t)
-    largest = (std::max)(largest, closing_error(chart, alpha, uv, t));
+  for(int t = 0; t < chart.number_of_triangles(); ++t) {
+    int l = 3 * t;
+    double longest = 0;
+    for(int c = 3 * t; c < 3 * t + 3; ++c) {
+      if(std::sin(alpha[c]) > std::sin(alpha[l]))
+        l = c;
+      longest = (std::max)(longest, std::abs(point(abf::next_corner(c)) - point(c)));
+    }
+    const Complex wanted = third_point(alpha, l, point(abf::next_corner(l)), point(abf::previous_corner(l)));
+    largest = (std::max)(largest, std::abs(point(l) - wanted) / longest);
+  }
   return largest;
 }
 

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef ABF_BENCHMARK_MEASUREMENT_H
+#define ABF_BENCHMARK_MEASUREMENT_H
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace ABF_benchmark {
+
+// What a run found out: names and values, printed as an object of JSON in one line, with NaN and Infinity as Python
+// reads them. If there is a failure, with its reason, the rest may be missing.
+class Measurement
+{
+public:
+  template <class Number>
+  std::enable_if_t<std::is_arithmetic_v<Number>> add(const std::string& name, const Number number)
+  {
+    const double value = static_cast<double>(number);
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << value;
+    put(name, value != value       ? "NaN"
+              : value - value == 0 ? text.str()
+              : value > 0          ? "Infinity"
+                                   : "-Infinity");
+  }
+
+  void add(const std::string& name, std::string text)
+  {
+    std::replace_if(
+        text.begin(), text.end(), [](const unsigned char c) { return c < ' '; }, ' ');
+    std::ostringstream quoted;
+    quoted << std::quoted(text); // the same escapes as in JSON, but for control characters
+    put(name, quoted.str());
+  }
+
+  void fail(const std::string& reason)
+  {
+    m_failed = true;
+    add("failure", reason);
+  }
+
+  bool failed() const { return m_failed; }
+
+  // What libraries print goes to the same stream, perhaps without an end of line.
+  friend std::ostream& operator<<(std::ostream& out, const Measurement& m)
+  {
+    return out << "\n{" << m.m_members << "}" << std::endl;
+  }
+
+private:
+  void put(const std::string& name, const std::string& value)
+  {
+    m_members += (m_members.empty() ? "\"" : ", \"") + name + "\": " + value;
+  }
+
+  std::string m_members;
+  bool m_failed = false;
+};
+
+template <class Function>
+double seconds_of(const Function& function)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  function();
+  return timer.time();
+}
+
+// The time since the object was made, and the largest memory that this process used since then, beyond what it used
+// then. Memory on Linux only.
+class Gauge
+{
+public:
+  Gauge()
+  {
+    malloc_trim(0);                                // what was freed before shall not be used again unseen
+    std::ofstream("/proc/self/clear_refs") << "5"; // the peak is what is used now
+    m_bytes_before = peak();
+    m_timer.start();
+  }
+
+  double bytes() const { return (std::max)(0., peak() - m_bytes_before); }
+
+  void add_to(Measurement& m) const
+  {
+    m.add("seconds", m_timer.time());
+    m.add("bytes", bytes());
+  }
+
+private:
+  static double peak()
+  {
+    return static_cast<double>(CGAL::Surface_mesh_parameterization::internal::ABF::peak_resident_size());
+  }
+
+  CGAL::Real_timer m_timer;
+  double m_bytes_before;
+};
+
+} // namespace ABF_benchmark
+
+#endif // ABF_BENCHMARK_MEASUREMENT_H

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "read_mesh.h"
+#include "subcommands.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_on_sphere.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace ABF_benchmark {
+
+namespace {
+
+typedef CGAL::Surface_mesh<CGAL::Epick::Point_3> Test_mesh; // simplification takes predicates
+
+// Stops a simplification at a number of faces.
+struct Face_count
+{
+  std::size_t faces;
+
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const
+  {
+    return profile.surface_mesh().number_of_faces() <= faces;
+  }
+};
+
+// Simplifies until some number of subdivisions leads to that many triangles.
+void resize(Test_mesh& mesh, const std::size_t triangles)
+{
+  int subdivisions = 0;
+  std::size_t coarse = triangles;
+  for(; coarse > 1.05 * static_cast<double>(mesh.number_of_faces()); coarse /= 4)
+    ++subdivisions;
+  CGAL::Surface_mesh_simplification::edge_collapse(mesh, Face_count{coarse});
+  mesh.collect_garbage();
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(subdivisions));
+}
+
+// Moves every vertex by a tenth of its shortest edge, so that subdivided meshes do not have regular angles only.
+void add_noise(Test_mesh& mesh)
+{
+  boost::random::mt19937 generator; // the same noise in every run
+  boost::random::uniform_on_sphere<double> direction(3);
+  const Test_mesh smooth = mesh;
+  for(const Test_mesh::Vertex_index v : mesh.vertices()) {
+    double shortest = (std::numeric_limits<double>::max)();
+    for(const Test_mesh::Vertex_index w : vertices_around_target(smooth.halfedge(v), smooth))
+      shortest = (std::min)(shortest, CGAL::squared_distance(smooth.point(v), smooth.point(w)));
+    const std::vector<double> d = direction(generator);
+    mesh.point(v) = smooth.point(v) + std::sqrt(shortest) / 10 * CGAL::Epick::Vector_3(d[0], d[1], d[2]);
+  }
+}
+
+} // namespace
+
+void make_mesh(const std::string& file, const std::size_t triangles, const bool noise,
+               const std::string& output, Measurement& m)
+{
+  Test_mesh mesh;
+  read_mesh(file, mesh);
+  if(triangles > 0)
+    resize(mesh, triangles);
+  if(noise)
+    add_noise(mesh);
+  if(!output.empty() && !CGAL::IO::write_polygon_mesh(
+                            output, mesh, CGAL::parameters::use_binary_mode(true).stream_precision(17)))
+    throw std::runtime_error("cannot write '" + output + "'");
+  const abf::Chart chart = read_chart(mesh);
+  m.add("triangles", chart.number_of_triangles());
+  if(const auto defect = abf::diagnose(chart, false))
+    m.fail("the mesh cannot be flattened: " + defect.message);
+}
+
+} // namespace ABF_benchmark

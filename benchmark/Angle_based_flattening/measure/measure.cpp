@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Measures one thing and prints it as a line of JSON. The scripts in the folder above run it, each time in a process of its own,
+// and make tables and plots of many such lines. See `measure` without arguments.
+
+#include "subcommands.h"
+
+#include <boost/program_options.hpp>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <vector>
+
+namespace po = boost::program_options;
+
+int main(int argc, char* argv[])
+{
+  using namespace ABF_benchmark;
+  CGAL::Surface_mesh_parameterization::Hierarchical_options hierarchical;
+  std::vector<std::string> words;
+  std::size_t triangles = 0;
+  int first_run = 0;
+  bool noise = false;
+  std::string output;
+  po::options_description options("measure mesh FILE [--triangles N] [--noise] [--output FILE]\n"
+                                  "measure flatten METHOD FILE [--rate X] [--sweeps N] [--polish]\n"
+                                  "measure solve SOLVER FILE full|block\n"
+                                  "measure layouts FILE TOLERANCE\n"
+                                  "measure sweep FILE direct|hierarchical [--first-run N]\n"
+                                  "measure software\n\nOptions");
+  options.add_options()("triangles", po::value(&triangles), "simplify or subdivide to about that many")(
+      "noise", po::bool_switch(&noise), "move each vertex by a tenth of its shortest edge")(
+      "output", po::value(&output), "write the mesh there")(
+      "rate", po::value(&hierarchical.simplification_rate), "simplification rate of hierarchical methods")(
+      "sweeps", po::value(&hierarchical.sweeps), "sweeps on each level")(
+      "polish", po::bool_switch(&hierarchical.polish), "start the direct solver from the refined map")(
+      "first-run", po::value(&first_run), "number of runs to leave out")(
+      "words", po::value(&words), "the subcommand and its arguments; the word '--words' is left out");
+  Measurement m;
+  try {
+    po::variables_map values;
+    po::store(po::command_line_parser(argc, argv)
+                  .options(options)
+                  .positional(po::positional_options_description().add("words", -1))
+                  .run(),
+              values);
+    po::notify(values);
+    const auto is = [&](const char* subcommand, const std::size_t arguments) {
+      return words.size() == arguments + 1 && words[0] == subcommand;
+    };
+    if(is("mesh", 1)) {
+      make_mesh(words[1], triangles, noise, output, m);
+    } else if(is("flatten", 2)) {
+      flatten(words[1], words[2], hierarchical, m);
+    } else if(is("solve", 3)) {
+      solve(words[1], words[2], words[3], m);
+    } else if(is("layouts", 2)) {
+      lay_out(words[1], std::stod(words[2]), m);
+    } else if(is("sweep", 2)) {
+      sweep(words[1], words[2], first_run, m);
+    } else if(is("software", 0)) {
+      describe_software(m);
+    } else {
+      std::cerr << options;
+      return EXIT_FAILURE;
+    }
+  } catch(const std::bad_alloc&) {
+    m.fail("out of memory");
+  } catch(const std::exception& error) {
+    m.fail(error.what());
+  }
+  std::cout << m;
+  return EXIT_SUCCESS;
+}
