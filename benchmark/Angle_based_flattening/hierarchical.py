@@ -133,7 +133,7 @@ class Benchmark:
 
     def rates(self) -> str:
         mesh, figure = self.options.mesh, self.options.figure
-        tasks = [Task("habf++", mesh, options=(f"--rate={rate / 100}",)) for rate in self.options.rates]
+        tasks = [Task("habf++", mesh, options=(f"--simplification-rate={rate / 100}",)) for rate in self.options.rates]
         direct, *results = self.medians(Task("abf++", mesh), *tasks)
         rates = Table(["rate"], [COARSE, SECONDS, SHEAR, SHEAR_RISE, STRETCH, STRETCH_RISE, KERNEL, RETRIES, FLIPS])
         for rate, m in zip(["direct", *self.options.rates], [direct, *results]):

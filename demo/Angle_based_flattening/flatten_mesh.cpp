@@ -7,10 +7,18 @@
 
 #include "flatten_mesh/Chart.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Failure.h"
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/Polygon_soup.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/Run_record.h"
+#include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/area.h"
 #include "flatten_mesh/build_mesh.h"
+#include "flatten_mesh/check_outputs.h"
+#include "flatten_mesh/components.h"
+#include "flatten_mesh/file_names.h"
 #include "flatten_mesh/flatten_chart.h"
 #include "flatten_mesh/parse_command_line.h"
 #include "flatten_mesh/read_polygon_soup.h"
@@ -27,22 +35,14 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
 
-#include <exception>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace flatten_mesh {
-
-enum Exit_status
-{
-  SUCCESS = 0,
-  COMPUTATION_FAILED = 1,
-  WRONG_INPUT = 2
-};
 
 // The surface as it was in the file, and as it is flattened.
 struct Surface
@@ -52,12 +52,12 @@ struct Surface
   Chart chart;
 };
 
-Surface read_surface(const Command_line& command)
+Surface read_surface(const Command_line& command, Notes& notes)
 {
   Surface surface;
-  surface.soup = read_polygon_soup(command.input);
+  surface.soup = read_polygon_soup(command.input, notes);
   try {
-    surface.mesh = build_mesh(surface.soup);
+    surface.mesh = build_mesh(surface.soup, command.repair == "on", notes);
     surface.chart = choose_chart(surface.mesh, static_cast<std::size_t>(command.component),
                                  static_cast<std::size_t>(command.border));
   } catch(const Input_error& error) {
@@ -66,13 +66,15 @@ Surface read_surface(const Command_line& command)
   return surface;
 }
 
-// Writes what is asked for. All files appear together, and only when all of them are complete.
-void write_files(const Command_line& command, const Surface& surface, Run_record& record)
+using Output_files = std::vector<std::unique_ptr<Output_file>>;
+
+// Writes what is asked for, under temporary names.
+Output_files write_files(const Command_line& command, const Surface& surface, Run_record& record)
 {
-  std::vector<std::unique_ptr<Output_file>> files;
+  Output_files files;
   const auto open = [&files, &record](const std::string& name) -> Output_file& {
     files.push_back(std::make_unique<Output_file>(name));
-    record.written.push_back(name);
+    record.written.push_back(name == standard_output ? "standard output" : name);
     return *files.back();
   };
   CGAL::Real_timer timer;
@@ -93,6 +95,13 @@ void write_files(const Command_line& command, const Surface& surface, Run_record
   if(!command.json.empty()) {
     open(command.json).write(report_json(record));
   }
+  return files;
+}
+
+// All files appear together, and only when all of them are complete.
+void publish(const Output_files& files)
+{
+  Unfinished_files::ignore_interruptions();
   for(const std::unique_ptr<Output_file>& file : files) {
     file->publish();
   }
@@ -108,11 +117,49 @@ void tell_stages(const Run_record& record, const Progress& progress)
   }
 }
 
-Exit_status tell_failure(const Command_line& command, const Flattening& flattening)
+Exit_status tell_diagnosis(const Command_line& command, const Flattening& flattening)
 {
   std::cerr << "flatten_mesh: '" << command.input << "': " << status_name(flattening.report) << ": "
             << flattening.report.message << flattening.place << std::endl;
   return is_failure_of_computation(flattening.report) ? COMPUTATION_FAILED : WRONG_INPUT;
+}
+
+// A surface without area can be laid out, but then the plane says nothing about its shape.
+void look_at_area(const Surface& surface, Run_record& record, Notes& notes)
+{
+  const Missing_area missing = missing_area(surface.mesh, surface.chart);
+  record.has_area = !missing.of_all;
+  if(missing.of_all) {
+    notes.add(std::string("the surface has no area: all of its vertices lie ") +
+              (missing.is_point ? "in one point" : "on a line") +
+              "; the layout and the measures mean nothing, and the exit status is " +
+              std::to_string(WITHOUT_AREA));
+  } else if(missing.triangles > 0) {
+    notes.add(count_text(missing.triangles, "triangle") + " of " + std::to_string(record.triangles) +
+              " without area: measures that divide by it are infinite, or leave them out");
+  }
+}
+
+// The report for people, on standard error if a file takes standard output.
+void tell_report(const Command_line& command, const Run_record& record)
+{
+  const std::string text = report_text(record);
+  if(takes_standard_output(command)) {
+    std::cerr << text << std::flush;
+  } else {
+    Output_file(standard_output).write(text);
+  }
+}
+
+Run_record record_of(const Command_line& command, const Surface& surface)
+{
+  Run_record record;
+  record.input = command.input;
+  record.vertices = surface.chart.vertices.size();
+  record.triangles = surface.chart.faces.size();
+  record.borders = surface.chart.borders.size();
+  record.components = surface.chart.components;
+  return record;
 }
 
 Exit_status run(const Command_line& command)
@@ -124,25 +171,55 @@ Exit_status run(const Command_line& command)
 
   CGAL::Real_timer timer;
   timer.start();
-  Surface surface = read_surface(command);
-  Run_record record;
+  Notes notes;
+  Surface surface = read_surface(command, notes);
+  Run_record record = record_of(command, surface);
   record.read_seconds = timer.time();
-  record.input = command.input;
-  record.vertices = surface.chart.vertices.size();
-  record.triangles = surface.chart.faces.size();
-  record.borders = surface.chart.borders.size();
-  record.components = surface.chart.components;
   progress.stage("read", record.read_seconds, std::to_string(record.triangles) + " triangles to flatten");
+  look_at_area(surface, record, notes);
+  record.notes = notes.texts();
 
   record.flattening = flatten_chart(surface.mesh, surface.chart, command, progress);
-  tell_stages(record, progress);
-  write_files(command, surface, record);
-  progress.stage("write", record.write_seconds);
-  if(!record.flattening.succeeded()) {
-    return tell_failure(command, record.flattening);
+  if(record.flattening.report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
+    record.flattening.place +=
+        std::string("; mostly this means: ") + memory_text; // solvers only say that they failed
+  } else if(!record.flattening.succeeded()) {
+    record.flattening.place +=
+        other_component_text(surface.mesh, static_cast<std::size_t>(command.component));
   }
-  std::cout << report_text(record) << std::flush;
-  return SUCCESS;
+  tell_stages(record, progress);
+  const Output_files files = write_files(command, surface, record);
+  progress.stage("write", record.write_seconds);
+  if(record.flattening.succeeded()) {
+    tell_report(command, record);
+  }
+  publish(files);
+  return !record.flattening.succeeded() ? tell_diagnosis(command, record.flattening)
+         : record.has_area              ? SUCCESS
+                                        : WITHOUT_AREA;
+}
+
+// Where the memory does not suffice, threads of OpenBLAS wait for some, and an orderly end of the process for them: for ever.
+[[noreturn]] void end(const Exit_status status)
+{
+  std::cout.flush();
+  std::cerr.flush();
+  std::_Exit(status);
+}
+
+Exit_status understand_and_run(const int argc, char* argv[])
+{
+  Command_line command;
+  try {
+    parse_command_line(argc, argv, command);
+    if(command.help || command.version) {
+      Output_file(standard_output).write(command.help ? help_text() : version_text());
+      return SUCCESS;
+    }
+    return run(command);
+  } catch(...) {
+    return tell_failure(command, current_failure());
+  }
 }
 
 } // namespace flatten_mesh
@@ -153,22 +230,10 @@ int main(int argc, char* argv[])
   // Failed assertions of debug builds throw; the catch below tells about them, in one line.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
-  try {
-    const Command_line command = parse_command_line(argc, argv);
-    if(command.help) {
-      std::cout << help_text();
-      return SUCCESS;
-    }
-    return run(command);
-  } catch(const Input_error& error) {
-    std::cerr << "flatten_mesh: " << error.what() << std::endl;
-    return WRONG_INPUT;
-  } catch(const std::bad_alloc&) {
-    std::cerr
-        << "flatten_mesh: the memory does not suffice for this mesh; simplify it or take a larger machine"
-        << std::endl;
-  } catch(const std::exception& error) {
-    std::cerr << "flatten_mesh: internal error: " << error.what() << std::endl;
+  Unfinished_files::remove_when_interrupted();
+  const Exit_status status = understand_and_run(argc, argv);
+  if(status == COMPUTATION_FAILED) {
+    end(status);
   }
-  return COMPUTATION_FAILED;
+  return status;
 }

@@ -15,7 +15,9 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -26,8 +28,11 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 BOOST_AUTO_TEST_SUITE(test_flatten_mesh)
@@ -110,14 +115,16 @@ struct Folder
     return file(name);
   }
 
-  void run(const std::string& arguments)
+  void run(const std::string& arguments, const std::string& standard_output_file = "")
   {
-    const std::string command = quoted(program()) + " " + arguments + " > " + quoted(file("stdout")) +
+    const std::string command = quoted(program()) + " " + arguments + " > " +
+                                quoted(standard_output_file.empty() ? file("stdout") : standard_output_file) +
                                 " 2> " + quoted(file("stderr"));
     const int result = std::system(command.c_str());
     status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
     standard_output = content(path / "stdout");
     standard_error = content(path / "stderr");
+    asks_for_json = false;
   }
 
   // Runs the program on a file, with all outputs.
@@ -125,6 +132,7 @@ struct Folder
   {
     run(quoted(input) + " --output " + quoted(file("flat.obj")) + " --svg " + quoted(file("flat.svg")) +
         " --json " + quoted(file("flat.json")) + " " + options);
+    asks_for_json = true;
   }
 
   boost::property_tree::ptree json() const
@@ -136,7 +144,7 @@ struct Folder
 
   std::string obj() const { return content(path / "flat.obj"); }
 
-  // Status 2, one line that contains all the words, and none of the three files.
+  // Status 2, one line that contains all the words, and of the three files only the one that tells what is wrong.
   void check_refusal(const Lines& words)
   {
     BOOST_TEST(status == 2);
@@ -145,10 +153,25 @@ struct Folder
     for(const std::string& word : words) {
       BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
     }
+    if(asks_for_json) {
+      BOOST_TEST(json().get<std::string>("status") != "OK");
+      BOOST_TEST((standard_error.find(json().get<std::string>("message")) != std::string::npos));
+      fs::remove(file("flat.json"));
+    }
+    check_nothing_is_left();
+  }
+
+  void check_nothing_is_left() const
+  {
     for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
       BOOST_TEST(entry.path().stem() != "flat", entry.path() << " is left");
       BOOST_TEST(entry.path().extension() != ".unfinished", entry.path() << " is left");
     }
+  }
+
+  void check_told(const std::string& word) const
+  {
+    BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
   }
 
   void check_success()
@@ -161,6 +184,7 @@ struct Folder
 
   fs::path path;
   int status = -1;
+  bool asks_for_json = false;
   std::string standard_output;
   std::string standard_error;
 };
@@ -508,8 +532,8 @@ BOOST_AUTO_TEST_CASE(all_options)
   for(const std::string options :
       {"--barrier 0", "--layout exact", "--layout least-squares", "--layout auto",
        "--tolerance 1e-6 --max-iterations 50", "--step sqp", "--step newton", "--solver eigen",
-       "--solver superlu", "--method direct --component 0 --border 0", "--method hierarchical --rate 0.9",
-       "--method hierarchical --polish"}) {
+       "--solver superlu", "--method direct --component 0 --border 0",
+       "--method hierarchical --simplification-rate 0.9", "--method hierarchical --polish"}) {
     BOOST_TEST_CONTEXT(options)
     {
       flatten(input, options);
@@ -518,6 +542,106 @@ BOOST_AUTO_TEST_CASE(all_options)
   }
   run("--input " + quoted(input) + " --json " + quoted(file("flat.json")));
   check_success();
+}
+
+// Lines that say nothing about the surface are skipped, and told where they might have.
+BOOST_AUTO_TEST_CASE(obj_lines)
+{
+  const Sheet sheet;
+  const std::string text = obj_input(sheet);
+  flatten(write("silent.obj", "\xEF\xBB\xBFmtllib a.mtl\n" + text + "vt 0 0 # comment\ns off\n"));
+  check_success();
+
+  flatten(write("skipped.obj", "call other.obj\n" + text + "l 1 2\np 3\ncurve 7\n"));
+  BOOST_TEST(status == 0);
+  BOOST_TEST(lines_of(standard_error).size() == 1u, standard_error);
+  for(const char* word : {"note", "4 lines", "line 1", "'call'"}) {
+    BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
+  }
+  BOOST_TEST((json().get_child("notes").front().second.get_value<std::string>().find("4 lines") !=
+              std::string::npos));
+
+  std::string continued = text;
+  continued.replace(continued.find("\nf ") + 2, 1, " \\\r\n");
+  flatten(write("continued.obj", continued));
+  check_success();
+  BOOST_TEST(lines_with(obj(), "f").size() == sheet.faces().size());
+  flatten(write("backwards.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3/1/1 -2//2 -1\n"));
+  check_success();
+}
+
+BOOST_AUTO_TEST_CASE(byte_order_marks)
+{
+  for(const std::string& input : {write("sheet.off", "\xEF\xBB\xBF" + off(Sheet())),
+                                  write("sheet.stl", "\xEF\xBB\xBF" + stl(Sheet()))}) {
+    BOOST_TEST_CONTEXT(input)
+    {
+      flatten(input);
+      check_success();
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(soup_is_welded)
+{
+  const Sheet sheet;
+  const Lines points = lines_of(sheet.points());
+  std::string text;
+  std::vector<std::vector<int>> faces;
+  for(const std::vector<int>& face : sheet.faces()) {
+    const int first = 3 * static_cast<int>(faces.size());
+    for(const int v : face) {
+      text += points[static_cast<std::size_t>(v)] + "\n";
+    }
+    faces.push_back({first, first + 1, first + 2});
+  }
+  const std::string input = write("soup.off", off(3 * static_cast<int>(faces.size()), text, faces));
+  flatten(input);
+  BOOST_TEST(status == 0);
+  BOOST_TEST((standard_error.find("welded, 35 vertices remain of 144") != std::string::npos), standard_error);
+  BOOST_TEST(json().get<int>("components") == 1);
+  BOOST_TEST(json().get<int>("vertices") == sheet.vertices());
+  flatten(input, "--repair off");
+  check_success();
+  BOOST_TEST(json().get<int>("components") == 48);
+
+  std::string triangles = stl(sheet);
+  triangles.insert(triangles.find("endsolid"), "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 0\n"
+                                               "vertex 1 0 0\nendloop\nendfacet\n");
+  const std::string point = "1 2 3\n1 2 3\n1 2 3\n";
+  flatten(write("point.off", "OFF\n6 2 0\n" + point + point + "3 0 1 2\n3 3 4 5\n"));
+  BOOST_TEST(status == 2);
+  check_told("every face has two corners at the same place");
+  flatten(write("collapsed.stl", triangles));
+  BOOST_TEST(status == 0);
+  check_told("1 face with two corners at the same place");
+  BOOST_TEST(json().get<int>("triangles") == 48);
+}
+
+BOOST_AUTO_TEST_CASE(orientation_is_repaired)
+{
+  for(const std::size_t turned : {0u, 1u, 47u}) {
+    BOOST_TEST_CONTEXT(turned)
+    {
+      std::vector<std::vector<int>> faces = Sheet().faces();
+      std::swap(faces[turned][1], faces[turned][2]);
+      flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)));
+      BOOST_TEST(status == 0);
+      const std::string told = "1 face turned, the first is face " + std::to_string(turned + 1);
+      BOOST_TEST((standard_error.find(told) != std::string::npos), standard_error);
+      BOOST_TEST(json().get<int>("triangles") == 48);
+      BOOST_TEST(json().get<int>("components") == 1);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bow_tie_is_repaired)
+{
+  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
+  BOOST_TEST(status == 0);
+  BOOST_TEST((standard_error.find("at vertex 1: 1 vertex added") != std::string::npos), standard_error);
+  BOOST_TEST(json().get<int>("components") == 2);
+  BOOST_TEST(lines_with(obj(), "v").size() == 6u);
 }
 
 BOOST_AUTO_TEST_CASE(layouts_are_named)
@@ -547,6 +671,13 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
        "tolerance", "max-iterations", "step", "solver", "verbose", "help"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
+}
+
+BOOST_AUTO_TEST_CASE(version)
+{
+  run("--version");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(standard_output.compare(0, 15, "flatten_mesh 0.") == 0);
 }
 
 BOOST_AUTO_TEST_CASE(names_with_blanks_and_quotes)
@@ -594,7 +725,26 @@ BOOST_AUTO_TEST_CASE(files_cut_short)
   const Sheet sheet;
   const std::string whole = off(sheet);
   flatten(write("short.off", whole.substr(0, whole.size() / 2)));
-  check_refusal({"short.off"});
+  check_refusal({"short.off", "line 47", "the file ends here"});
+  flatten(write("short.off", whole.substr(0, whole.find('\n', whole.size() / 2) + 1)));
+  check_refusal({"ends after line 47", "35 of 35 vertices and 10 of 48 faces", "cut short"});
+  const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", header = "OFF\n# comment\n4 2 0\n\n";
+  flatten(write("absent.off", header + square + "3 0 1 2\n3 0 2 4\n"));
+  check_refusal({"absent.off', line 10", "face 2", "vertex '4'"});
+  flatten(write("words.off", header + "0 0 0\n1 zero 0\n"));
+  check_refusal({"line 6", "'zero'", "vertex 2"});
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  flatten(write("sheet.ply", text + square + "3 0 1 2\n3 0 2 x\n"));
+  check_refusal({"line 15", "face 2", "'x'"});
+  flatten(write("no_edges.off", "OFF\n3 1\n" + square));
+  check_refusal({"line 2", "numbers"});
+  flatten(write("headless.off", "3 1 0\n" + square));
+  check_refusal({"line 1", "begins with OFF"});
+  flatten(write("vertex.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nvertex 0 1 "
+                              "0\nendloop\nendfacet\nendsolid\n"));
+  check_refusal({"line 5", "vertex 2", "fewer than three coordinates"});
   const std::string binary = ply(floats(sheet), sheet.faces());
   flatten(write("short.ply", binary.substr(0, binary.size() - 40)));
   check_refusal({"short.ply"});
@@ -635,11 +785,24 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   };
   const int more = sheet.vertices();
   flatten(write("twice.off", with({{more, more + 1, more}})));
-  check_refusal({"face 49", "vertex 36", "twice"});
+  check_refusal({"face 49", "names vertex 36 twice"});
   flatten(write("short_face.off", with({{more, more + 1}})));
   check_refusal({"short_face.off"});
   flatten(write("absent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"));
-  check_refusal({"absent.obj", "not there"});
+  check_refusal({"absent.obj", "line 4", "vertex 4", "not there"});
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  flatten(write("zero.obj", triangle + "f 0 1 2\n"));
+  check_refusal({"line 4", "vertex 0"});
+  flatten(write("behind.obj", triangle + "\nf -1 -2 -4\n"));
+  check_refusal({"line 5", "vertex -4"});
+  flatten(write("pair.obj", triangle + "f 1 2\n"));
+  check_refusal({"line 4", "fewer than three"});
+  flatten(write("words.obj", triangle + "f one two three\n"));
+  check_refusal({"line 4", "'one'"});
+  flatten(write("plane.obj", "v 0 0\n"));
+  check_refusal({"line 1", "three coordinates"});
+  flatten(write("named_twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 3\n"));
+  check_refusal({"line 5", "names vertex 3 twice"});
   flatten(write("third.off", with({{0, 8, more}})));
   check_refusal({"between vertices 1 and 9", "3 faces", "manifold"});
   flatten(write("turned.off", with({{1, 0, more}, {1, 0, more + 1}})));
@@ -650,20 +813,41 @@ BOOST_AUTO_TEST_CASE(orientation)
 {
   std::vector<std::vector<int>> faces = Sheet().faces();
   std::swap(faces[1][1], faces[1][2]);
-  flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)));
+  flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)), "--repair off");
   check_refusal({"oriented differently", "faces 2 and 13", "vertices 8 and 9"});
 }
 
 BOOST_AUTO_TEST_CASE(bow_tie)
 {
-  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
+  flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"),
+          "--repair off");
   check_refusal({"vertex 1", "manifold"});
   const std::string points = "OFF\n6 4 0\n1 0 1\n1 0 0\n0 1 0\n-1 -1 0\n0 0 1\n0 0 0\n";
   const std::string fan = "3 5 1 2\n3 5 2 3\n3 5 3 1\n", flag = "3 5 4 0\n";
   for(const std::string& faces : {fan + flag, flag + fan}) {
-    flatten(write("flag.off", points + faces));
+    flatten(write("flag.off", points + faces), "--repair off");
     check_refusal({"vertex 6", "manifold"});
   }
+}
+
+// However the faces are turned, and whichever face is the first.
+BOOST_AUTO_TEST_CASE(one_sided)
+{
+  const int n = 12;
+  std::ostringstream points;
+  std::vector<std::vector<int>> faces;
+  for(int i = 0; i < n; ++i) {
+    const double a = 2 * std::acos(-1.) * i / n, r = 0.5 * std::cos(a / 2);
+    for(const int side : {-1, 1}) {
+      points << (3 + side * r) * std::cos(a) << ' ' << (3 + side * r) * std::sin(a) << ' '
+             << side * 0.5 * std::sin(a / 2) << '\n';
+    }
+    const int b = 2 * i, c = b + 1, d = i + 1 < n ? b + 2 : 1, e = i + 1 < n ? b + 3 : 0;
+    faces.push_back({b, d, e});
+    faces.push_back({b, e, c});
+  }
+  flatten(write("strip.off", off(2 * n, points.str(), faces)));
+  check_refusal({"one-sided", "between vertices"});
 }
 
 // Half of a wheel: its hub has all of the faces, which are then added at once.
@@ -692,6 +876,14 @@ BOOST_AUTO_TEST_CASE(closed_surface)
   check_refusal({"closed", "border", "cut"});
 }
 
+BOOST_AUTO_TEST_CASE(another_component_is_named)
+{
+  const std::string tetrahedron = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", triangle = "3 4 5 6\n";
+  flatten(write("two.off",
+                "OFF\n7 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 0\n6 0 0\n5 1 0\n" + tetrahedron + triangle));
+  check_refusal({"closed", "--component 1"});
+}
+
 BOOST_AUTO_TEST_CASE(handle)
 {
   // A torus of 5 by 5 quadrangles without one of them.
@@ -706,12 +898,20 @@ BOOST_AUTO_TEST_CASE(handle)
       faces.push_back({i, right, across, up});
     }
   }
+  std::vector<std::vector<int>> with_triangle = faces;
+  with_triangle.push_back({25, 26, 27});
+  flatten(write("two.off", off(28, points.str() + "9 0 0\n9 1 0\n9 0 1\n", with_triangle)));
+  BOOST_TEST((standard_error.find("handle") != std::string::npos), standard_error);
+  BOOST_TEST((standard_error.find("--component 1") != std::string::npos), standard_error);
+  fs::remove(file("flat.json"));
+
   const std::string input = write("handle.off", off(25, points.str(), faces));
   run(quoted(input) + " --output " + quoted(file("flat.obj")));
   check_refusal({"NONZERO_GENUS", "handle"});
   flatten(input);
   BOOST_TEST(status == 2);
   BOOST_TEST(json().get<std::string>("status") == "NONZERO_GENUS");
+  BOOST_TEST(json().get<int>("triangles") == 48);
   BOOST_TEST(!fs::exists(file("flat.obj")));
   BOOST_TEST(!fs::exists(file("flat.svg")));
 }
@@ -728,34 +928,207 @@ BOOST_AUTO_TEST_CASE(component_and_border_out_of_range)
 BOOST_AUTO_TEST_CASE(unwritable_output)
 {
   const std::string input = write("sheet.off", off(Sheet()));
-  for(const char* option : {"--output ", "--svg ", "--json "}) {
+  for(const std::string option : {"output .obj", "svg .svg", "json .json"}) {
     BOOST_TEST_CONTEXT(option)
     {
-      run(quoted(input) + " " + option + quoted(file("absent/flat.x")));
-      check_refusal({"cannot write", "absent/flat.x"});
-      run(quoted(input) + " " + option + quoted(path.string()));
+      const std::string name = " --" + option.substr(0, option.find(' ')) + " ";
+      const std::string extension = option.substr(option.find(' ') + 1);
+      run(quoted(input) + name + quoted(file("absent/flat" + extension)));
+      check_refusal({"cannot write", "absent/flat"});
+      run(quoted(input) + name + quoted(path.string()));
       check_refusal({"cannot write", "folder"});
-      run(quoted(input) + " " + option + quoted(input));
-      check_refusal({"overwrite"});
+      run(quoted(input) + name + "''");
+      check_refusal({"empty"});
+      run(quoted(input) + name + quoted(file("flat.off")));
+      check_refusal({"flat.off", "--output .obj", "--svg .svg", "--picture .png", "--json .json"});
     }
   }
   run(quoted(input) + " --output " + quoted(file("flat.obj")) + " --svg " + quoted(file("absent/flat.svg")));
   check_refusal({"cannot write"});
-  run(quoted(input) + " --output " + quoted(file("flat")) + " --svg " + quoted(file("flat")));
-  check_refusal({"same name"});
+  run(quoted(input) + " --output " + quoted(file("flat.OBJ")));
+  BOOST_TEST(status == 0);
   BOOST_TEST(content(input) == off(Sheet()));
+}
+
+// By any path, also through links, and before anything is computed: there is no input.
+BOOST_AUTO_TEST_CASE(outputs_that_are_one_file)
+{
+  fs::create_directory(path / "folder");
+  fs::create_directory_symlink(path / "folder", path / "link");
+  fs::create_symlink("folder/absent", path / "dangling");
+  const std::string input = write("sheet.obj", obj_input(Sheet()));
+  fs::create_hard_link(input, path / "hard.obj");
+  fs::create_symlink("sheet.obj", path / "soft.obj");
+  for(const char* name : {"sheet.obj", "hard.obj", "soft.obj", "folder/../sheet.obj"}) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      run(quoted(input) + " --output " + quoted(file(name)));
+      check_refusal({"overwrite the input"});
+    }
+  }
+  const auto check_pair = [this](const std::string& a, const std::string& b) {
+    BOOST_TEST_CONTEXT(a << " and " << b)
+    {
+      run("absent.obj --output " + quoted(a) + " --svg " + quoted(b));
+      check_refusal({"are the same"});
+    }
+  };
+  check_pair(file("flat"), file("flat"));
+  check_pair(file("flat"), file("folder/../flat"));
+  check_pair(file("folder/flat"), file("link/flat"));
+  check_pair(file("dangling"), file("link/absent"));
+  check_pair("-", "-");
+  write("a", "");
+  fs::create_hard_link(path / "a", path / "b");
+  check_pair(file("a"), file("b"));
+  BOOST_TEST(content(input) == obj_input(Sheet()));
+}
+
+BOOST_AUTO_TEST_CASE(standard_output_as_file)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  run(quoted(input) + " --output -");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(lines_with(standard_output, "vt").size() == 35u);
+  BOOST_TEST((standard_output.find("seconds") == std::string::npos));
+  check_told("angular distortion");
+  run(quoted(input) + " --json -");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(standard_output.compare(0, 15, "{\"status\": \"OK\"") == 0);
+  run("absent.off --json -");
+  BOOST_TEST(status == 2);
+  BOOST_TEST(standard_output.compare(0, 15, "{\"status\": \"WRO") == 0);
+#ifdef __linux__
+  run(quoted(input) + " --output /dev/fd/9 9>&1 | cat");
+  BOOST_TEST(lines_with(standard_output, "vt").size() == 35u);
+  for(const std::string& arguments : {quoted(input), quoted(input) + " --output -", std::string("--help")}) {
+    BOOST_TEST_CONTEXT(arguments)
+    {
+      run(arguments + " --json " + quoted(file("flat.json")) + " --svg " + quoted(file("flat.svg")),
+          "/dev/full");
+      BOOST_TEST(status == 2);
+      check_told("cannot write to standard output");
+      BOOST_TEST(!fs::exists(file("flat.svg")));
+    }
+  }
+  BOOST_TEST(json().get<std::string>("status") == "CANNOT_WRITE");
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(read_only_output_is_kept)
+{
+  const std::string input = write("sheet.off", off(Sheet())), kept = write("kept.obj", "kept");
+  fs::permissions(kept, fs::perms::owner_read);
+  run(quoted(input) + " --output " + quoted(kept));
+  check_refusal({"kept.obj", "read-only"});
+  BOOST_TEST(content(kept) == "kept");
+}
+
+// It waits for a reader of the pipe while its first file is there under a temporary name.
+BOOST_AUTO_TEST_CASE(interrupted)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  BOOST_REQUIRE(::mkfifo(file("pipe").c_str(), 0600) == 0);
+  const pid_t process = ::fork();
+  if(process == 0) {
+    ::execl(program().c_str(), "flatten_mesh", input.c_str(), "--output", file("flat.obj").c_str(), "--svg",
+            file("pipe").c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  std::string unfinished;
+  for(int i = 0; i < 3000 && unfinished.empty(); ++i) {
+    for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
+      unfinished = entry.path().extension() == ".unfinished" ? entry.path().string() : unfinished;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  BOOST_TEST((unfinished.find("." + std::to_string(process) + ".") != std::string::npos), unfinished);
+  ::kill(process, SIGTERM);
+  int result = 0;
+  ::waitpid(process, &result, 0);
+  BOOST_TEST(WIFSIGNALED(result));
+  BOOST_TEST(WTERMSIG(result) == SIGTERM);
+  check_nothing_is_left();
+}
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+// Solvers say only that they failed, and threads that wait for memory do not keep the program from ending.
+BOOST_AUTO_TEST_CASE(memory_limits)
+{
+  for(const char* limit : {"120000", "200000"}) {
+    BOOST_TEST_CONTEXT(limit)
+    {
+      const std::string json = file("flat.json"), errors = file("stderr");
+      const std::string command = std::string("export OPENBLAS_NUM_THREADS=2; ulimit -v ") + limit +
+                                  "; timeout -s KILL 60 " + quoted(program()) + " " + quoted(shell()) +
+                                  " --json " + quoted(json) + " > /dev/null 2> " + quoted(errors);
+      const int result = std::system(command.c_str());
+      BOOST_TEST(WIFEXITED(result));
+      standard_error = content(errors);
+      BOOST_TEST(WEXITSTATUS(result) == 1, standard_error);
+      check_told("memory does not suffice");
+      BOOST_TEST((content(json).find("memory does not suffice") != std::string::npos));
+      fs::remove(json);
+    }
+  }
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(surfaces_without_area)
+{
+  Sheet sheet;
+  const auto check = [this, &sheet](const char* name, const char* step, const std::string& where) {
+    std::string points;
+    for(int i = 0; i < sheet.vertices(); ++i) {
+      std::ostringstream number;
+      number << 0.1 * i;
+      points += step[0] == '0' ? "1 2 3\n" : number.str() + " " + number.str() + " " + step + "\n";
+    }
+    flatten(write(name, off(sheet.vertices(), points, sheet.faces())));
+    BOOST_TEST(status == 3);
+    check_told("no area");
+    check_told(where);
+    BOOST_TEST(json().get<std::string>("status") == "NO_AREA");
+    BOOST_TEST(fs::exists(file("flat.obj")));
+  };
+  check("point.off", "0", "in one point");
+  check("line.off", "7", "on a line");
+
+  flatten(write("corner.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n3 0 1 2\n3 1 0 3\n"));
+  BOOST_TEST(status == 0);
+  check_told("1 triangle of 2 without area");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage)
 {
   const std::string input = write("sheet.off", off(Sheet()));
-  for(const std::string options : {"--unknown",          "--outp x.obj",         "--barrier",
-                                   "--barrier -1",       "--barrier=-1",         "--barrier nan",
-                                   "--barrier x",        "--tolerance 0",        "--tolerance inf",
-                                   "--max-iterations 0", "--max-iterations 1.5", "--component -1",
-                                   "--component=-1",     "--border=-1",          "--layout round",
-                                   "--step big",         "--solver none",        "--method best",
-                                   "--rate 1",           "--holes shut",         "second.off"}) {
+  for(const std::string options : {"--unknown",
+                                   "--outp x.obj",
+                                   "--barrier",
+                                   "--barrier -1",
+                                   "--barrier=-1",
+                                   "--barrier nan",
+                                   "--barrier x",
+                                   "--tolerance 0",
+                                   "--tolerance inf",
+                                   "--max-iterations 0",
+                                   "--max-iterations 1.5",
+                                   "--component -1",
+                                   "--component=-1",
+                                   "--border=-1",
+                                   "--layout round",
+                                   "--step big",
+                                   "--solver none",
+                                   "--method best",
+                                   "--rate 0.9",
+                                   "--simplification-rate 1",
+                                   "--holes shut",
+                                   "second.off",
+                                   "--sweeps 1000000000",
+                                   "--angle-sweeps 1001",
+                                   "--tolerance 1e-300",
+                                   "--threads 1000000000",
+                                   "--repair maybe"}) {
     BOOST_TEST_CONTEXT(options)
     {
       flatten(input, options);

@@ -447,6 +447,10 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);
   BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
   BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::WRONG_OPTION);
+  wrong = Options();
+  wrong.sweeps = 1000000000;
+  hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);
+  BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
   BOOST_TEST(uv.empty());
 }
 

@@ -380,6 +380,8 @@ BOOST_AUTO_TEST_CASE(wrong_options)
     set(&Options::tolerance, value);
     set(&Options::energy_tolerance, value);
   }
+  set(&Options::tolerance, 1e-300);
+  set(&Options::layout, static_cast<Options::Layout_type>(3));
   set(&Options::max_iterations, -1);
   set(&Options::threads, -1);
   for(const Options& options : wrong) {

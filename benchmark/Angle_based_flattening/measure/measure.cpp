@@ -27,16 +27,18 @@ int main(int argc, char* argv[])
   int first_run = 0;
   bool noise = false;
   std::string output;
-  po::options_description options("measure mesh FILE [--triangles N] [--noise] [--output FILE]\n"
-                                  "measure flatten METHOD FILE [--rate X] [--sweeps N] [--polish]\n"
-                                  "measure solve SOLVER FILE full|block\n"
-                                  "measure layouts FILE TOLERANCE\n"
-                                  "measure sweep FILE direct|hierarchical [--first-run N]\n"
-                                  "measure software\n\nOptions");
+  po::options_description options(
+      "measure mesh FILE [--triangles N] [--noise] [--output FILE]\n"
+      "measure flatten METHOD FILE [--simplification-rate X] [--sweeps N] [--polish]\n"
+      "measure solve SOLVER FILE full|block\n"
+      "measure layouts FILE TOLERANCE\n"
+      "measure sweep FILE direct|hierarchical [--first-run N]\n"
+      "measure software\n\nOptions");
   options.add_options()("triangles", po::value(&triangles), "simplify or subdivide to about that many")(
       "noise", po::bool_switch(&noise), "move each vertex by a tenth of its shortest edge")(
-      "output", po::value(&output), "write the mesh there")(
-      "rate", po::value(&hierarchical.simplification_rate), "simplification rate of hierarchical methods")(
+      "output", po::value(&output), "write the mesh there")("simplification-rate",
+                                                            po::value(&hierarchical.simplification_rate),
+                                                            "simplification rate of hierarchical methods")(
       "sweeps", po::value(&hierarchical.sweeps), "sweeps on each level")(
       "polish", po::bool_switch(&hierarchical.polish), "start the direct solver from the refined map")(
       "first-run", po::value(&first_run), "number of runs to leave out")(

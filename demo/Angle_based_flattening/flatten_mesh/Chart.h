@@ -7,10 +7,10 @@
 #define FLATTEN_MESH_CHART_H
 
 #include "build_mesh.h"
+#include "components.h"
 #include "texts.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/centroid.h>
@@ -35,20 +35,6 @@ struct Chart
 };
 
 namespace internal {
-
-// The faces of each component, the largest component first.
-inline std::vector<std::vector<Face>> components_by_size(Mesh& mesh)
-{
-  const auto component = mesh.add_property_map<Face, std::size_t>("f:flatten_mesh_component", 0).first;
-  std::vector<std::vector<Face>> components(
-      CGAL::Polygon_mesh_processing::connected_components(mesh, component));
-  for(const Face f : mesh.faces()) {
-    components[component[f]].push_back(f);
-  }
-  std::stable_sort(components.begin(), components.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  return components;
-}
 
 inline std::vector<Vertex> vertices_of_faces(const Mesh& mesh, const std::vector<Face>& faces)
 {
@@ -101,7 +87,7 @@ inline std::string choice_text(const std::size_t count, const std::string& noun)
 // The chart that `--component` and `--border` choose. Throws an `Input_error` if there is none.
 inline Chart choose_chart(Mesh& mesh, const std::size_t component, const std::size_t border)
 {
-  std::vector<std::vector<Face>> components = internal::components_by_size(mesh);
+  std::vector<std::vector<Face>> components = components_by_size(mesh);
   if(component >= components.size()) {
     throw Input_error("no component " + std::to_string(component) + ": " +
                       internal::choice_text(components.size(), "component") + "; choose with --component");
@@ -117,7 +103,8 @@ inline Chart choose_chart(Mesh& mesh, const std::size_t component, const std::si
         (components.size() == 1 ? std::string()
                                 : ", at least its component " + std::to_string(component) + " of " +
                                       std::to_string(components.size())) +
-        ": it has no border to flatten it from; cut it open along a path of edges, or remove a face");
+        ": it has no border to flatten it from; cut it open along a path of edges, or remove a face" +
+        other_component_text(mesh, component));
   }
   if(border >= chart.borders.size()) {
     throw Input_error("no border " + std::to_string(border) + ": " +

@@ -31,6 +31,7 @@ struct Command_line
   int component = 0;
   int border = 0;
   std::string holes = "close";
+  std::string repair = "on";
   std::string method = "auto";
   std::string solver = "superlu";
   std::string layout = "auto";
@@ -40,6 +41,7 @@ struct Command_line
   SMP::Hierarchical_options hierarchical;
   bool verbose = false;
   bool help = false;
+  bool version = false;
 };
 
 namespace internal {
@@ -63,7 +65,9 @@ inline po::options_description file_options(Command_line& command)
       "(where built with libpng)");
   add("json", po::value(&command.json)->value_name("FILE.json"),
       "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
-      "Also written when the parameterizer fails.");
+      "Also written when something is wrong, with 'status', 'message' and 'input' at least. A '-' in place "
+      "of any of "
+      "these four files is standard output; the text for people is then on standard error");
   return options;
 }
 
@@ -95,6 +99,10 @@ inline po::options_description chart_options(Command_line& command)
       "close: each hole is covered by a fan of triangles while the surface is flattened; its shape then "
       "changes "
       "little. open: holes may take any shape; only for small distortions this comes out valid");
+  add("repair", name_option(command.repair),
+      "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
+      "parts that "
+      "touch in a vertex separated, each with a note. off: such surfaces are refused");
   return options;
 }
 
@@ -106,7 +114,7 @@ inline po::options_description method_options(Command_line& command)
   add("method", name_option(command.method),
       "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
       "large surfaces. auto: hierarchical for more than 200,000 triangles");
-  add("rate", number_option(command.hierarchical.simplification_rate, "PART"),
+  add("simplification-rate", number_option(command.hierarchical.simplification_rate, "PART"),
       "part of the vertices that the hierarchical method removes");
   add("sweeps", count_option(command.hierarchical.sweeps),
       "sweeps of relaxation on each level of the hierarchical method");
@@ -138,6 +146,7 @@ inline po::options_description other_options(Command_line& command)
   add("verbose,v", po::bool_switch(&command.verbose),
       "tell on standard error what is done: a line for every stage and every Newton step");
   add("help,h", po::bool_switch(&command.help), "print this text");
+  add("version", po::bool_switch(&command.version), "print the version");
   return options;
 }
 
@@ -165,9 +174,15 @@ inline std::string help_text()
           "\nA surface without a border has to be cut open first. Messages count vertices, faces and lines\n"
           "from 1, as OBJ files do.\n"
           "\nExit status: 0 when the flattening is valid, with no flipped triangle, and written where asked\n"
-          "for; 1 when the computation failed; 2 when the command line or the input is wrong. Where it is\n"
-          "not 0, neither OBJ nor SVG nor PNG are written.\n";
+          "for; 1 when the computation failed; 2 when the command line or the input is wrong, or an output\n"
+          "cannot be written; in these two cases neither OBJ nor SVG nor PNG are written. 3 when there is a\n"
+          "layout, written where asked for, but of a surface without area, so that it means nothing.\n";
   return text.str();
+}
+
+inline std::string version_text()
+{
+  return "flatten_mesh " ABF_VERSION "\n";
 }
 
 } // namespace flatten_mesh

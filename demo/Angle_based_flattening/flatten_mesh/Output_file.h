@@ -6,37 +6,41 @@
 #ifndef FLATTEN_MESH_OUTPUT_FILE_H
 #define FLATTEN_MESH_OUTPUT_FILE_H
 
+#include "Unfinished_files.h"
+#include "file_names.h"
 #include "texts.h"
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <random>
 #include <string>
 #include <system_error>
+
+#include <unistd.h>
 
 namespace flatten_mesh {
 
 // A file that appears under its name only when it is complete. The text goes into a temporary file next to
-// the target, which `publish()` renames, and which vanishes with the object otherwise. Devices and pipes are
-// written directly.
+// the target, which `publish()` renames, and which vanishes with the object, and with the process, otherwise. Standard
+// output, devices and pipes are written directly.
 class Output_file
 {
 public:
   explicit Output_file(const std::string& name) : m_name(name)
   {
-    std::error_code ignored;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(name, ignored);
-    if(std::filesystem::is_directory(target, ignored)) {
-      throw Input_error("cannot write '" + name + "': it is a folder; give the name of a file");
+    if(name == standard_output) {
+      return;
     }
-    m_target = target.empty() ? std::filesystem::path(name) : target;
-    const bool renamed =
-        !std::filesystem::exists(m_target, ignored) || std::filesystem::is_regular_file(m_target, ignored);
-    m_temporary = m_target;
-    if(renamed) {
-      m_temporary += ".unfinished";
+    check_target();
+    if(is_replaced()) {
+      m_temporary = m_target.string() + "." + std::to_string(::getpid()) + "." +
+                    std::to_string(std::random_device()()) + ".unfinished";
+      Unfinished_files::add(m_temporary.c_str());
     }
-    m_stream.open(m_temporary, std::ios::binary);
+    m_stream.open(m_temporary.empty() ? m_target : std::filesystem::path(m_temporary), std::ios::binary);
     if(!m_stream) {
+      remove();
       fail();
     }
   }
@@ -47,54 +51,98 @@ public:
   ~Output_file()
   {
     m_stream.close();
-    if(m_temporary != m_target) {
-      std::error_code ignored;
-      std::filesystem::remove(m_temporary, ignored);
-    }
+    remove();
   }
 
-  // Throws unless `name` can be written now. Nothing is left behind.
+  // Throws unless `name` can be written now. Nothing is left behind. Pipes and devices are not opened: for who reads them
+  // that would be the end.
   static void check(const std::string& name)
   {
-    if(!name.empty()) {
+    std::error_code ignored;
+    const std::filesystem::path target = resolved(name);
+    if(!name.empty() && (!std::filesystem::exists(target, ignored) || !is_other_file(target))) {
       Output_file trial(name);
     }
   }
 
   void write(const std::string& text)
   {
-    m_stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    m_stream.flush();
-    if(!m_stream) {
+    std::ostream& stream = m_name == standard_output ? std::cout : m_stream;
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.flush();
+    if(!stream) {
       fail();
     }
   }
 
   void publish()
   {
-    m_stream.close();
+    if(m_stream.is_open()) {
+      m_stream.close();
+    }
     if(!m_stream) {
       fail();
     }
-    if(m_temporary != m_target) {
+    if(!m_temporary.empty()) {
       std::error_code error;
       std::filesystem::rename(m_temporary, m_target, error);
       if(error) {
         fail();
       }
+      Unfinished_files::remove(m_temporary.c_str());
+      m_temporary.clear();
     }
   }
 
 private:
+  void check_target()
+  {
+    std::error_code ignored;
+    m_target = resolved(m_name);
+    if(std::filesystem::is_directory(m_target, ignored)) {
+      throw Output_error("cannot write '" + m_name + "': it is a folder; give the name of a file");
+    }
+    // Renaming does not ask whether the file there may be written to, and nothing asks the superuser.
+    using Permissions = std::filesystem::perms;
+    const Permissions write = Permissions::owner_write | Permissions::group_write | Permissions::others_write;
+    if(std::filesystem::exists(m_target, ignored) &&
+       ((std::filesystem::status(m_target, ignored).permissions() & write) == Permissions::none ||
+        ::access(m_target.c_str(), W_OK) != 0)) {
+      throw Output_error(
+          "cannot write '" + m_name +
+          "': there is such a file, and it is read-only; choose another name or allow writing");
+    }
+  }
+
+  bool is_replaced() const
+  {
+    std::error_code ignored;
+    return !std::filesystem::exists(m_target, ignored) || !is_other_file(m_target);
+  }
+
+  void remove()
+  {
+    if(!m_temporary.empty()) {
+      std::error_code ignored;
+      std::filesystem::remove(m_temporary, ignored);
+      Unfinished_files::remove(m_temporary.c_str());
+      m_temporary.clear();
+    }
+  }
+
   [[noreturn]] void fail() const
   {
-    throw Input_error("cannot write '" + m_name +
-                      "': check that its folder exists, may be written to, and that the disk is not full");
+    if(m_name == standard_output) {
+      throw Output_error(
+          "cannot write to standard output: check that its disk is not full, or its pipe closed");
+    }
+    throw Output_error("cannot write '" + m_name +
+                       "': check that its folder exists, may be written to, and that the disk is not full");
   }
 
   std::string m_name;
   std::filesystem::path m_target;
-  std::filesystem::path m_temporary;
+  std::string m_temporary; // empty if there is none
   std::ofstream m_stream;
 };
 

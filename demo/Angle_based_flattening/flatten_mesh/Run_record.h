@@ -53,6 +53,8 @@ struct Run_record
   double write_seconds = 0;
   Flattening flattening;
   std::vector<std::string> written;
+  std::vector<std::string> notes;
+  bool has_area = true;
 };
 
 // The name of a diagnosis, "OK" for none.

@@ -6,7 +6,10 @@
 #ifndef FLATTEN_MESH_BUILD_MESH_H
 #define FLATTEN_MESH_BUILD_MESH_H
 
-#include "read_polygon_soup.h"
+#include "Notes.h"
+#include "Polygon_soup.h"
+#include "check_polygons.h"
+#include "repair_soup.h"
 #include "texts.h"
 
 // The header that divides faces has one for holes with it, and two more triangulations for these: not used here, they would
@@ -22,7 +25,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -38,59 +40,11 @@ using Halfedge = Mesh::Halfedge_index;
 
 namespace internal {
 
-inline std::string edge_name(const std::size_t v, const std::size_t w)
-{
-  return "the edge between vertices " + std::to_string((std::min)(v, w) + 1) + " and " +
-         std::to_string((std::max)(v, w) + 1);
-}
-
-[[noreturn]] inline void refuse_vertex(const std::size_t v)
-{
-  throw Input_error("at " + vertex_name(v) +
-                    " parts of the surface touch in a point, so it is not a manifold; give each part a "
-                    "vertex of its own");
-}
-
-// Throws if another polygon runs along an edge of the polygon in the same direction: too many have that edge, or the two
-// are oriented differently.
-inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std::size_t v,
-                       const std::size_t w)
-{
-  std::size_t count = 0, other = p;
-  for(std::size_t q = 0; q < soup.polygons.size(); ++q) {
-    const Polygon& polygon = soup.polygons[q];
-    for(std::size_t i = 0; i < polygon.size(); ++i) {
-      const std::size_t from = polygon[i], to = polygon[(i + 1) % polygon.size()];
-      const bool is_same = from == v && to == w;
-      count += is_same || (from == w && to == v);
-      other = is_same && other == p ? q : other;
-    }
-  }
-  if(count > 2) {
-    throw Input_error(edge_name(v, w) + " has " + std::to_string(count) +
-                      " faces, so the surface is not a manifold; remove or separate the surplus ones");
-  }
-  if(other != p) {
-    throw Input_error("faces " + std::to_string((std::min)(p, other) + 1) + " and " +
-                      std::to_string((std::max)(p, other) + 1) +
-                      " are oriented differently: both run along " + edge_name(v, w) +
-                      " in the same direction; orient all faces alike");
-  }
-}
-
 // Says why the mesh of the polygons before did not take this one.
 [[noreturn]] inline void refuse_polygon(const Polygon_soup& soup, const std::size_t p, const Mesh& mesh)
 {
   const Polygon& polygon = soup.polygons[p];
-  if(polygon.size() < 3) {
-    throw Input_error(face_name(p) + " has fewer than three vertices; remove it");
-  }
-  Polygon sorted(polygon);
-  std::sort(sorted.begin(), sorted.end());
-  const Polygon::const_iterator twice = std::adjacent_find(sorted.begin(), sorted.end());
-  if(twice != sorted.end()) {
-    throw Input_error(face_name(p) + " has " + vertex_name(*twice) + " twice; remove degenerate faces");
-  }
+  check_polygon(soup, p);
   for(std::size_t i = 0; i < polygon.size(); ++i) {
     check_edge(soup, p, polygon[i], polygon[(i + 1) % polygon.size()]);
   }
@@ -109,37 +63,17 @@ inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std:
 
 inline void add_vertices(const Polygon_soup& soup, Mesh& mesh)
 {
-  for(std::size_t v = 0; v < soup.points.size(); ++v) {
-    const Kernel::Point_3& point = soup.points[v];
-    if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
-      throw Input_error(vertex_name(v) +
-                        " has a coordinate that is not a finite number; remove it or repair the scan");
-    }
+  for(const Kernel::Point_3& point : soup.points) {
     mesh.add_vertex(point);
   }
-}
-
-// The largest number of polygons at a vertex. Throws if a polygon has a vertex that is not there.
-inline std::size_t largest_valence(const Polygon_soup& soup)
-{
-  std::vector<std::size_t> valence(soup.points.size(), 0);
-  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
-    for(const std::size_t v : soup.polygons[p]) {
-      if(v >= soup.points.size()) {
-        throw Input_error(face_name(p) + " has a vertex that is not there: the file has only " +
-                          std::to_string(soup.points.size()) + "; export the mesh again");
-      }
-      ++valence[v];
-    }
-  }
-  return *std::max_element(valence.begin(), valence.end());
 }
 
 // Adding faces one by one names the first that does not fit, but takes quadratic time at a vertex with many of them.
 inline void add_faces(const Polygon_soup& soup, Mesh& mesh)
 {
   const std::size_t large_valence = 1000;
-  if(largest_valence(soup) > large_valence &&
+  const std::vector<std::size_t> valence = valences(soup);
+  if(*std::max_element(valence.begin(), valence.end()) > large_valence &&
      CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons)) {
     std::vector<std::vector<Vertex>> faces;
     for(const Polygon& polygon : soup.polygons) {
@@ -173,12 +107,37 @@ inline void triangulate(Mesh& mesh)
   }
 }
 
+// Throws a `Not_a_mesh` if the polygons do not fit together.
+inline Mesh build_polygon_mesh(const Polygon_soup& soup)
+{
+  Mesh mesh;
+  add_vertices(soup, mesh);
+  add_faces(soup, mesh);
+  std::vector<Halfedge> at_pinched_vertices;
+  CGAL::Polygon_mesh_processing::non_manifold_vertices(mesh, std::back_inserter(at_pinched_vertices));
+  if(!at_pinched_vertices.empty()) {
+    refuse_vertex(mesh.target(at_pinched_vertices.front()));
+  }
+  return mesh;
+}
+
+inline Mesh build_repaired_mesh(Polygon_soup& soup, Notes& notes)
+{
+  weld_soup(soup, notes);
+  try {
+    return build_polygon_mesh(soup);
+  } catch(const Not_a_mesh&) {
+    orient_soup(soup, notes);
+    return build_polygon_mesh(soup);
+  }
+}
+
 } // namespace internal
 
-// The triangulated surface of a polygon soup. Its vertices are those of the soup, in the same order; larger polygons are
-// divided into triangles. Throws an `Input_error` that names the place unless the polygons form an oriented manifold
-// with finite coordinates.
-inline Mesh build_mesh(const Polygon_soup& soup)
+// The triangulated surface of a polygon soup, which is repaired if need be and wanted. Its vertices are those of the soup,
+// in the same order; larger polygons are divided into triangles. Throws an `Input_error` that names the place unless
+// the polygons form an oriented manifold with finite coordinates.
+inline Mesh build_mesh(Polygon_soup& soup, const bool repair, Notes& notes)
 {
   if(soup.points.empty() || soup.polygons.empty()) {
     throw Input_error(
@@ -186,14 +145,8 @@ inline Mesh build_mesh(const Polygon_soup& soup)
             ? "the file has no vertices; export the mesh again"
             : "the file has vertices but no faces; a point cloud has to be made into a surface first");
   }
-  Mesh mesh;
-  internal::add_vertices(soup, mesh);
-  internal::add_faces(soup, mesh);
-  std::vector<Halfedge> at_pinched_vertices;
-  CGAL::Polygon_mesh_processing::non_manifold_vertices(mesh, std::back_inserter(at_pinched_vertices));
-  if(!at_pinched_vertices.empty()) {
-    internal::refuse_vertex(mesh.target(at_pinched_vertices.front()));
-  }
+  internal::check_points(soup);
+  Mesh mesh = repair ? internal::build_repaired_mesh(soup, notes) : internal::build_polygon_mesh(soup);
   internal::triangulate(mesh);
   return mesh;
 }

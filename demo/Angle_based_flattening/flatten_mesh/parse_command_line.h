@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_PARSE_COMMAND_LINE_H
 
 #include "Command_line.h"
+#include "check_outputs.h"
 #include "texts.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -15,47 +16,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace flatten_mesh {
 
 namespace internal {
 
-inline bool is_same_file(const std::string& a, const std::string& b)
-{
-  if(a.empty() || b.empty()) {
-    return false;
-  }
-  std::error_code error;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error) &&
-         (std::filesystem::is_regular_file(a, error) || !std::filesystem::exists(a, error));
-}
-
 inline void check_files(const Command_line& command)
 {
   if(command.input.empty()) {
-    throw Input_error(
+    throw Usage_error(
         "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
   }
-  const std::vector<std::string> outputs = {command.output, command.svg, command.picture, command.json};
-  for(std::size_t i = 0; i < outputs.size(); ++i) {
-    if(is_same_file(command.input, outputs[i])) {
-      throw Input_error("'" + outputs[i] + "' would overwrite the input: choose another name");
-    }
-    for(std::size_t j = 0; j < i; ++j) {
-      if(is_same_file(outputs[j], outputs[i])) {
-        throw Input_error(
-            "two outputs have the same name: choose different ones for --output, --svg, --picture "
-            "and --json");
-      }
-    }
-  }
+  check_outputs(command);
 #ifndef ABF_WITH_PNG
   if(!command.picture.empty()) {
-    throw Input_error(
+    throw Usage_error(
         "this program was built without libpng, which --picture needs: install libpng-dev and build "
         "it again, or use --svg");
   }
@@ -66,7 +43,7 @@ inline void check_numbers(const Command_line& command)
 {
   const auto check = [](const bool is_right, const std::string& rule) {
     if(!is_right) {
-      throw Input_error(rule + "; see --help");
+      throw Usage_error(rule + "; see --help");
     }
   };
   const SMP::ABF_plus_plus_options& abf = command.options;
@@ -75,10 +52,13 @@ inline void check_numbers(const Command_line& command)
   check(command.component >= 0, "--component counts from 0");
   check(command.border >= 0, "--border counts from 0");
   check(std::isfinite(abf.barrier) && abf.barrier >= 0, "--barrier takes a number of at least 0");
-  check(std::isfinite(abf.tolerance) && abf.tolerance > 0, "--tolerance takes a number above 0");
-  check(rate > 0 && rate < 1, "--rate takes a number between 0 and 1");
-  check(hierarchical.sweeps >= 0 && hierarchical.angle_sweeps >= 0 && abf.threads >= 0,
-        "--sweeps, --angle-sweeps and --threads take a number of at least 0");
+  check(std::isfinite(abf.tolerance) && abf.tolerance >= 1e-14,
+        "--tolerance takes a number of at least 1e-14");
+  check(rate > 0 && rate < 1, "--simplification-rate takes a number between 0 and 1");
+  check(hierarchical.sweeps >= 0 && hierarchical.sweeps <= 1000, "--sweeps takes a number from 0 to 1000");
+  check(hierarchical.angle_sweeps >= 0 && hierarchical.angle_sweeps <= 1000,
+        "--angle-sweeps takes a number from 0 to 1000");
+  check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
   check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
 }
 
@@ -89,19 +69,20 @@ inline void understand_names(Command_line& command)
   using Names = std::vector<std::string>;
   const auto check = [](const std::string& option, const std::string& name, const Names& known) {
     if(std::find(known.begin(), known.end(), name) == known.end()) {
-      throw Input_error("unknown --" + option + " '" + name + "': it is one of " +
+      throw Usage_error("unknown --" + option + " '" + name + "': it is one of " +
                         boost::algorithm::join(known, ", "));
     }
   };
   check("method", command.method, {"direct", "hierarchical", "auto"});
   check("holes", command.holes, {"close", "open"});
+  check("repair", command.repair, {"on", "off"});
   check("solver", command.solver, {"superlu", "eigen", "cholmod"});
   check("layout", command.layout, {"auto", "exact", "least-squares"});
   check("step", command.step, {"newton", "sqp"});
   check("linear-solver", command.linear_solver, {"iterative", "direct"});
 #ifndef ABF_WITH_CHOLMOD
   if(command.solver == "cholmod") {
-    throw Input_error("this program was built without CHOLMOD: use --solver superlu or --solver eigen");
+    throw Usage_error("this program was built without CHOLMOD: use --solver superlu or --solver eigen");
   }
 #endif
   command.options.layout = command.layout == "exact"           ? Options::EXACT_LAYOUT
@@ -112,37 +93,69 @@ inline void understand_names(Command_line& command)
   command.options.allow_holes = true;
 }
 
-} // namespace internal
-
-// Throws an `Input_error` for wrong usage.
-inline Command_line parse_command_line(const int argc, const char* const argv[])
+inline boost::program_options::variables_map values_of(const int argc, const char* const argv[],
+                                                       Command_line& command)
 {
   namespace po = boost::program_options;
-  Command_line command;
-  const po::options_description options = internal::all_options(command);
+  namespace style = po::command_line_style;
+  const po::options_description options = all_options(command);
   po::positional_options_description positional;
   positional.add("input", 1);
-  try {
-    namespace style = po::command_line_style;
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv)
-                  .options(options)
-                  .positional(positional)
-                  .style(style::unix_style & ~style::allow_guessing)
-                  .run(),
-              values);
-    po::notify(values);
-  } catch(const po::too_many_positional_options_error&) {
-    throw Input_error("more than one input: name one mesh file; see --help");
-  } catch(const po::error& error) {
-    throw Input_error(std::string(error.what()) + "; see --help");
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv)
+                .options(options)
+                .positional(positional)
+                .style(style::unix_style & ~style::allow_guessing)
+                .run(),
+            values);
+  po::notify(values);
+  return values;
+}
+
+// The report for programs is written also where the rest of the command line is wrong.
+inline void find_json(const int argc, const char* const argv[], Command_line& command)
+{
+  for(int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if(word == "--json" && i + 1 < argc) {
+      command.json = argv[i + 1];
+    } else if(word.compare(0, 7, "--json=") == 0) {
+      command.json = word.substr(7);
+    }
   }
-  if(!command.help) {
+}
+
+inline void check_names_of_files(const boost::program_options::variables_map& values)
+{
+  for(const char* option : {"input", "output", "svg", "picture", "json"}) {
+    if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
+      throw Usage_error(std::string("the name after --") + option + " is empty: give the name of a file");
+    }
+  }
+}
+
+} // namespace internal
+
+// Throws a `Usage_error` for wrong usage. What is understood until then is in `command`.
+inline void parse_command_line(const int argc, const char* const argv[], Command_line& command)
+{
+  namespace po = boost::program_options;
+  po::variables_map values;
+  try {
+    values = internal::values_of(argc, argv, command);
+  } catch(const po::too_many_positional_options_error&) {
+    internal::find_json(argc, argv, command);
+    throw Usage_error("more than one input: name one mesh file; see --help");
+  } catch(const po::error& error) {
+    internal::find_json(argc, argv, command);
+    throw Usage_error(std::string(error.what()) + "; see --help");
+  }
+  if(!command.help && !command.version) {
+    internal::check_names_of_files(values);
     internal::check_files(command);
     internal::check_numbers(command);
     internal::understand_names(command);
   }
-  return command;
 }
 
 } // namespace flatten_mesh

@@ -6,43 +6,33 @@
 #ifndef FLATTEN_MESH_READ_POLYGON_SOUP_H
 #define FLATTEN_MESH_READ_POLYGON_SOUP_H
 
+#include "Notes.h"
+#include "Polygon_soup.h"
+#include "explain_unreadable.h"
+#include "file_names.h"
+#include "read_obj.h"
 #include "texts.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 
 #ifdef CGAL_USE_VTK
 #include <vtkObject.h>
 #endif
 
-#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/io/ios_state.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
+#include <new>
 #include <string>
 #include <system_error>
 #include <vector>
 
 namespace flatten_mesh {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Polygon = std::vector<std::size_t>;
-
-// Points and polygons in the order of the file.
-struct Polygon_soup
-{
-  std::vector<Kernel::Point_3> points;
-  std::vector<Polygon> polygons;
-};
 
 namespace internal {
 
@@ -61,12 +51,6 @@ inline void check_file_is_there(const std::string& name)
   if(std::filesystem::is_regular_file(name, ignored) && std::filesystem::file_size(name, ignored) == 0) {
     throw Input_error("'" + name + "' is empty: export the mesh again");
   }
-}
-
-inline std::string file_format(const std::string& name)
-{
-  const std::string extension = std::filesystem::path(name).extension().string();
-  return boost::algorithm::to_lower_copy(extension.empty() ? extension : extension.substr(1));
 }
 
 inline void check_file_format(const std::string& name)
@@ -90,59 +74,42 @@ inline void check_file_format(const std::string& name)
 inline bool try_to_read(const std::string& name, Polygon_soup& soup)
 {
   const boost::io::ios_rdbuf_saver no_output(std::cout, nullptr), no_errors(std::cerr, nullptr);
+  const std::string format = file_format(name);
   try {
 #ifdef CGAL_USE_VTK
-    // CGAL 5.5 forgets this format in the function below.
-    if(file_format(name) == "vtp") {
+    if(format == "vtp") {
       vtkObject::GlobalWarningDisplayOff();
       return CGAL::IO::read_VTP(name, soup.points, soup.polygons);
     }
 #endif
-    return CGAL::IO::read_polygon_soup(name, soup.points, soup.polygons);
+    std::ifstream file;
+    open_file(name, file);
+    return format == "off"   ? CGAL::IO::read_OFF(file, soup.points, soup.polygons)
+           : format == "ply" ? CGAL::IO::read_PLY(file, soup.points, soup.polygons)
+           : format == "stl" ? CGAL::IO::read_STL(file, soup.points, soup.polygons)
+                             : CGAL::IO::read_GOCAD(file, soup.points, soup.polygons);
+  } catch(const std::bad_alloc&) {
+    throw;
   } catch(const std::exception&) {
     return false;
   }
 }
 
-// Whether a word is a number that is none, as programs write it: "nan", "-inf", "1.#IND".
-inline bool is_not_a_finite_number(const std::string& word)
-{
-  char* end = nullptr;
-  const double number = std::strtod(word.c_str(), &end);
-  return word.find("1.#") != std::string::npos || (*end == '\0' && !std::isfinite(number));
-}
-
-// One line about a file that CGAL could not read. Standard C++ streams do not read "nan" and "inf", so that
-// in text files these are found here.
-inline std::string explain_unreadable_file(const std::string& name)
-{
-  std::ifstream file(name, std::ios::binary);
-  std::string line;
-  for(std::size_t number = 1; std::getline(file, line) && line.find('\0') == std::string::npos; ++number) {
-    std::istringstream words(line);
-    std::string word;
-    while(words >> word && word[0] != '#') {
-      if(is_not_a_finite_number(word)) {
-        return "'" + name + "', line " + std::to_string(number) + ": the coordinate '" + word +
-               "' is not a finite number; remove the vertex or repair the scan";
-      }
-    }
-  }
-  return "cannot read '" + name +
-         "': it is damaged, cut short, has a face with a vertex that is not there, or is not in the format "
-         "that its name says; export the mesh again";
-}
-
 } // namespace internal
 
-// Throws an `Input_error` if the file cannot be read. The content is not looked at.
-inline Polygon_soup read_polygon_soup(const std::string& name)
+// Throws an `Input_error` if the file cannot be read. Whether the polygons fit together is not looked at.
+inline Polygon_soup read_polygon_soup(const std::string& name, Notes& notes)
 {
   internal::check_file_is_there(name);
   internal::check_file_format(name);
   Polygon_soup soup;
-  if(!internal::try_to_read(name, soup)) {
-    throw Input_error(internal::explain_unreadable_file(name));
+  soup.is_welded = file_format(name) == "stl";
+  if(file_format(name) == "obj") {
+    std::ifstream file;
+    internal::open_file(name, file);
+    read_obj(file, name, soup, notes);
+  } else if(!internal::try_to_read(name, soup)) {
+    throw Input_error(explain_unreadable_file(name));
   }
   return soup;
 }

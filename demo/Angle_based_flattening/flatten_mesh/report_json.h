@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -44,6 +45,15 @@ std::string json_number(const Number number)
   }
   append_number(text, number);
   return text;
+}
+
+inline std::string json_texts(const std::vector<std::string>& values)
+{
+  std::string text;
+  for(const std::string& value : values) {
+    text += (text.empty() ? "" : ", ") + json_text(value);
+  }
+  return "[" + text + "]";
 }
 
 // An object, member by member; their values are JSON themselves.
@@ -93,9 +103,12 @@ inline std::string report_json(const Run_record& record)
   using internal::json_number;
   using internal::json_text;
   const SMP::ABF_plus_plus_report& report = record.flattening.report;
+  const bool succeeds_without_area = record.flattening.succeeded() && !record.has_area;
   internal::Json_object json;
-  json.add("status", json_text(status_name(report)));
-  json.add("message", json_text(report.message + record.flattening.place));
+  json.add("status", json_text(succeeds_without_area ? "NO_AREA" : status_name(report)));
+  json.add("message", json_text(succeeds_without_area ? "the surface has no area"
+                                                      : report.message + record.flattening.place));
+  json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));
@@ -116,6 +129,17 @@ inline std::string report_json(const Run_record& record)
   json.add("seconds", seconds.text());
   const double memory = peak_memory_mb(report);
   json.add("peak_memory_mb", memory > 0 ? json_number(memory) : "null");
+  return json.text() + "\n";
+}
+
+// The report for programs when nothing came so far as to be flattened.
+inline std::string failure_json(const std::string& status, const std::string& message,
+                                const std::string& input)
+{
+  internal::Json_object json;
+  json.add("status", internal::json_text(status));
+  json.add("message", internal::json_text(message));
+  json.add("input", internal::json_text(input));
   return json.text() + "\n";
 }
 

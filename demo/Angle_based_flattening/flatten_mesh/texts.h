@@ -21,6 +21,19 @@ struct Input_error : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+struct Usage_error : public Input_error
+{
+  using Input_error::Input_error;
+};
+
+struct Output_error : public Input_error
+{
+  using Input_error::Input_error;
+};
+
+const char* const memory_text =
+    "the memory does not suffice for this mesh; simplify it or take a larger machine";
+
 // Vertices and faces as people know them from OBJ files: counted from 1.
 inline std::string vertex_name(const std::size_t index)
 {
@@ -33,9 +46,10 @@ inline std::string face_name(const std::size_t index)
 }
 
 // A count with its noun: "1 border", "3 borders".
-inline std::string count_text(const std::size_t count, const std::string& noun)
+inline std::string count_text(const std::size_t count, const std::string& noun,
+                              const std::string& plural = "")
 {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  return std::to_string(count) + " " + (count == 1 ? noun : plural.empty() ? noun + "s" : plural);
 }
 
 // A number for people, as `printf` formats it.

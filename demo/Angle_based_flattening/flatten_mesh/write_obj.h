@@ -9,7 +9,7 @@
 #include "Chart.h"
 #include "Output_file.h"
 #include "Run_record.h"
-#include "read_polygon_soup.h"
+#include "Polygon_soup.h"
 #include "texts.h"
 
 #include <cstddef>

@@ -17,6 +17,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+// What rounding leaves of the constraints of small angles and few triangles; less cannot be asked for.
+const double smallest_tolerance = 1e-14;
+
+// More sweeps would change nothing, but take for ever.
+const int most_sweeps = 1000;
+
 // What is wrong with the options, or nothing.
 inline std::string wrong_option(const Flattening_options& options)
 {
@@ -29,12 +35,22 @@ inline std::string wrong_option(const Flattening_options& options)
 
 inline std::string wrong_option(const ABF_plus_plus_options& options)
 {
-  if(!(options.tolerance > 0))
-    return "the tolerance must be above 0";
+  if(!(options.tolerance >= smallest_tolerance))
+    return "the tolerance must be at least 1e-14";
   if(!(options.energy_tolerance > 0))
     return "the energy tolerance must be above 0";
   if(options.max_iterations < 0)
     return "the number of iterations must not be negative";
+  if(options.step != ABF_plus_plus_options::NEWTON &&
+     options.step != ABF_plus_plus_options::SEQUENTIAL_LINEARLY_CONSTRAINED)
+    return "the type of step is none of those there are";
+  if(options.linear_solver != ABF_plus_plus_options::ITERATIVE &&
+     options.linear_solver != ABF_plus_plus_options::DIRECT)
+    return "the linear solver is none of those there are";
+  if(options.layout != ABF_plus_plus_options::AUTOMATIC_LAYOUT &&
+     options.layout != ABF_plus_plus_options::EXACT_LAYOUT &&
+     options.layout != ABF_plus_plus_options::LEAST_SQUARES_LAYOUT)
+    return "the layout is none of those there are";
   return wrong_option(static_cast<const Flattening_options&>(options));
 }
 
@@ -47,6 +63,8 @@ inline std::string wrong_option(const Hierarchical_options& options)
   if(options.coarse_triangles < 0 || options.sweeps < 0 || options.angle_sweeps < 0 ||
      options.max_retries < 0)
     return "numbers of triangles, sweeps and retries must not be negative";
+  if(options.sweeps > most_sweeps || options.angle_sweeps > most_sweeps)
+    return "numbers of sweeps must be at most 1000";
   const std::string wrong = wrong_option(static_cast<const Flattening_options&>(options));
   return wrong.empty() && options.polish ? wrong_option(options.polish_options) : wrong;
 }

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_FAILURE_H
+#define FLATTEN_MESH_FAILURE_H
+
+#include "Output_file.h"
+#include "check_outputs.h"
+#include "report_json.h"
+#include "texts.h"
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace flatten_mesh {
+
+enum Exit_status
+{
+  SUCCESS = 0,
+  COMPUTATION_FAILED = 1,
+  WRONG_INPUT = 2,
+  WITHOUT_AREA = 3
+};
+
+// Why there was nothing that the parameterizer could report about.
+struct Failure
+{
+  Exit_status exit_status;
+  std::string name; // for programs
+  std::string message;
+};
+
+// Of the exception that is being handled.
+inline Failure current_failure()
+{
+  try {
+    throw;
+  } catch(const Usage_error& error) {
+    return {WRONG_INPUT, "WRONG_USAGE", error.what()};
+  } catch(const Output_error& error) {
+    return {WRONG_INPUT, "CANNOT_WRITE", error.what()};
+  } catch(const Input_error& error) {
+    return {WRONG_INPUT, "WRONG_INPUT", error.what()};
+  } catch(const std::bad_alloc&) {
+    return {COMPUTATION_FAILED, "OUT_OF_MEMORY", memory_text};
+  } catch(const std::exception& error) {
+    return {COMPUTATION_FAILED, "INTERNAL_ERROR", std::string("internal error: ") + error.what()};
+  }
+}
+
+// One line for people, and where asked for, the report for programs.
+inline Exit_status tell_failure(const Command_line& command, const Failure& failure)
+{
+  std::cerr << "flatten_mesh: " << failure.message << std::endl;
+  if(can_write_json(command)) {
+    try {
+      Output_file file(command.json);
+      file.write(failure_json(failure.name, failure.message, command.input));
+      file.publish();
+    } catch(const std::exception&) { // one message is enough
+    }
+  }
+  return failure.exit_status;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_FAILURE_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_UNFINISHED_FILES_H
+#define FLATTEN_MESH_UNFINISHED_FILES_H
+
+#include <array>
+#include <atomic>
+#include <csignal>
+
+#include <unistd.h>
+
+namespace flatten_mesh {
+
+// The temporary files of this process, which vanish when a signal ends it.
+class Unfinished_files
+{
+public:
+  // From now on.
+  static void remove_when_interrupted()
+  {
+    for(const int signal : signals()) {
+      if(std::signal(signal, remove_and_die) == SIG_IGN) { // as `nohup` and scripts in the background have it
+        std::signal(signal, SIG_IGN);
+      }
+    }
+  }
+
+  // From now on nothing interrupts: all complete files get their names, or none.
+  static void ignore_interruptions()
+  {
+    for(const int signal : signals()) {
+      std::signal(signal, SIG_IGN);
+    }
+  }
+
+  // The text has to stay where it is until it is removed.
+  static void add(const char* name) { replace(nullptr, name); }
+
+  static void remove(const char* name) { replace(name, nullptr); }
+
+private:
+  using Names = std::array<std::atomic<const char*>, 8>; // more than there are outputs
+
+  static Names& names()
+  {
+    static Names instance{};
+    return instance;
+  }
+
+  static const std::array<int, 4>& signals()
+  {
+    static const std::array<int, 4> instance = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    return instance;
+  }
+
+  static void replace(const char* before, const char* after)
+  {
+    for(std::atomic<const char*>& name : names()) {
+      const char* expected = before;
+      if(name.compare_exchange_strong(expected, after)) {
+        return;
+      }
+    }
+  }
+
+  // Calls only what a signal handler may call.
+  static void remove_and_die(const int signal)
+  {
+    for(const std::atomic<const char*>& name : names()) {
+      if(const char* file = name.load()) {
+        ::unlink(file);
+      }
+    }
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+};
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_UNFINISHED_FILES_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_FILE_NAMES_H
+#define FLATTEN_MESH_FILE_NAMES_H
+
+#include <boost/algorithm/string/case_conv.hpp>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace flatten_mesh {
+
+// The name of an output that stands for standard output.
+const char* const standard_output = "-";
+
+// The extension in small letters, without its dot.
+inline std::string file_format(const std::string& name)
+{
+  const std::string extension = std::filesystem::path(name).extension().string();
+  return boost::algorithm::to_lower_copy(extension.empty() ? extension : extension.substr(1));
+}
+
+// Whether something is there that is neither file nor folder: a device, a pipe.
+inline bool is_other_file(const std::filesystem::path& path)
+{
+  std::error_code ignored;
+  return std::filesystem::is_other(path, ignored);
+}
+
+// Where a name leads, also through links to what is not there yet. Pipes, as /dev/fd/63, have no other name.
+inline std::filesystem::path resolved(const std::string& name)
+{
+  std::error_code ignored;
+  std::filesystem::path path = std::filesystem::absolute(name, ignored);
+  if(is_other_file(path)) {
+    return path;
+  }
+  for(int links = 0; links < 40 && std::filesystem::is_symlink(path, ignored); ++links) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
+  }
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
+  return canonical.empty() ? path : canonical;
+}
+
+// Whether two names lead to one file, or will.
+inline bool is_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code ignored;
+  return std::filesystem::equivalent(a, b, ignored) || resolved(a) == resolved(b);
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_FILE_NAMES_H
