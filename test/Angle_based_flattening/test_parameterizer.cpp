@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <cmath>
@@ -364,6 +365,31 @@ BOOST_AUTO_TEST_CASE(wrong_input)
       3, 3, quads, [](std::size_t i, std::size_t j) { return Point_3(i, j, 0); }, false);
   check_error(quads, PMP::longest_border(quads).first, SMP::ERROR_NON_TRIANGULAR_MESH,
               Report::NOT_TRIANGULATED);
+}
+
+BOOST_AUTO_TEST_CASE(surface_without_a_border_given)
+{
+  typedef boost::associative_property_map<std::map<Surface_mesh::Vertex_index, Point_2>> Map;
+  std::map<Surface_mesh::Vertex_index, Point_2> uv;
+  Surface_mesh mesh;
+  const Report empty = SMP::flatten_surface(mesh, Map(uv));
+  BOOST_TEST(empty.diagnosis == Report::EMPTY_MESH);
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
+  const Report closed = SMP::flatten_surface(mesh, Map(uv));
+  BOOST_TEST(closed.diagnosis == Report::NO_BORDER);
+  BOOST_TEST(closed.message.find("closed") != std::string::npos);
+  BOOST_TEST(SMP::error_code(closed.diagnosis) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+  BOOST_TEST(uv.empty());
+
+  Surface_mesh bump;
+  test_meshes::make_bump(4, bump);
+  Flattening<Surface_mesh> flattening;
+  flattening.run(bump);
+  BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST((uv == flattening.uv));
+  for(const Surface_mesh::Vertex_index v : bump.vertices())
+    bump.point(v) = Point_3(0, 0, std::numeric_limits<double>::quiet_NaN());
+  BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).diagnosis == Report::NON_FINITE_POINT);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_options)

@@ -46,7 +46,7 @@ struct ABF_plus_plus_options : Flattening_options
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
-  /// Largest violation of a constraint at a vertex that is accepted, in radians; positive. That of the reconstruction
+  /// Largest violation of a constraint at a vertex that is accepted, in radians; at least 1e-14. That of the reconstruction
   /// constraint is the logarithm of a ratio of lengths. The layout closes what is left: with the default value, measures
   /// of distortion have four or more right digits.
   double tolerance = 1e-5;

@@ -27,6 +27,7 @@ struct Flattening_report
   {
     NOTHING_WRONG,       ///< The run succeeded.
     EMPTY_MESH,          ///< There is no face at the given border.
+    NO_BORDER,           ///< The surface is closed: it has to be cut open first.
     NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
     NOT_TRIANGULATED,    ///< A face is not a triangle.
     NON_FINITE_POINT,    ///< A coordinate is infinite or not a number.
@@ -113,6 +114,8 @@ inline std::string to_string(Flattening_report::Diagnosis diagnosis)
     return "NOTHING_WRONG";
   case Flattening_report::EMPTY_MESH:
     return "EMPTY_MESH";
+  case Flattening_report::NO_BORDER:
+    return "NO_BORDER";
   case Flattening_report::NOT_ON_BORDER:
     return "NOT_ON_BORDER";
   case Flattening_report::NOT_TRIANGULATED:
@@ -162,6 +165,7 @@ inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
     return ERROR_EMPTY_MESH;
   case Flattening_report::NOT_TRIANGULATED:
     return ERROR_NON_TRIANGULAR_MESH;
+  case Flattening_report::NO_BORDER:
   case Flattening_report::NON_MANIFOLD_VERTEX:
   case Flattening_report::SEVERAL_BORDERS:
   case Flattening_report::NONZERO_GENUS:

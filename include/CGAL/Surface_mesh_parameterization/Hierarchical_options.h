@@ -29,12 +29,12 @@ struct Hierarchical_options : Flattening_options
   /// Coarsening makes no angles smaller than this or larger than \f$\pi\f$ less this, in radians; 2.5 degrees.
   double extreme_angle = 0.0436;
 
-  /// Sweeps of relaxation on each level but the three largest ones, which have at most one; 0 for none. More
+  /// Sweeps of relaxation on each level but the three largest ones, which have at most one; 0 for none, and at most 1000. More
   /// of them bring the distortion down and take more time.
   int sweeps = 3;
 
-  /// Sweeps over the finest level, in the end, that lower the energy of the direct method vertex by vertex. They help
-  /// where there are slivers.
+  /// Sweeps over the finest level, in the end, that lower the energy of the direct method vertex by vertex; at most 1000.
+  /// They help where there are slivers.
   int angle_sweeps = 0;
 
   /// How often a coarse chart that cannot be solved is replaced by a finer one, before the refinement starts from one

@@ -18,10 +18,10 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // What rounding leaves of the constraints of small angles and few triangles; less cannot be asked for.
-const double smallest_tolerance = 1e-14;
+inline constexpr double smallest_tolerance = 1e-14;
 
 // More sweeps would change nothing, but take for ever.
-const int most_sweeps = 1000;
+inline constexpr int most_sweeps = 1000;
 
 // What is wrong with the options, or nothing.
 inline std::string wrong_option(const Flattening_options& options)

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTEN_SURFACE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTEN_SURFACE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+/// \file flatten_surface.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+#ifndef DOXYGEN_RUNNING
+namespace internal::ABF {
+
+// A halfedge on the longest border, or on any one if lengths are not finite; the null halfedge for a closed surface
+template <typename TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_on_border(const TriangleMesh& mesh)
+{
+  const auto longest = Polygon_mesh_processing::longest_border(mesh).first;
+  if(longest != boost::graph_traits<TriangleMesh>::null_halfedge())
+    return longest;
+  const auto all = halfedges(mesh);
+  const auto any = std::find_if(all.begin(), all.end(), [&](auto h) { return CGAL::is_border(h, mesh); });
+  return any == all.end() ? longest : *any;
+}
+
+} // namespace internal::ABF
+#endif // DOXYGEN_RUNNING
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+flattens the connected component of the longest border of `mesh`, and reports what is wrong if that is not possible.
+
+In contrast to `parameterize()` a closed or an empty mesh is not a precondition that is violated, but a diagnosis:
+`Flattening_report::NO_BORDER` or `Flattening_report::EMPTY_MESH`. Everything else is as with `parameterize()`: the
+coordinates, the requirements on the surface, errors, and complexity; finding the longest border takes linear time.
+
+\code{.cpp}
+const auto report = flatten_surface(mesh, uvmap);
+if(report.diagnosis != report.NOTHING_WRONG)
+  std::cerr << report.message << "\n";
+\endcode
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with an internal vertex point property map
+\tparam VertexUVMap a model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a `Point_2` of any kernel as value type
+\tparam Parameterizer `ABF_plus_plus_parameterizer_3` or `Hierarchical_parameterizer_3`
+
+\param mesh a triangle mesh
+\param uvmap what receives the planar coordinates; on any error it is left as it was
+\param parameterizer the parameterizer, with its options
+
+\return the report of the parameterizer. `error_code()` gives the error code of its diagnosis.
+*/
+template <typename TriangleMesh, typename VertexUVMap,
+          typename Parameterizer = ABF_plus_plus_parameterizer_3<TriangleMesh>>
+#ifndef DOXYGEN_RUNNING
+std::decay_t<decltype(std::declval<Parameterizer&>().report())>
+#else
+Report
+#endif
+flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameterizer = Parameterizer())
+{
+  const auto border = internal::ABF::halfedge_on_border(mesh);
+  if(border != boost::graph_traits<TriangleMesh>::null_halfedge()) {
+    parameterize(mesh, parameterizer, border, uvmap);
+    return parameterizer.report();
+  }
+  auto report = Parameterizer().report();
+  if(faces(mesh).empty())
+    internal::ABF::fail(report, Flattening_report::EMPTY_MESH, "the mesh has no faces");
+  else
+    internal::ABF::fail(report, Flattening_report::NO_BORDER,
+                        "the surface is closed: it has no border; cut it open first, as a Seam_mesh does");
+  return report;
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTEN_SURFACE_H
