@@ -31,6 +31,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -390,6 +391,28 @@ BOOST_AUTO_TEST_CASE(surface_without_a_border_given)
   for(const Surface_mesh::Vertex_index v : bump.vertices())
     bump.point(v) = Point_3(0, 0, std::numeric_limits<double>::quiet_NaN());
   BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).diagnosis == Report::NON_FINITE_POINT);
+}
+
+BOOST_AUTO_TEST_CASE(report_after_an_exception)
+{
+  struct Thrower : SMP::Flattening_visitor
+  {
+    bool start(Stage stage) override
+    {
+      if(stage == LAYOUT)
+        throw std::runtime_error("enough");
+      return true;
+    }
+  } thrower;
+  Surface_mesh mesh;
+  test_meshes::make_bump(4, mesh);
+  Options options;
+  options.visitor = &thrower;
+  Flattening<Surface_mesh> flattening(options);
+  BOOST_CHECK_THROW(flattening.run(mesh), std::runtime_error);
+  BOOST_TEST(flattening.uv.empty());
+  BOOST_TEST(flattening.parameterizer.report().diagnosis == Report::CANCELLED);
+  BOOST_TEST(flattening.parameterizer.report().message == "an exception ended the computation");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_options)

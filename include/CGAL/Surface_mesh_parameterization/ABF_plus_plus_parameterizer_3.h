@@ -130,7 +130,7 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    m_outcome.set(Outcome());
+    m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
         mesh, bhd, uvmap, vimap, m_options,
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {

@@ -42,7 +42,7 @@ struct Flattening_report
     WRONG_LAYOUT,      ///< The exact layout was asked for and does not apply.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are right.
     PRECISION_EXCEEDED, ///< There is a valid map, but the coordinates' number type does not hold the one found.
-    CANCELLED           ///< A visitor stopped the computation.
+    CANCELLED           ///< A visitor or an exception stopped the computation.
   };
 
   /// Wall clock time of each stage, in seconds; 0 for those that the method does not have.

@@ -173,7 +173,7 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
-    m_outcome.set(Outcome());
+    m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap, m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);

@@ -36,6 +36,14 @@ struct Outcome
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> offending_vertices;
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> offending_faces;
 
+  // That of a run which an exception ends
+  static Outcome interrupted()
+  {
+    Outcome outcome;
+    fail(outcome.report, Report::CANCELLED, "an exception ended the computation");
+    return outcome;
+  }
+
   void name_offenders(const Chart_reader<TriangleMesh>& reader, const std::vector<int>& vertices,
                       const std::vector<int>& triangles)
   {
