@@ -264,7 +264,7 @@ private:
   bool solve_with_both_factors(Block b) const
   {
     const int n = size();
-    const SuperLU_memory memory((b.cols() + 2.) * n * sizeof(FT));
+    const SuperLU_memory memory((static_cast<double>(b.cols()) + 2) * n * sizeof(FT));
     if(!memory.is_there())
       return false;
     superlu::DNformat store = {n, b.data()};

@@ -134,7 +134,7 @@ private:
 inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_plus_step& last,
                           std::size_t corners)
 {
-  const double rounding = 1e-15 * corners;
+  const double rounding = 1e-15 * static_cast<double>(corners);
   return last.constraint_residual <= options.tolerance &&
          last.predicted_decrease <= options.energy_tolerance * last.energy + rounding;
 }

@@ -141,7 +141,7 @@ private:
     const std::vector<int>& border = coarse.chart.borders.front();
     Layout uv(coarse.chart.points.size());
     for(std::size_t i = 0; i < border.size(); ++i) {
-      const double angle = 2 * pi * i / border.size();
+      const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(border.size());
       uv[coarse.chart.edge_source(border[i])] = Chart::Point_2(std::cos(angle), std::sin(angle));
     }
     take(coarse, uv);
