@@ -24,6 +24,11 @@ RELATIONS = [
     ("It stretches ten times more (Section 6.1)", "stretch", "hlscm", "habf++", 10, inf, 0),
     ("LSCM has more angular distortion than ABF++ (Table II, of HLSCM)",
      "angular", "lscm", "abf++", 1, inf, 0),
+    ("LSCM changes the surface's own angles more than ABF++, by area (not in the paper)",
+     "angle_change", "lscm", "abf++", 1, inf, 0),
+    ("The same by corner", "corner_angle_change", "lscm", "abf++", 1, inf, 0),
+    ("LSCM has a larger mean quasi-conformal ratio than ABF++ (not in the paper)",
+     "quasi_conformal", "lscm", "abf++", 1, inf, 0),
     ("Shear of ABF++ and HLSCM is alike (Table II: 0.75 to 2.3)",
      "principal_shear", "hlscm", "abf++", 0.4, 2.5, 0),
     ("HABF++ stretches only little more than ABF++ (Table II: at most 8 %)",
@@ -50,7 +55,9 @@ FLIPS = [
     ("HLSCM may flip", "hlscm", True, 0),
     ("The unfolding of ABF breaks above 30,000 triangles (Section 4)", "abf", True, 30000)]
 
-NAMES = {"seconds": "time", "angular": "angular distortion", "principal_shear": "principal shear"}
+NAMES = {"seconds": "time", "angular": "angular distortion", "angle_change": "angle change",
+         "corner_angle_change": "angle change by corner", "quasi_conformal": "quasi-conformal ratio",
+         "principal_shear": "principal shear"}
 
 
 def verdict(seen: int, measured: int) -> str:

@@ -458,6 +458,66 @@ BOOST_AUTO_TEST_CASE(of_collapsed_and_infinite_points)
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(own_angles)
+
+namespace {
+
+// Two right triangles with legs of 1, and of `size`, side by side; only one of them becomes equilateral in the plane.
+Measures one_becomes_equilateral(double size, bool small_one)
+{
+  const Chart chart =
+      make_chart({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -size, 0}, {size, -size, 0}}, {{0, 1, 2}, {3, 4, 0}});
+  const double height = std::sqrt(0.75);
+  const Point_2 tip = small_one ? Point_2(0.5, height) : Point_2(0, 1),
+                end = small_one ? Point_2(0, 0) : Point_2(size / 2, size * height - size);
+  std::vector<Point_2> uv{{0, 0}, {1, 0}, tip, {0, -size}, {size, -size}};
+  if(!small_one)
+    for(int v : {0, 1, 2})
+      uv[v] = Point_2(uv[v].x() + end.x(), uv[v].y() + end.y());
+  return measure(chart, uv).map;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(by_area_and_by_corner)
+{
+  const double degree = std::acos(-1.) / 180;
+  const double mean = (30 + 15 + 15) * degree / 3, rms = std::sqrt((900 + 225 + 225) / 3.) * degree;
+  for(bool small_one : {true, false}) {
+    const double size = 7, weight = small_one ? 1 / 50. : 49 / 50.;
+    const Measures measures = one_becomes_equilateral(size, small_one);
+    check(measures.mean_angle_change, weight * mean);
+    check(measures.rms_angle_change, std::sqrt(weight) * rms);
+    check(measures.mean_corner_angle_change, mean / 2);
+    check(measures.rms_corner_angle_change, rms / std::sqrt(2.));
+    const double ratio = std::sqrt(3.); // of the shear that makes a right triangle equilateral
+    check(measures.max_quasi_conformal_ratio, ratio);
+    check(measures.quasi_conformal_ratio_95, small_one ? 1 : ratio);
+    check(measures.max_scale / measures.min_scale, 1 / std::pow(0.75, 0.25));
+  }
+}
+
+// The energy compares with angles that sum to 2 pi: on a steep cone it is small whatever becomes of the angles.
+BOOST_AUTO_TEST_CASE(energy_does_not_tell_of_a_steep_cone)
+{
+  const int n = 12;
+  std::vector<Point_3> points{Point_3(0, 0, 10)};
+  std::vector<Point_2> uv{{0, 0}};
+  Triangles triangles;
+  for(int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * i / n;
+    points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    uv.emplace_back(std::cos(angle), std::sin(angle));
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  const Measures measures = measure(make_chart(points, triangles), uv).map;
+  BOOST_TEST(measures.mean_quasi_conformal_ratio > 9);
+  BOOST_TEST(measures.mean_angle_change > 17 * std::acos(-1.) / 180);
+  BOOST_TEST(measures.angular_distortion < 0.02);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(degenerate)
 
 namespace {
@@ -509,9 +569,16 @@ BOOST_AUTO_TEST_CASE(not_finite_in_the_plane)
 {
   for(double bad : {not_a_number, infinity, -infinity}) {
     const Measured measured = measure(square(), {{0, 0}, {1, 0}, {1, 1}, {bad, 1}});
-    check_half_collapsed(measured);
-    check(measured.faces[1].angular_distortion, 1);
-    BOOST_TEST(measured.map.smallest_angle == 0);
+    check(measured.faces[0].principal_shear, 0);
+    BOOST_TEST(measured.map.flipped_triangles == 1);
+    for(double value :
+        {measured.faces[1].angular_distortion, measured.faces[1].mean_angle_change, measured.faces[1].shear,
+         measured.faces[1].smallest_angle, measured.map.rms_angle_change,
+         measured.map.mean_corner_angle_change, measured.map.angular_distortion, measured.map.l2_stretch,
+         measured.map.linf_stretch, measured.map.l2_shear, measured.map.mean_quasi_conformal_ratio,
+         measured.map.quasi_conformal_ratio_95, measured.map.max_quasi_conformal_ratio,
+         measured.map.min_scale, measured.map.max_scale, measured.map.smallest_angle})
+      BOOST_TEST(std::isnan(value));
   }
 }
 

@@ -59,7 +59,7 @@ inline po::options_description file_options(Command_line& command)
       "write the surface with texture coordinates 'vt' as OBJ; vertices, faces and their order are those of "
       "the input; faces outside the chart have no 'vt'. The chart has the area it has in space.");
   add("svg", po::value(&command.svg)->value_name("FILE.svg"),
-      "draw the chart, every triangle coloured by its angular distortion");
+      "draw the chart, every triangle coloured by how much its angles change");
   add("picture", po::value(&command.picture)->value_name("FILE.png"),
       "draw the surface with a checkerboard of the plane: squares remain squares where shapes are preserved "
       "(where built with libpng)");

@@ -27,7 +27,7 @@ using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 struct Flattening
 {
   UV_map uv;
-  Mesh::Property_map<Face, double> distortion; // angular, of each face of the chart
+  Mesh::Property_map<Face, double> distortion; // change of the angles of each face, in degrees
   SMP::ABF_plus_plus_report report;            // of the hierarchical method: what both have in common
   std::string method;                          // direct or hierarchical
   int levels = 0;                              // of the hierarchical method

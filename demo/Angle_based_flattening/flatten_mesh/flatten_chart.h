@@ -171,7 +171,7 @@ inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_li
     timer.start();
     flattening.measures = SMP::measure_flattening(
         mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
-          flattening.distortion[f] = measures.angular_distortion;
+          flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
         });
     flattening.measure_seconds = timer.time();
   }

@@ -78,6 +78,13 @@ inline void add_measures(Json_object& json, const Flattening& flattening)
   const auto add = [&](const char* key, double Measures::*measure) {
     json.add(key, known ? json_number(flattening.measures.*measure) : "null");
   };
+  add("mean_angle_change", &Measures::mean_angle_change);
+  add("rms_angle_change", &Measures::rms_angle_change);
+  add("mean_corner_angle_change", &Measures::mean_corner_angle_change);
+  add("rms_corner_angle_change", &Measures::rms_corner_angle_change);
+  add("quasi_conformal_ratio_95", &Measures::quasi_conformal_ratio_95);
+  add("min_scale", &Measures::min_scale);
+  add("max_scale", &Measures::max_scale);
   add("angular_distortion", &Measures::angular_distortion);
   add("l2_stretch", &Measures::l2_stretch);
   add("linf_stretch", &Measures::linf_stretch);

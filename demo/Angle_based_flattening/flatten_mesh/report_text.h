@@ -65,16 +65,24 @@ inline std::string quality_text(const SMP::Flattening_measures& measures)
   const auto line = [](const char* label, const double value, const std::string& remark) {
     return report_line(label, format_number("%.5g", value), remark);
   };
-  return report_line("angular distortion", format_number("%.4e", measures.angular_distortion),
-                     "E/3n_f, mean square relative change of the angles; best 0") +
+  return report_line("angle change", degrees_text(measures.mean_angle_change),
+                     "mean by area; root mean square " + degrees_text(measures.rms_angle_change)) +
+         report_line("  per corner", degrees_text(measures.mean_corner_angle_change),
+                     "mean; root mean square " + degrees_text(measures.rms_corner_angle_change)) +
+         line("quasi-conformal ratio", measures.mean_quasi_conformal_ratio,
+              "mean; on 95 % of the area at most " +
+                  format_number("%.5g", measures.quasi_conformal_ratio_95) + "; largest " +
+                  format_number("%.5g", measures.max_quasi_conformal_ratio) + "; best 1") +
+         report_line("scale", format_number("%.5g", measures.min_scale),
+                     "least of lengths; largest " + format_number("%.5g", measures.max_scale) + "; best 1") +
+         report_line("energy", format_number("%.4e", measures.angular_distortion),
+                     "mean square relative change of the target angles, Equation 1; best 0") +
          line("L2 stretch", measures.l2_stretch, "lengths; best 1") +
          line("L-infinity stretch", measures.linf_stretch, "the longest; best 1") +
          line("L2 shear", measures.l2_shear, "axes, Equation 24; best 0") +
          line("L2 principal shear", measures.l2_principal_shear, "the worst axes everywhere; best 0") +
          line("equal-stretch error", measures.l2_equal_stretch_error,
               "axes, one stretched more than the other; best 0") +
-         line("quasi-conformal ratio", measures.mean_quasi_conformal_ratio,
-              "mean; largest " + format_number("%.5g", measures.max_quasi_conformal_ratio) + "; best 1") +
          line("area distortion", measures.l2_area_distortion, "of logarithms of areas; best 0") +
          line("symmetric Dirichlet", measures.symmetric_dirichlet_energy, "energy per area; best 4") +
          report_line("flipped triangles", std::to_string(measures.flipped_triangles), "must be 0") +

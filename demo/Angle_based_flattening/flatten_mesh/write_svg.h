@@ -121,7 +121,7 @@ inline std::string legend(const Distortion_scale& scale, const double left, cons
                           const double width)
 {
   std::string text = "<g font-family=\"sans-serif\" font-size=\"22\" fill=\"#333\">\n";
-  text += svg_text(left, top, "start", "angular distortion of each triangle");
+  text += svg_text(left, top, "start", "change of the angles of each triangle, in degrees");
   for(int color = 0; color < Distortion_scale::number_of_colors; ++color) {
     const double x = width * color / Distortion_scale::number_of_colors; // up to the end: no hairlines
     text += "<rect x=\"" + format_number("%.2f", left + x) + "\" y=\"" + format_number("%.2f", top + 12) +
@@ -155,7 +155,7 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
 
 } // namespace internal
 
-// A picture of the chart, coloured by angular distortion, with a legend below.
+// A picture of the chart, coloured by the change of angles, with a legend below.
 inline void write_svg(Output_file& file, const Mesh& mesh, const Chart& chart, const Flattening& flattening)
 {
   using internal::Svg_frame;

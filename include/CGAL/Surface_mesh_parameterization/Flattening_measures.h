@@ -25,12 +25,22 @@ namespace Surface_mesh_parameterization {
 /// The measures of a flipped triangle are those of its mirror image: flips are counted apart, and do not hide how good
 /// a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) A triangle without area, in
 /// space or in the plane, has the worst value of every measure that is made from derivatives: 1 of shear, principal
-/// shear and equal-stretch error, else infinity. One whose area in the plane is not a finite number counts as collapsed
-/// to a point: its angles are 0.
+/// shear and equal-stretch error, else infinity. One with a coordinate in the plane that is not a finite number has measures
+/// that are not a number.
 struct Flattening_face_measures
 {
   /// Area on the surface: the weight of the triangle in all means but that of the angular distortion.
   double area = 0;
+
+  /// Mean over the corners of \f$|\alpha - \hat\alpha|\f$, by how much the surface's own angle
+  /// \f$\hat\alpha\f$ changes, in radians.
+  double mean_angle_change = 0;
+
+  /// Root of the mean over the corners of \f$(\alpha - \hat\alpha)^2\f$, in radians.
+  double rms_angle_change = 0;
+
+  /// \f$1/\sqrt{\gamma\Gamma}\f$, the factor from lengths on the surface to lengths in the plane.
+  double scale = 0;
 
   /// Mean over the corners of \f$(\alpha/\beta - 1)^2\f$; see `Flattening_measures::angular_distortion`.
   double angular_distortion = 0;
@@ -80,9 +90,16 @@ struct Flattening_face_measures
 /// `l2_equal_stretch_error`, which depend on the direction of the axes.
 struct Flattening_measures
 {
+  /// Mean of \f$|\alpha - \hat\alpha|\f$, by how much the surface's own angles change, in radians, and the root of the mean
+  /// of its square. 0 at best.
+  double mean_angle_change = 0, rms_angle_change = 0;
+
+  /// The same with all corners counted alike, however large their triangles are.
+  double mean_corner_angle_change = 0, rms_corner_angle_change = 0;
+
   /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles
-  /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$. The target
-  /// angles are those of the surface, scaled to sum to \f$2\pi\f$ at interior vertices, and at least 0.001 away from
+  /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$, which ABF++ minimizes. It
+  /// says nothing of how much the surface's own angles change where these do not sum to \f$2\pi\f$: the target angles are those of the surface, scaled to sum to \f$2\pi\f$ at interior vertices, and at least 0.001 away from
   /// 0 and \f$\pi\f$.
   double angular_distortion = 0;
 
@@ -109,6 +126,12 @@ struct Flattening_measures
 
   /// Mean of \f$\Gamma_t/\gamma_t\f$; 1 at best.
   double mean_quasi_conformal_ratio = 0;
+
+  /// The least number that \f$\Gamma_t/\gamma_t\f$ does not exceed on 95 percent of the area; 1 at best.
+  double quasi_conformal_ratio_95 = 0;
+
+  /// Least and largest \f$1/\sqrt{\gamma_t\Gamma_t}\f$; both are 1 at best.
+  double min_scale = 0, max_scale = 0;
 
   /// Largest \f$\Gamma_t/\gamma_t\f$; 1 at best.
   double max_quasi_conformal_ratio = 0;

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -32,6 +33,7 @@ inline void measure_differential(const Triangle_differential& map, double scale,
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if(!map.has_area()) {
+    face.scale = 0;
     face.shear = face.principal_shear = face.equal_stretch_error = 1;
     face.l2_stretch = face.linf_stretch = face.quasi_conformal_ratio = infinity;
     face.area_distortion = face.symmetric_dirichlet_energy = infinity;
@@ -43,6 +45,7 @@ inline void measure_differential(const Triangle_differential& map, double scale,
   face.principal_shear = map.principal_shear();
   face.equal_stretch_error = map.equal_stretch_error();
   face.quasi_conformal_ratio = largest / smallest;
+  face.scale = 1 / std::sqrt(largest * smallest);
   face.area_distortion = std::abs(std::log(map.area_stretch() / (scale * scale)));
   face.l2_stretch = std::sqrt(squares / 2);
   face.linf_stretch = largest;
@@ -53,13 +56,38 @@ inline void measure_differential(const Triangle_differential& map, double scale,
 inline void measure_angles(const Chart& chart, const std::vector<double>& beta,
                            const std::vector<Chart::Point_2>& uv, int t, Flattening_face_measures& face)
 {
-  const bool finite = std::isfinite(planar_area(chart, uv, t));
   face.smallest_angle = pi;
+  double squares = 0;
   for(int c = 3 * t; c < 3 * t + 3; ++c) {
-    const double alpha = finite ? planar_angle(chart, uv, c) : 0;
+    const double alpha = planar_angle(chart, uv, c), change = std::abs(alpha - surface_angle(chart, c));
+    face.mean_angle_change += change / 3;
+    squares += change * change / 3;
     face.angular_distortion += Angle_energy{0}.value(alpha, beta[c]) / 3;
     face.smallest_angle = (std::min)(face.smallest_angle, alpha);
   }
+  face.rms_angle_change = std::sqrt(squares);
+}
+
+inline void set_not_a_number(Flattening_face_measures& face)
+{
+  typedef Flattening_face_measures Face;
+  for(double Face::*measure :
+      {&Face::mean_angle_change, &Face::rms_angle_change, &Face::scale, &Face::angular_distortion,
+       &Face::l2_stretch, &Face::linf_stretch, &Face::shear, &Face::principal_shear,
+       &Face::equal_stretch_error, &Face::quasi_conformal_ratio, &Face::area_distortion,
+       &Face::symmetric_dirichlet_energy, &Face::smallest_angle})
+    face.*measure = (std::numeric_limits<double>::quiet_NaN)();
+}
+
+// The lesser and the larger one of two numbers, or what is not a number.
+inline double least_of(double a, double b)
+{
+  return a <= b || std::isnan(a) ? a : b;
+}
+
+inline double largest_of(double a, double b)
+{
+  return a >= b || std::isnan(a) ? a : b;
 }
 
 // From the measures of triangles to those of the map.
@@ -69,17 +97,23 @@ public:
   Measure_totals(int triangles, double surface) : m_triangles(triangles), m_surface(surface)
   {
     m_totals.smallest_angle = pi;
+    m_totals.min_scale = std::numeric_limits<double>::infinity();
+    m_ratios.reserve(triangles);
   }
 
   void add(const Flattening_face_measures& face)
   {
     m_totals.angular_distortion += face.angular_distortion / m_triangles;
-    m_totals.smallest_angle = (std::min)(m_totals.smallest_angle, face.smallest_angle);
+    m_totals.mean_corner_angle_change += face.mean_angle_change / m_triangles;
+    m_totals.rms_corner_angle_change += CGAL::square(face.rms_angle_change) / m_triangles;
+    m_totals.smallest_angle = least_of(m_totals.smallest_angle, face.smallest_angle);
     m_totals.flipped_triangles += face.flipped;
 
     const double weight = m_surface > 0 ? face.area / m_surface : 1. / m_triangles;
     if(weight == 0)
       return; // before infinity is multiplied by it
+    m_totals.mean_angle_change += weight * face.mean_angle_change;
+    m_totals.rms_angle_change += weight * CGAL::square(face.rms_angle_change);
     m_totals.l2_stretch += weight * CGAL::square(face.l2_stretch);
     m_totals.l2_shear += weight * CGAL::square(face.shear);
     m_totals.l2_principal_shear += weight * CGAL::square(face.principal_shear);
@@ -87,25 +121,44 @@ public:
     m_totals.l2_area_distortion += weight * CGAL::square(face.area_distortion);
     m_totals.mean_quasi_conformal_ratio += weight * face.quasi_conformal_ratio;
     m_totals.symmetric_dirichlet_energy += weight * face.symmetric_dirichlet_energy;
-    m_totals.linf_stretch = (std::max)(m_totals.linf_stretch, face.linf_stretch);
+    m_totals.linf_stretch = largest_of(m_totals.linf_stretch, face.linf_stretch);
     m_totals.max_quasi_conformal_ratio =
-        (std::max)(m_totals.max_quasi_conformal_ratio, face.quasi_conformal_ratio);
+        largest_of(m_totals.max_quasi_conformal_ratio, face.quasi_conformal_ratio);
+    m_totals.min_scale = least_of(m_totals.min_scale, face.scale);
+    m_totals.max_scale = largest_of(m_totals.max_scale, face.scale);
+    m_ratios.emplace_back(face.quasi_conformal_ratio, weight);
   }
 
   // Of all triangles, once they are added.
-  Flattening_measures measures() const
+  Flattening_measures measures()
   {
     Flattening_measures result = m_totals;
-    for(double* mean_square : {&result.l2_stretch, &result.l2_shear, &result.l2_principal_shear,
-                               &result.l2_equal_stretch_error, &result.l2_area_distortion})
+    result.quasi_conformal_ratio_95 =
+        std::isnan(result.max_quasi_conformal_ratio) ? result.max_quasi_conformal_ratio : ratio_of_part(0.95);
+    for(double* mean_square :
+        {&result.rms_angle_change, &result.rms_corner_angle_change, &result.l2_stretch, &result.l2_shear,
+         &result.l2_principal_shear, &result.l2_equal_stretch_error, &result.l2_area_distortion})
       *mean_square = std::sqrt(*mean_square);
     return result;
   }
 
 private:
+  // The least ratio that is not exceeded on that part of the area
+  double ratio_of_part(double part)
+  {
+    std::sort(m_ratios.begin(), m_ratios.end());
+    double sum = 0, result = 0;
+    for(auto it = m_ratios.begin(); it != m_ratios.end() && sum < part; ++it) {
+      result = it->first;
+      sum += it->second;
+    }
+    return result;
+  }
+
   int m_triangles;
   double m_surface;
-  Flattening_measures m_totals; // squares where roots are to be drawn
+  Flattening_measures m_totals;                    // squares where roots are to be drawn
+  std::vector<std::pair<double, double>> m_ratios; // quasi-conformal, and the weight
 };
 
 // `scale` enlarges the plane to the area of the surface.
@@ -116,6 +169,10 @@ inline Flattening_face_measures measure_triangle(const Chart& chart, const std::
   Flattening_face_measures face;
   face.area = surface_area(chart, t);
   face.flipped = !is_positively_oriented(exact_point(uv[v[0]]), exact_point(uv[v[1]]), exact_point(uv[v[2]]));
+  if(!std::isfinite(planar_area(chart, uv, t))) {
+    set_not_a_number(face);
+    return face;
+  }
   measure_angles(chart, beta, uv, t, face);
   measure_differential(Triangle_differential(chart, uv, t), scale, face);
   return face;
