@@ -14,8 +14,8 @@ METHODS = {
     "conformal": "discrete conformal map, on a circle (CGAL)",
     "mean-value": "mean value coordinates, on a circle (CGAL)", "authalic": "iterative authalic, on a circle (CGAL)"}
 NUMBERS = ["runs", "seconds", "bytes", "shear", "principal_shear", "equal_stretch_error", "stretch",
-           "linf_stretch", "angular", "quasi_conformal", "area", "symmetric_dirichlet", "flips",
-           "border_is_simple"]
+           "linf_stretch", "angular", "angle_change", "corner_angle_change", "quasi_conformal", "area",
+           "symmetric_dirichlet", "flips", "border_is_simple"]
 TABLE_1, TABLE_2 = 60000, 300000  # up to which the paper's tables go, roughly
 
 
