@@ -90,12 +90,17 @@ struct Flattening_face_measures
 /// `l2_equal_stretch_error`, which depend on the direction of the axes.
 struct Flattening_measures
 {
-  /// Mean of \f$|\alpha - \hat\alpha|\f$, by how much the surface's own angles change, in radians, and the root of the mean
-  /// of its square. 0 at best.
-  double mean_angle_change = 0, rms_angle_change = 0;
+  /// Mean of \f$|\alpha - \hat\alpha|\f$, by how much the surface's own angles change, in radians. 0 at best.
+  double mean_angle_change = 0;
 
-  /// The same with all corners counted alike, however large their triangles are.
-  double mean_corner_angle_change = 0, rms_corner_angle_change = 0;
+  /// Root of the mean of \f$(\alpha - \hat\alpha)^2\f$, in radians. 0 at best.
+  double rms_angle_change = 0;
+
+  /// As `mean_angle_change`, with all corners counted alike, however large their triangles are.
+  double mean_corner_angle_change = 0;
+
+  /// As `rms_angle_change`, with all corners counted alike, however large their triangles are.
+  double rms_corner_angle_change = 0;
 
   /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles
   /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$, which ABF++ minimizes. It
@@ -130,8 +135,11 @@ struct Flattening_measures
   /// The least number that \f$\Gamma_t/\gamma_t\f$ does not exceed on 95 percent of the area; 1 at best.
   double quasi_conformal_ratio_95 = 0;
 
-  /// Least and largest \f$1/\sqrt{\gamma_t\Gamma_t}\f$; both are 1 at best.
-  double min_scale = 0, max_scale = 0;
+  /// Least \f$1/\sqrt{\gamma_t\Gamma_t}\f$; 1 at best.
+  double min_scale = 0;
+
+  /// Largest \f$1/\sqrt{\gamma_t\Gamma_t}\f$; 1 at best.
+  double max_scale = 0;
 
   /// Largest \f$\Gamma_t/\gamma_t\f$; 1 at best.
   double max_quasi_conformal_ratio = 0;
