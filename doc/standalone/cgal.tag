@@ -22,11 +22,6 @@
     <filename>Manual/thirdparty.html</filename>
     <docanchor file="Manual/thirdparty.html" title="Eigen">thirdpartyEigen</docanchor>
   </compound>
-  <compound kind="group">
-    <name>PkgSolverInterfaceLS</name>
-    <title>Linear Systems</title>
-    <filename>Solver_interface/group__PkgSolverInterfaceLS.html</filename>
-  </compound>
   <compound kind="class">
     <name>Parameterizer_3</name>
     <filename>Surface_mesh_parameterization/classParameterizer__3.html</filename>
@@ -46,6 +41,14 @@
   <compound kind="class">
     <name>FaceGraph</name>
     <filename>BGL/classFaceGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>FaceListGraph</name>
+    <filename>BGL/classFaceListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>HalfedgeListGraph</name>
+    <filename>BGL/classHalfedgeListGraph.html</filename>
   </compound>
   <compound kind="class">
     <name>CGAL::Surface_mesh</name>

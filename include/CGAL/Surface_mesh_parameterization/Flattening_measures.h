@@ -90,16 +90,16 @@ struct Flattening_face_measures
 /// `l2_equal_stretch_error`, which depend on the direction of the axes.
 struct Flattening_measures
 {
-  /// Mean of \f$|\alpha - \hat\alpha|\f$, by how much the surface's own angles change, in radians. 0 at best.
+  /// Mean of \f$|\alpha - \hat\alpha|\f$, the change of the surface's own angles, in radians. 0 at best.
   double mean_angle_change = 0;
 
-  /// Root of the mean of \f$(\alpha - \hat\alpha)^2\f$, in radians. 0 at best.
+  /// The root of the mean square of the same change, in radians. 0 at best.
   double rms_angle_change = 0;
 
-  /// As `mean_angle_change`, with all corners counted alike, however large their triangles are.
+  /// As `mean_angle_change`, but every corner counts alike, whatever the area of its triangle.
   double mean_corner_angle_change = 0;
 
-  /// As `rms_angle_change`, with all corners counted alike, however large their triangles are.
+  /// As `rms_angle_change`, but every corner counts alike, whatever the area of its triangle.
   double rms_corner_angle_change = 0;
 
   /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles

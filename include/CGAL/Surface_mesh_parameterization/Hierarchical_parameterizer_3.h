@@ -66,6 +66,7 @@ struct Solver_traits_of<Parameterizer,
 } // namespace internal::ABF
 
 /// \ingroup PkgAngleBasedFlatteningRef
+/// \anchor hierarchical_coarse_mesh
 ///
 /// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer: a
 /// `Surface_mesh` with points of `Simple_cartesian<double>`.
@@ -224,6 +225,7 @@ private:
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
+/// \anchor hierarchical_abf_plus_plus_parameterizer
 ///
 /// Hierarchical ABF++: `Hierarchical_parameterizer_3` with `ABF_plus_plus_parameterizer_3` for the coarse chart.
 ///
