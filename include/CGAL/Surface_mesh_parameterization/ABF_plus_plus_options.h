@@ -31,42 +31,43 @@ struct ABF_plus_plus_options : Flattening_options
   /// How the linear system of a step (Equation 16 of \cgalCite{cgal:slmb-abf-05}) is solved.
   enum Linear_solver
   {
-    ITERATIVE, ///< By conjugate gradients, as exactly as the next step asks for. The factors of two scalar matrices, a
-    ///< quarter of the system each, precondition several steps; the counterpart of lower precision of the solver traits
-    ///< computes them (`Low_precision_solver_traits`) where that suffices. Where conjugate gradients are slow the system is factored.
-    ///< Traits without factorization solve each system as a whole.
+    ITERATIVE, ///< By conjugate gradients, as exactly as the next step needs. The factors of two scalar matrices,
+    ///< each a quarter of the system, precondition several steps. The counterpart of lower precision of the solver
+    ///< traits (`Low_precision_solver_traits`) computes them if that suffices. If conjugate gradients are slow, the
+    ///< system is factored. Traits without factorization solve each system as a whole.
     DIRECT ///< As a whole, as in the paper.
   };
 
   /// How planar coordinates are computed from planar angles.
   enum Layout_type
   {
-    AUTOMATIC_LAYOUT,    ///< `EXACT_LAYOUT` where the angles fit together, else `LEAST_SQUARES_LAYOUT`.
+    AUTOMATIC_LAYOUT,    ///< `EXACT_LAYOUT` if the angles fit together, else `LEAST_SQUARES_LAYOUT`.
     EXACT_LAYOUT,        ///< Walk along the border, then one Laplace equation. For charts with one border.
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
-  /// Largest violation of a constraint at a vertex that is accepted, in radians; at least 1e-14. That of the reconstruction
-  /// constraint is the logarithm of a ratio of lengths. The layout closes what is left: with the default value, measures
-  /// of distortion have four or more right digits.
+  /// Largest accepted violation of a constraint at a vertex, in radians; at least 1e-14. For the reconstruction
+  /// constraint, the violation is the logarithm of a ratio of lengths. The layout closes the remaining gap. With the
+  /// default value, measures of distortion have four or more right digits.
   double tolerance = 1e-5;
 
-  /// The solver goes on until it takes a step that promised to lower the energy by less than this part of it; positive. As
-  /// Newton's method converges quadratically, what is left then is far less.
+  /// The solver stops after a step that promised to lower the energy by less than this fraction of it; positive.
+  /// Newton's method converges quadratically, so the remaining decrease is far smaller.
   double energy_tolerance = 1e-4;
 
-  /// Largest number of Newton steps of each strategy. What needs more is laid out as far as it came, and accepted
-  /// only if no triangle is flipped.
+  /// Largest number of Newton steps of each strategy. If this is not enough, the angles of the last step are laid
+  /// out. The result is accepted only if no triangle is flipped.
   int max_iterations = 100;
 
-  Step_type step = NEWTON; ///< Treatment of the constraints' second derivatives.
+  Step_type step = NEWTON; ///< How the second derivatives of the constraints are treated.
 
-  Linear_solver linear_solver = ITERATIVE; ///< Way to solve the linear system of a step.
+  Linear_solver linear_solver = ITERATIVE; ///< How the linear system of a step is solved.
 
-  Layout_type layout = AUTOMATIC_LAYOUT; ///< Way from angles to coordinates.
+  Layout_type layout = AUTOMATIC_LAYOUT; ///< How coordinates are computed from angles.
 
-  /// Whether fallback strategies are tried where Newton's method from the target angles gives no valid map; which of them
-  /// did is in the report, `ABF_plus_plus_report::strategy`. Otherwise that is an error.
+  /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
+  /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
+  /// error.
   bool fallbacks = true;
 };
 

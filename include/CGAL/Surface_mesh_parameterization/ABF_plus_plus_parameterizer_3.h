@@ -35,24 +35,24 @@ namespace Surface_mesh_parameterization {
 /// \cgalCite{cgal:slmb-abf-05}: a free-border parameterization that finds the planar angles nearest to the
 /// angles of the surface, and then the planar triangulation with these angles.
 ///
-/// It is nearly conformal, and its result is never flipped: the orientation of every triangle is checked with an exact
-/// predicate on the very coordinates that are written. On surfaces that are hard to flatten it stretches much less than
+/// The map is nearly conformal, and it has no flipped triangles: an exact predicate checks the orientation of every
+/// triangle, on the coordinates that are written. On surfaces that are hard to flatten it stretches much less than
 /// linear conformal maps.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Edges may be the border of a seam (`Seam_mesh`).
 ///
-/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d` with a field number type. Where it
-///         models `SparseLinearAlgebraWithFactorTraits_d`, its factorizations are reused. The matrices are symmetric
-///         positive definite. All of them are factored by copies of the object given, or, where the factors only precondition
-///         conjugate gradients, by its counterpart of lower precision, `Low_precision_solver_traits<SolverTraits_>`.
-///         If `Has_independent_copies<SolverTraits_>`, two are factored at once.<br>
+/// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d` with a field number type. If it models
+/// `SparseLinearAlgebraWithFactorTraits_d`, its factorizations are reused. The matrices are symmetric positive
+/// definite. Copies of the given object factor them. If the factors only precondition conjugate gradients, the
+/// counterpart of lower precision, `Low_precision_solver_traits<SolverTraits_>`, factors them. If
+/// `Has_independent_copies<SolverTraits_>` is true, two matrices are factored at once.<br>
 ///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`
 ///
-/// Each copy of a parameterizer has a report of its own, and many charts can be flattened at once, each by a copy. At the end of
-/// a run, a copy passes its report on to the parameterizer that it was copied from, so that it can be read there after
-/// `CGAL::Surface_mesh_parameterization::parameterize()`, which takes its parameterizer by value.
+/// Each copy of a parameterizer has a report of its own. Several copies can flatten several charts at once.
+/// `CGAL::Surface_mesh_parameterization::parameterize()` takes its parameterizer by value. At the end of a run, the
+/// copy passes its report on to the parameterizer that it was copied from. The report can therefore be read there.
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`
 /// \sa `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3`
@@ -81,8 +81,8 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems, of both of which it keeps
-  /// copies. A visitor in the options has to outlive the calls of `parameterize()`.
+  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems. It keeps copies of
+  /// both. A visitor in the options must outlive the calls of `parameterize()`.
   explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
                                          Solver_traits sparse_la = Solver_traits())
       : m_options(options), m_linear_algebra(std::move(sparse_la))
@@ -90,15 +90,17 @@ public:
 
   /// flattens the connected component of `bhd`.
   ///
-  /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
-  /// On any error `uvmap` is left as it was. `mesh` is only read.
+  /// The result has the area of the surface and positive orientation. Its bounding box starts at the origin. On any
+  /// error `uvmap` is unchanged. `mesh` is only read.
   ///
-  /// Computations are in `double`: points are converted to it, and the coordinates to the number type of `VertexUVmap`.
+  /// Computations are in `double`. Points are converted to `double`, and coordinates are converted to the number type
+  /// of `VertexUVmap`.
   ///
-  /// For \f$n\f$ vertices the time is that of a few sparse factorizations, \cgalBigO{n^{3/2}} operations each: of two
-  /// matrices of order \f$n\f$ if `ABF_plus_plus_options::linear_solver` is `ABF_plus_plus_options::ITERATIVE`, and of one
-  /// of order \f$2n\f$ for each Newton step if it is `ABF_plus_plus_options::DIRECT`; and that of one more for the layout. The
-  /// factors take \cgalBigO{n \log n} memory.
+  /// For \f$n\f$ vertices the time is that of a few sparse factorizations, of \cgalBigO{n^{3/2}} operations each. If
+  /// `ABF_plus_plus_options::linear_solver` is `ABF_plus_plus_options::ITERATIVE`, two matrices of order \f$n\f$ are
+  /// factored. If it is `ABF_plus_plus_options::DIRECT`, one matrix of order \f$2n\f$ is factored for each Newton
+  /// step.
+  /// The layout needs one more. The factors take \cgalBigO{n \log n} memory.
   ///
   /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and
@@ -108,24 +110,24 @@ public:
   ///         a unique integer as value type. The integers need not be consecutive.
   /// \tparam VertexParameterizedMap is not used: no vertex is fixed beforehand.
   ///
-  /// \param mesh a surface whose component at `bhd` is a triangulated disk. All that it takes to be one is checked.
+  /// \param mesh a surface whose component at `bhd` is a triangulated disk. All requirements are checked.
   /// \param bhd a halfedge on the border of `mesh`: one without a face.
-  /// \param uvmap receives the coordinates of the component's vertices. Nothing is read from it, and other vertices keep
-  ///        what they have.
+  /// \param uvmap receives the coordinates of the component's vertices. Nothing is read from it. The coordinates of
+  /// other vertices are unchanged.
   /// \param vimap the indices of the vertices.
   ///
   /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`:
   /// - `ERROR_EMPTY_MESH`: there is no face at `bhd`;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
-  /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border
-  ///    where `Flattening_options::allow_holes` is not set;
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border and
+  /// `Flattening_options::allow_holes` is not set;
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a visitor
   ///    stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 153 million
   ///    triangles, or an option is out of its range or does not apply.
   ///
-  /// \exception std::bad_alloc if the memory does not suffice. Exceptions that a visitor or a property map throws pass, too.
+  /// \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
@@ -140,28 +142,30 @@ public:
     return error_code(outcome.report.diagnosis);
   }
 
-  /// returns the traits object that was given; what is factored is factored by copies of it.
+  /// returns the given traits object. Copies of it factor the matrices.
   const Solver_traits& solver_traits() const
   {
     return m_linear_algebra;
   }
 
-  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call changes it, so
-  /// it must not be read while a copy runs.
+  /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call
+  /// changes the report, so do not read it while a copy runs.
   const ABF_plus_plus_report& report() const
   {
     return m_outcome.get().report;
   }
 
-  /// returns the vertices that the last call's diagnosis is about: one that is pinched, on a second border, or has a coordinate
-  /// that is not finite; or the two that parallel edges join. It is empty for other diagnoses.
+  /// returns the vertices that the last call's diagnosis is about: a vertex that is pinched, is on a second border,
+  /// or has a coordinate that is not finite, or the two vertices that parallel edges join. The vector is empty for
+  /// other diagnoses.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome.get().offending_vertices;
   }
 
-  /// returns the faces that the last call's diagnosis is about: one that is not a triangle, or is at a parallel edge; or all that would
-  /// be flipped, or wind around a vertex more than once. It is empty for other diagnoses.
+  /// returns the faces that the last call's diagnosis is about: a face that is not a triangle or is at a parallel
+  /// edge, or all faces that would be flipped or wind around a vertex more than once. The vector is empty for other
+  /// diagnoses.
   const std::vector<face_descriptor>& offending_faces() const
   {
     return m_outcome.get().offending_faces;

@@ -26,11 +26,11 @@ struct ABF_plus_plus_step
   double energy = 0;              ///< Energy after the step.
   double constraint_residual = 0; ///< Largest violation of a constraint after the step, in radians.
   double predicted_decrease = 0;  ///< Decrease of the energy that the step's quadratic model promised.
-  double step_length = 0;         ///< Part of the full step that was taken, in (0, 1].
+  double step_length = 0;         ///< Fraction of the full step that was taken, in (0, 1].
   int linear_iterations = 0;      ///< Steps of conjugate gradients.
   int factorizations = 0; ///< Matrices factored: two by the iterative solver at first, one by the direct one.
   int repeated_factorizations = 0; ///< Of these, those that the counterpart of lower precision
-  ///< (`Low_precision_solver_traits`) refused, and that the solver traits themselves did again.
+  ///< (`Low_precision_solver_traits`) refused, and that the solver traits themselves repeated.
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -42,13 +42,14 @@ struct ABF_plus_plus_report : Flattening_report
   enum Strategy
   {
     FROM_TARGET_ANGLES, ///< Newton's method from the target angles.
-    RAISED_BARRIER, ///< The same with a higher barrier, and from there with the one asked for, if that is possible.
-    FROM_PROGRESSIVE_EMBEDDING, ///< Newton's method from the angles of a progressive embedding, which fulfil all constraints: the
-    ///< surface is simplified to one triangle, and all vertices are put back where their triangles are valid.
-    PROGRESSIVE_EMBEDDING ///< That map itself: it is as good as local descent on the energy made it.
+    RAISED_BARRIER, ///< The same with a higher barrier, and from there with the given barrier if possible.
+    FROM_PROGRESSIVE_EMBEDDING, ///< Newton's method from the angles of a progressive embedding, which satisfy all
+    ///< constraints: the surface is simplified to one triangle, and all vertices are inserted again where their
+    ///< triangles are valid.
+    PROGRESSIVE_EMBEDDING ///< That map itself, improved by local descent on the energy.
   };
 
-  /// A strategy that gave no valid map.
+  /// A strategy that did not give a valid map.
   struct Failed_strategy
   {
     Strategy strategy;   ///< Which one.
@@ -65,8 +66,8 @@ struct ABF_plus_plus_report : Flattening_report
     LEAST_SQUARES ///< `ABF_plus_plus_options::LEAST_SQUARES_LAYOUT`.
   };
 
-  Strategy strategy = FROM_TARGET_ANGLES;         ///< What gave the result, or was tried last.
-  std::vector<Failed_strategy> failed_strategies; ///< What failed before.
+  Strategy strategy = FROM_TARGET_ANGLES;         ///< The strategy that gave the result, or was tried last.
+  std::vector<Failed_strategy> failed_strategies; ///< The strategies that failed before.
 
   bool converged = false;                ///< Whether both tolerances were met.
   int iterations = 0;                    ///< Newton steps taken.

@@ -20,20 +20,21 @@ class Flattening_visitor;
 struct Flattening_options
 {
   /// Weight \f$\kappa\f$ of the barrier that keeps angles away from zero; `0` is exactly the energy of the
-  /// paper. The barrier has its minimum where the energy has, so that ordinary charts hardly change. It has no unit,
-  /// and must not be negative. The hierarchical method has it in the energy of `Hierarchical_options::angle_sweeps`.
+  /// paper. The barrier and the energy have their minimum at the same place, so ordinary charts hardly change. The
+  /// weight has no unit and must not be negative. The hierarchical method uses it in the energy of
+  /// `Hierarchical_options::angle_sweeps`.
   double barrier = 0.1;
 
-  /// Number of threads that work at once, 0 for one on each processor. It takes no effect unless the program is linked
-  /// with `CGAL::TBB_support`, and none on the result.
+  /// Number of threads that work at once, 0 for one on each processor. It has no effect unless the program is linked
+  /// with `CGAL::TBB_support`. It never changes the result.
   int threads = 0;
 
-  /// Whether charts with more than one border are flattened. The angles leave the closing of a hole open, and
-  /// the least squares layout spreads what is missing; the result is checked as always. Without this, such a
-  /// chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`. A coarse parameterizer has to accept them, too.
+  /// Whether charts with more than one border are flattened. The angles do not ensure that a hole closes, and the
+  /// least squares layout spreads the gap. The result is checked as always. If this is `false`, such a chart is
+  /// refused with `ERROR_NO_TOPOLOGICAL_DISC`. A coarse parameterizer must accept such charts, too.
   bool allow_holes = false;
 
-  /// Is told of the progress and may stop the computation, if not null. A coarse parameterizer and
+  /// If not null, this visitor follows the progress and may stop the computation. A coarse parameterizer and
   /// `Hierarchical_options::polish_options` have visitors of their own.
   Flattening_visitor* visitor = nullptr;
 };

@@ -22,26 +22,26 @@ namespace Surface_mesh_parameterization {
 /// What the reports of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have in common.
 struct Flattening_report
 {
-  /// What is wrong with an input, or kept a run from its end.
+  /// What is wrong with an input, or why a run stopped.
   enum Diagnosis
   {
     NOTHING_WRONG,       ///< The run succeeded.
     EMPTY_MESH,          ///< There is no face at the given border.
-    NO_BORDER,           ///< The surface is closed: it has to be cut open first.
+    NO_BORDER,           ///< The surface is closed: it must be cut open first.
     NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
     NOT_TRIANGULATED,    ///< A face is not a triangle.
     NON_FINITE_POINT,    ///< A coordinate is infinite or not a number.
     TOO_LARGE,           ///< More than 153 million triangles.
     NON_MANIFOLD_VERTEX, ///< The surface is not a manifold at a vertex.
     SEVERAL_BORDERS,     ///< The chart has holes, and `Flattening_options::allow_holes` is `false`.
-    NONZERO_GENUS,       ///< The chart has handles: no cutting along the border makes it a disk.
+    NONZERO_GENUS,       ///< The chart has handles, so it is not a disk.
     PARALLEL_EDGES, ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
     LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
     NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
     WRONG_OPTION,      ///< An option is out of its range.
     WRONG_LAYOUT,      ///< The exact layout was asked for and does not apply.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are right.
-    PRECISION_EXCEEDED, ///< There is a valid map, but the coordinates' number type does not hold the one found.
+    PRECISION_EXCEEDED, ///< There is a valid map, but the number type of the coordinates cannot hold the one found.
     CANCELLED           ///< A visitor or an exception stopped the computation.
   };
 
@@ -83,7 +83,7 @@ struct Flattening_report
   };
 
   Diagnosis diagnosis = NOTHING_WRONG; ///< What is wrong.
-  std::string message;                 ///< The same as a sentence that names the element; empty on success.
+  std::string message;                 ///< A sentence that names the offending element; empty on success.
 
   int vertices = 0;  ///< Vertices of the chart.
   int triangles = 0; ///< Triangles of the chart.
@@ -98,13 +98,13 @@ struct Flattening_report
 
   Seconds seconds; ///< Time of each stage.
 
-  /// Largest resident size of the process until the end of the run, in bytes; 0 where the system does not tell.
+  /// Largest resident size of the process until the end of the run, in bytes; 0 if the system does not report it.
   std::size_t peak_memory = 0;
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the name of a diagnosis, as `"NO_CONVERGENCE"`.
+/// returns the name of a diagnosis, such as `"NO_CONVERGENCE"`.
 ///
 /// \relates Flattening_report
 inline std::string to_string(Flattening_report::Diagnosis diagnosis)
@@ -152,8 +152,8 @@ inline std::string to_string(Flattening_report::Diagnosis diagnosis)
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the code that `parameterize()` returns for a diagnosis. There is none of its own for a run that a visitor
-/// stopped: that is `ERROR_NO_1_TO_1_MAPPING`.
+/// returns the code that `parameterize()` returns for a diagnosis. A run that a visitor stopped has no code of its
+/// own: its code is `ERROR_NO_1_TO_1_MAPPING`.
 ///
 /// \relates Flattening_report
 inline Error_code error_code(Flattening_report::Diagnosis diagnosis)

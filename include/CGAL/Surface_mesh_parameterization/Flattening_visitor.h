@@ -16,14 +16,15 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// Is told how far `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have come, and may stop them: any of
-/// its functions that returns `false` ends the computation. `parameterize()` then returns `ERROR_NO_1_TO_1_MAPPING` with
-/// the diagnosis `Flattening_report::CANCELLED`, and leaves the caller's property maps as they were. The report then has
-/// the size of the chart, but nothing of the steps that were taken. Exceptions that a function throws pass through
-/// `parameterize()` in the same manner.
+/// A visitor follows the progress of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`, and may stop
+/// them. If one of its functions returns `false`, the computation ends. `parameterize()` then returns `ERROR_NO_1_TO_1_MAPPING` with
+/// the diagnosis `Flattening_report::CANCELLED`, and the caller's property maps are unchanged. The report then has
+/// the size of the chart, but not the steps that were taken. If a function throws an exception, the exception passes
+/// through `parameterize()`, with the same effects.
 ///
-/// All functions are called one after the other, never by two threads at once; with \tbb and a number of threads in the options,
-/// this may be another thread than the caller of `parameterize()`. Those of the base class do nothing.
+/// The functions are called one after the other, never by two threads at once. With \tbb and a number of threads in
+/// the options, the thread may differ from the caller of `parameterize()`. The functions of the base class do
+/// nothing.
 class Flattening_visitor
 {
 public:
@@ -45,14 +46,14 @@ public:
 
   virtual ~Flattening_visitor() {}
 
-  /// is called at the beginning of a stage. Returns whether to go on.
+  /// is called at the beginning of a stage. Returns whether to continue.
   virtual bool start(Stage) { return true; }
 
-  /// is called after each Newton step, with what the report will have of it. Returns whether to go on.
+  /// is called after each Newton step, with the entry of this step in the report. Returns whether to continue.
   virtual bool step(const ABF_plus_plus_step&) { return true; }
 
-  /// is called when the hierarchical method has added or undone a level of collapses, with the number of vertices that
-  /// are there, and that of the whole chart. Returns whether to go on.
+  /// is called when the hierarchical method has added or undone a level of collapses. The arguments are the present
+  /// number of vertices and the number of vertices of the whole chart. Returns whether to continue.
   virtual bool level(int /* vertices */, int /* all_vertices */) { return true; }
 };
 

@@ -19,33 +19,35 @@ namespace Surface_mesh_parameterization {
 /// The options of `Hierarchical_parameterizer_3`.
 struct Hierarchical_options : Flattening_options
 {
-  /// Part of the vertices that is removed before the coarse chart is solved, in (0, 1). The paper uses 0.95.
+  /// Fraction of the vertices that is removed before the coarse chart is flattened, in (0, 1). The paper uses 0.95.
   double simplification_rate = 0.95;
 
-  /// Number of triangles of the coarse chart; if not 0, it is used instead of `simplification_rate`. At least about
-  /// 200 triangles are left in any case.
+  /// Number of triangles of the coarse chart. If not 0, it replaces `simplification_rate`. At least about 200
+  /// triangles always remain.
   int coarse_triangles = 0;
 
-  /// Coarsening makes no angles smaller than this or larger than \f$\pi\f$ less this, in radians; 2.5 degrees.
+  /// Coarsening makes no angle smaller than this angle, or larger than \f$\pi\f$ minus this angle, in radians. The
+  /// default is 2.5 degrees.
   double extreme_angle = 0.0436;
 
-  /// Sweeps of relaxation on each level but the three largest ones, which have at most one; 0 for none, and at most 1000. More
-  /// of them bring the distortion down and take more time.
+  /// Sweeps of relaxation on each level; 0 for none, and at most 1000. The three largest levels have at most one
+  /// sweep. More sweeps lower the distortion and take more time.
   int sweeps = 3;
 
-  /// Sweeps over the finest level, in the end, that lower the energy of the direct method vertex by vertex; at most 1000.
-  /// They help where there are slivers.
+  /// Final sweeps over the finest level that lower the energy of the direct method, vertex by vertex; at most 1000.
+  /// They help if there are slivers.
   int angle_sweeps = 0;
 
-  /// How often a coarse chart that cannot be solved is replaced by a finer one, before the refinement starts from one
-  /// triangle without any solver.
+  /// How often a coarse chart that cannot be flattened is replaced by a finer one. After that, the refinement starts
+  /// from one triangle, without a solver.
   int max_retries = 3;
 
-  /// Whether the refined map is the start of the direct solver, with the angles of the refined map: that brings the
-  /// distortion down to that of the direct method.
+  /// Whether the direct solver starts from the angles of the refined map. This lowers the distortion to that of the
+  /// direct method.
   bool polish = false;
 
-  /// Options of the direct solver that polishes. What solves its linear systems is named to the parameterizer.
+  /// Options of the direct solver that polishes. The solver of its linear systems is a template parameter of the
+  /// parameterizer.
   ABF_plus_plus_options polish_options;
 };
 

@@ -68,39 +68,39 @@ struct Solver_traits_of<Parameterizer,
 /// \ingroup PkgAngleBasedFlatteningRef
 /// \anchor hierarchical_coarse_mesh
 ///
-/// The type of mesh as which `Hierarchical_parameterizer_3` hands the coarse chart to its coarse parameterizer: a
+/// The type of the coarse chart that `Hierarchical_parameterizer_3` passes to its coarse parameterizer: a
 /// `Surface_mesh` with points of `Simple_cartesian<double>`.
 ///
-/// Other coarse parameterizers are made for this type of mesh, as `LSCM_parameterizer_3<Hierarchical_coarse_mesh>`.
+/// A coarse parameterizer takes this type of mesh, for example `LSCM_parameterizer_3<Hierarchical_coarse_mesh>`.
 typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_mesh;
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// The class `Hierarchical_parameterizer_3` flattens surfaces of millions of triangles in seconds: the hierarchical
-/// method of Section 5 of \cgalCite{cgal:slmb-abf-05}. The surface is simplified, the coarse chart is flattened by
-/// another parameterizer, and its map is refined while the vertices that were removed are put back.
+/// method of Section 5 of \cgalCite{cgal:slmb-abf-05}. It simplifies the surface, flattens the coarse chart with
+/// another parameterizer, and refines the map while it inserts the removed vertices again.
 ///
-/// No triangle is flipped on the way: a vertex is only put, and only moved, where all its triangles keep their
-/// orientation. In the end an exact predicate looks at every triangle.
+/// No triangle is flipped on the way: a vertex is inserted or moved only where all its triangles keep their
+/// orientation. In the end an exact predicate checks every triangle.
 ///
-/// Vertices are removed in levels of independent vertices, cheapest first, by half-edge collapses that are ranked by
-/// the volume they sweep. Where the coarse chart cannot be flattened, finer ones are tried, and in the end a
-/// single triangle, for which no solver is needed.
+/// Half-edge collapses remove vertices in levels of independent vertices, cheapest first. The cost of a collapse is
+/// the volume that it sweeps. If the coarse chart cannot be flattened, finer charts are tried. The last resort is a
+/// single triangle, which needs no solver.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Edges may be the border of a seam (`Seam_mesh`).
 ///
 /// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`, with the nested types
-///         `Triangle_mesh` and `Solver_traits` that the parameterizers of \cgal have. It may return
-///         flipped triangles or an error: then a finer chart is tried. With `LSCM_parameterizer_3` this is hierarchical
-///         LSCM.<br>
+///         `Triangle_mesh` and `Solver_traits` that the parameterizers of \cgal have. If it returns flipped triangles
+///         or an error, a finer chart is tried. With `LSCM_parameterizer_3` the method is hierarchical LSCM.<br>
 ///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
 ///
-/// \tparam SolverTraits_ is what solves the linear systems of polishing (`Hierarchical_options::polish`); see
+/// \tparam SolverTraits_ solves the linear systems of polishing (`Hierarchical_options::polish`); see
 ///         `ABF_plus_plus_parameterizer_3` for the requirements.<br>
-///         <b>%Default:</b> `CoarseParameterizer_::Solver_traits`, as a copy of the object of the coarse parameterizer, if that has
-///         a member `solver_traits()`, as `ABF_plus_plus_parameterizer_3` has; otherwise `CGAL::SuperLU_solver_traits<>`.
+///         <b>%Default:</b> `CoarseParameterizer_::Solver_traits` if the coarse parameterizer has a member
+///         `solver_traits()`, as `ABF_plus_plus_parameterizer_3` has. The object is then a copy of that of the coarse
+///         parameterizer. Otherwise `CGAL::SuperLU_solver_traits<>`.
 ///
 /// Each copy of a parameterizer has a report of its own; see `ABF_plus_plus_parameterizer_3`.
 ///
@@ -141,9 +141,9 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart, of which it keeps copies. Polishing
-  /// takes the solver traits object of the coarse parameterizer if it is of the type `Solver_traits`, and otherwise a default
-  /// constructed one.
+  /// constructs a parameterizer from `options` and the parameterizer of the coarse chart. It keeps copies of both.
+  /// Polishing uses the solver traits object of the coarse parameterizer if it is of the type `Solver_traits`, and a
+  /// default constructed object otherwise.
   explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options(),
                                         Coarse_parameterizer coarse_parameterizer = Coarse_parameterizer())
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
@@ -151,8 +151,8 @@ public:
             m_coarse_parameterizer))
   {}
 
-  /// constructs a parameterizer from `options`, the parameterizer of the coarse chart, and a traits object for the linear
-  /// systems of polishing, of which it keeps copies.
+  /// constructs a parameterizer from `options`, the parameterizer of the coarse chart, and a traits object for the
+  /// linear systems of polishing. It keeps copies of them.
   Hierarchical_parameterizer_3(const Hierarchical_options& options, Coarse_parameterizer coarse_parameterizer,
                                Solver_traits sparse_la)
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
@@ -161,15 +161,15 @@ public:
 
   /// flattens the connected component of `bhd`.
   ///
-  /// The result has the area of the surface, positive orientation, and its bounding box starts at the origin.
-  /// On any error `uvmap` is left as it was. Time and memory are linear in the size of the surface, but for sorting and
-  /// the coarse parameterizer.
+  /// The result has the area of the surface and positive orientation. Its bounding box starts at the origin. On any
+  /// error `uvmap` is unchanged. Time and memory are linear in the size of the surface, except for sorting and the
+  /// coarse parameterizer.
   ///
   /// Parameters, requirements and exceptions are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
   ///
-  /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`, an error code for the
-  /// input as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING` if there is no valid map, none was
-  /// found, or a visitor stopped the computation. The errors of the coarse parameterizer are not errors of this function.
+  /// \return `OK` only if every triangle is positively oriented. Otherwise `report()` has the reason. The code is an
+  /// error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING`
+  /// if there is no valid map, none was found, or a visitor stopped the computation. The errors of the coarse parameterizer are not errors of this function.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
@@ -197,7 +197,7 @@ public:
     return m_outcome.get().report;
   }
 
-  /// returns the parameterizer of the coarse chart: with the default one, its report is that of the last coarse chart.
+  /// returns the parameterizer of the coarse chart. The report of the default one is that of the last coarse chart.
   const Coarse_parameterizer& coarse_parameterizer() const
   {
     return m_coarse_parameterizer;

@@ -19,20 +19,20 @@ namespace Surface_mesh_parameterization {
 /// The report of the last run of `Hierarchical_parameterizer_3`.
 struct Hierarchical_report : Flattening_report
 {
-  /// From where the refinement started.
+  /// Where the refinement started.
   enum Start
   {
     COARSE_PARAMETERIZER, ///< The coarse chart as the coarse parameterizer flattened it.
-    PROGRESSIVE_EMBEDDING ///< A single triangle, as no coarse chart could be solved or refined.
+    PROGRESSIVE_EMBEDDING ///< A single triangle, because no coarse chart could be flattened or refined.
   };
 
   int levels = 0;                     ///< Levels of collapses above the coarse chart.
   int coarse_vertices = 0;            ///< Vertices of the coarse chart.
   int coarse_triangles = 0;           ///< Triangles of the coarse chart.
   Start start = COARSE_PARAMETERIZER; ///< From where the refinement started.
-  int retries = 0;                    ///< Coarse charts that could not be solved.
+  int retries = 0;                    ///< Coarse charts that could not be flattened.
   int kernel_insertions =
-      0;         ///< Vertices put into the centre of a kernel, as their weights gave an invalid position.
+      0;         ///< Vertices put into the centre of a kernel: their weights gave an invalid position.
   int moves = 0; ///< Vertices moved by relaxation.
   int rejected_moves = 0; ///< Vertices that relaxation left where they were.
 
