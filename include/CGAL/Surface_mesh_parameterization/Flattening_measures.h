@@ -17,23 +17,23 @@ namespace Surface_mesh_parameterization {
 /// Measures of the distortion of one triangle, as `measure_flattening()` gives them to a visitor.
 ///
 /// On a triangle, the map \f$S\f$ from the plane to the surface is linear. Below, \f$S_u\f$ and \f$S_v\f$ are its
-/// derivatives along the axes of the plane, \f$\Gamma \geq \gamma\f$ are its singular values, the largest and the
-/// smallest factor by which it stretches lengths, and \f$a = \sqrt{\gamma\Gamma}\f$ is that of areas' square roots;
-/// the plane is scaled such that the whole layout has the area of the surface, areas of flipped triangles counted
-/// positively.
+/// derivatives along the axes of the plane. Its singular values \f$\Gamma \geq \gamma\f$ are the largest and the
+/// smallest factor by which it stretches lengths. The factor \f$a = \sqrt{\gamma\Gamma}\f$ applies to the square
+/// roots of areas. The plane is scaled so that the whole layout has the area of the surface. The areas of flipped
+/// triangles count positively.
 ///
-/// The measures of a flipped triangle are those of its mirror image: flips are counted apart, and do not hide how good
-/// a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) A triangle without area, in
-/// space or in the plane, has the worst value of every measure that is made from derivatives: 1 of shear, principal
-/// shear and equal-stretch error, else infinity. One with a coordinate in the plane that is not a finite number has measures
-/// that are not a number.
+/// The measures of a flipped triangle are those of its mirror image. Flips are counted separately, so they do not
+/// hide how good a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) If a triangle
+/// has no area, in space or in the plane, every measure that is made from derivatives has its worst value: 1 for
+/// shear, principal shear and equal-stretch error, and infinity for the others. If a planar coordinate of a triangle
+/// is not a finite number, its measures are not a number.
 struct Flattening_face_measures
 {
   /// Area on the surface: the weight of the triangle in all means but that of the angular distortion.
   double area = 0;
 
-  /// Mean over the corners of \f$|\alpha - \hat\alpha|\f$, by how much the surface's own angle
-  /// \f$\hat\alpha\f$ changes, in radians.
+  /// Mean over the corners of \f$|\alpha - \hat\alpha|\f$, the change of the surface's own angle \f$\hat\alpha\f$, in
+  /// radians.
   double mean_angle_change = 0;
 
   /// Root of the mean over the corners of \f$(\alpha - \hat\alpha)^2\f$, in radians.
@@ -54,7 +54,7 @@ struct Flattening_face_measures
   /// Cosine \f$|S_u \cdot S_v| / (|S_u| |S_v|)\f$ between the images of the axes, in [0, 1].
   double shear = 0;
 
-  /// Shear of those axes whose shear is largest, \f$(\Gamma^2 - \gamma^2)/(\Gamma^2 + \gamma^2)\f$, in [0, 1].
+  /// Largest shear of any two orthogonal axes, \f$(\Gamma^2 - \gamma^2)/(\Gamma^2 + \gamma^2)\f$, in [0, 1].
   double principal_shear = 0;
 
   /// \f$||S_u|^2 - |S_v|^2| / (|S_u|^2 + |S_v|^2)\f$, in [0, 1].
@@ -63,8 +63,8 @@ struct Flattening_face_measures
   /// \f$\Gamma/\gamma\f$, at least 1.
   double quasi_conformal_ratio = 0;
 
-  /// \f$|\ln(\gamma\Gamma)|\f$: 0 for a triangle that keeps its area, the same for one that is enlarged as for one
-  /// that is shrunk by the same factor.
+  /// \f$|\ln(\gamma\Gamma)|\f$: 0 for a triangle that keeps its area. Enlarging and shrinking by the same factor give
+  /// the same value.
   double area_distortion = 0;
 
   /// \f$\Gamma^2 + \gamma^2 + \Gamma^{-2} + \gamma^{-2}\f$ \cgalCite{cgal:ss-bpfb-15}, at least 4.
@@ -80,13 +80,13 @@ struct Flattening_face_measures
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// Measures of the distortion of a flattening: means over its triangles, weighted by their areas \f$A_t\f$ on the
-/// surface, and extremes. The measures of a triangle are explained with `Flattening_face_measures`. Triangles
-/// without area on the surface count for the angles and the flips only, unless there are no others.
+/// surface, and extremes. `Flattening_face_measures` explains the measures of a triangle. Triangles without area on
+/// the surface count only for the angles and the flips, unless there are no others.
 ///
-/// Whether the map is injective follows from two of them for a disk: it is if no triangle is flipped and the border is
-/// simple. See `border_is_simple` for other surfaces.
+/// The map of a disk is injective if no triangle is flipped and the border is simple. See `border_is_simple` for
+/// other surfaces.
 ///
-/// All of them are invariant under scaling, translation, and rotation of the plane, but for `l2_shear` and
+/// All measures are invariant under scaling, translation, and rotation of the plane, except `l2_shear` and
 /// `l2_equal_stretch_error`, which depend on the direction of the axes.
 struct Flattening_measures
 {
@@ -103,9 +103,10 @@ struct Flattening_measures
   double rms_corner_angle_change = 0;
 
   /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles
-  /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$, which ABF++ minimizes. It
-  /// says nothing of how much the surface's own angles change where these do not sum to \f$2\pi\f$: the target angles are those of the surface, scaled to sum to \f$2\pi\f$ at interior vertices, and at least 0.001 away from
-  /// 0 and \f$\pi\f$.
+  /// \f$\beta\f$: the energy of Equation 1 of \cgalCite{cgal:slmb-abf-05} divided by \f$3 n_f\f$, which ABF++
+  /// minimizes. The target angles are those of the surface, scaled to sum to \f$2\pi\f$ at interior vertices, and at
+  /// least 0.001 away from 0 and \f$\pi\f$. If the surface's own angles do not sum to \f$2\pi\f$, this measure says
+  /// nothing about how much they change.
   double angular_distortion = 0;
 
   /// \f$L_2\f$ stretch \f$\sqrt{\sum A_t (\Gamma_t^2 + \gamma_t^2)/2 / \sum A_t}\f$
@@ -120,13 +121,13 @@ struct Flattening_measures
   /// 0 at best, 1 at worst.
   double l2_shear = 0;
 
-  /// The root of the mean square of the principal shear: as `l2_shear`, but each triangle with the axes that
-  /// are worst for it, so that the direction of the layout does not matter. 0 at best, 1 at worst.
+  /// The root of the mean square of the principal shear: as `l2_shear`, but with the worst axes of each triangle. It
+  /// does not depend on the direction of the layout. 0 at best, 1 at worst.
   double l2_principal_shear = 0;
 
-  /// The root of the mean square of the equal-stretch error: the second component of conformality in Section 6 of
-  /// \cgalCite{cgal:slmb-abf-05}, which leaves its formula to a thesis; this is one with the form and the range of
-  /// the shear. 0 at best, 1 at worst.
+  /// The root of the mean square of the equal-stretch error, the second component of conformality in Section 6 of
+  /// \cgalCite{cgal:slmb-abf-05}. The paper refers to a thesis for its formula. The formula here has the form and the
+  /// range of the shear. 0 at best, 1 at worst.
   double l2_equal_stretch_error = 0;
 
   /// Mean of \f$\Gamma_t/\gamma_t\f$; 1 at best.
@@ -147,18 +148,18 @@ struct Flattening_measures
   /// The root of the mean square of \f$\ln(\gamma_t\Gamma_t)\f$; 0 at best.
   double l2_area_distortion = 0;
 
-  /// Mean of the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}: the energy of a layout as large as the surface,
-  /// per area. 4 at best, infinite if a triangle has no area in the plane.
+  /// Mean of the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}, per area, of a layout as large as the
+  /// surface. 4 at best, infinite if a triangle has no area in the plane.
   double symmetric_dirichlet_energy = 0;
 
   /// Number of triangles that are not positively oriented in the plane (exact, for the coordinates as doubles).
   int flipped_triangles = 0;
 
   /// Whether the borders are simple polygons in the plane that do not touch one another: no two border edges have a
-  /// point in common, other than a vertex of both (exact, for the coordinates as doubles). A map that is locally
-  /// injective, as `is_locally_injective()` tells, is injective as a whole exactly if this holds: no two triangles
-  /// overlap. `crossing_border_edges()` lists the edges where it does not. Edges with a coordinate that is not a finite
-  /// number are left out; their triangles are flipped.
+  /// point in common, except a vertex of both (exact, for the coordinates as doubles). If the map is locally
+  /// injective (see `is_locally_injective()`), it is injective as a whole if and only if this holds: no two triangles
+  /// overlap. `crossing_border_edges()` lists the edges that violate this. Edges with a coordinate that is not a
+  /// finite number are left out. Their triangles are flipped.
   bool border_is_simple = false;
 
   /// Smallest angle of a planar triangle, in radians.

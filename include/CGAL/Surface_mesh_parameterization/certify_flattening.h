@@ -70,19 +70,19 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 /// writes the faces of `mesh` that are not positively oriented in the plane to `out`: those that are flipped, those
 /// whose vertices are collinear, and those with a coordinate that is infinite or not a number.
 ///
-/// Nothing is rounded: as in all functions of this header, the coordinates are taken as they are stored, and
-/// predicates are exact. In linear time.
+/// Nothing is rounded: like all functions of this header, the function uses exact predicates on the stored
+/// coordinates. It takes linear time.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 /// \tparam VertexUVMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
-///         value type: of any kernel whose number type is exact, or has no number that `double` has not.
+///         value type, of any kernel whose number type is exact or has only numbers that `double` has too.
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
 ///
 /// \param mesh a triangulated surface.
 /// \param uvmap the coordinates of all vertices of faces. It does not matter which parameterizer computed them.
-/// \param out where faces are written, in the order of the mesh.
+/// \param out receives the faces, in the order of the mesh.
 ///
 /// \return `out`, behind what was written.
 ///
@@ -95,8 +95,8 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh, VertexUVMap uvmap, Fa
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces that are not positively oriented, as above, but looks at the connected component of `h` only, which may be
-/// any halfedge: for maps of one of several components.
+/// writes the faces that are not positively oriented, as above, but only those of the connected component of `h`. Use
+/// it for a map of one of several components. `h` may be any halfedge.
 template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
@@ -108,12 +108,12 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// returns whether every point of the surface has a neighbourhood that is mapped injectively, without a change of
-/// orientation. This holds exactly if
+/// orientation. This holds if and only if
 /// - no face is in `flipped_faces()`,
 /// - the faces around each interior vertex go around it once (positively oriented faces may do so more often),
 /// - the faces around each border vertex take less than a full turn, and are a single fan.
 ///
-/// In linear time; parameters, requirements and exceptions are those of `flipped_faces()`.
+/// The function takes linear time. Parameters, requirements and exceptions are those of `flipped_faces()`.
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_locally_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 {
@@ -135,19 +135,20 @@ bool is_locally_injective(const TriangleMesh& mesh,
 ///
 /// returns whether the map is injective and keeps the orientation: no two faces overlap anywhere.
 ///
-/// No pairs of faces are looked at. For a disk it is enough that every face is positively oriented and the border is
-/// a simple polygon \cgalCite{cgal:l-bmtmb-14}: around each point, the border winds as often as there are faces over the
-/// point. In general, a map is injective exactly if
+/// The function compares no pairs of faces. For a disk it is enough that every face is positively oriented and the
+/// border is a simple polygon \cgalCite{cgal:l-bmtmb-14}: the border winds around each point as often as faces cover
+/// the point. In general, a map is injective if and only if
 /// - it is locally injective,
 /// - the borders are simple polygons that do not touch one another, and
 /// - no connected component lies within another.
 ///
-/// Then on each connected component the borders turn by \f$2 \pi \chi\f$ in all, with the Euler characteristic
-/// \f$\chi\f$, and as each of them turns once, to the left or to the right, just one turns left: the component has no
-/// handles, this border surrounds all others, and every point is covered at most once.
+/// Under these conditions, the borders of each connected component turn by \f$2 \pi \chi\f$ in total, with its Euler
+/// characteristic \f$\chi\f$. Each border turns once, to the left or to the right, so exactly one turns left.
+/// The component therefore has no handles, this border surrounds all others, and every point is covered at most once.
 ///
-/// Holes of a component may contain other components. The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges,
-/// and, if there are several components, for each of them the number of edges that a ray from it meets.
+/// Holes of a component may contain other components. The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and
+/// \f$b\f$ border edges. If there are several components, each of them adds the number of edges that a ray from it
+/// meets.
 /// Parameters, requirements and exceptions are those of `flipped_faces()`.
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
@@ -167,9 +168,9 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes all pairs of border edges that have a point in common in the plane, other than a vertex that both have, to
-/// `out`. There is none exactly if the borders are simple polygons that do not touch one another. Edges with a
-/// coordinate that is infinite or not a number are left out; their faces are in `flipped_faces()`.
+/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There
+/// is no such pair if and only if the borders are simple polygons that do not touch one another. Edges with a
+/// coordinate that is infinite or not a number are left out. Their faces are in `flipped_faces()`.
 ///
 /// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise it depends on the
 /// number of pairs of edges whose bounding boxes intersect.
@@ -178,7 +179,7 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 ///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`.
 ///
 /// \param mesh, uvmap as for `flipped_faces()`.
-/// \param out where pairs of border halfedges are written, each pair once.
+/// \param out receives the pairs of border halfedges, each pair once.
 ///
 /// \return `out`, behind what was written.
 ///

@@ -50,11 +50,11 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_on_bord
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-flattens the connected component of the longest border of `mesh`, and reports what is wrong if that is not possible.
+flattens the connected component of the longest border of `mesh`. If that is not possible, the report says why.
 
-In contrast to `parameterize()` a closed or an empty mesh is not a precondition that is violated, but a diagnosis:
+`parameterize()` requires a mesh that is neither closed nor empty. This function accepts such a mesh, and reports the diagnosis
 `Flattening_report::NO_BORDER` or `Flattening_report::EMPTY_MESH`. Everything else is as with `parameterize()`: the
-coordinates, the requirements on the surface, errors, and complexity; finding the longest border takes linear time.
+coordinates, the requirements on the surface, errors, and complexity. Finding the longest border takes linear time.
 
 \code{.cpp}
 const auto report = flatten_surface(mesh, uvmap);
@@ -68,7 +68,7 @@ if(report.diagnosis != report.NOTHING_WRONG)
 \tparam Parameterizer `ABF_plus_plus_parameterizer_3` or `Hierarchical_parameterizer_3`
 
 \param mesh a triangle mesh
-\param uvmap what receives the planar coordinates; on any error it is left as it was
+\param uvmap receives the planar coordinates; on any error it is unchanged
 \param parameterizer the parameterizer, with its options
 
 \return the report of the parameterizer. `error_code()` gives the error code of its diagnosis.

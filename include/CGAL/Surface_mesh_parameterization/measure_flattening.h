@@ -28,16 +28,18 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// measures the distortion of the map from the connected component of `bhd` to the plane, whichever
-/// parameterizer computed it, and of each of its triangles. In linear time, but for a sort of the vertices and
-/// \cgalBigO{b \log b} for \f$b\f$ border edges; parallel where \tbb is there, with the same bits on any number of threads.
+/// measures the distortion of the map from the connected component of `bhd` to the plane, and of each of its
+/// triangles. Any parameterizer may have computed the map. The time is linear, except for a sort of the vertices and
+/// \cgalBigO{b \log b} for \f$b\f$ border edges. With \tbb the function runs in parallel. The result has the same
+/// bits on any number of threads.
 ///
 /// None of these measures is that of `compute_L2_stretch()` in `measure_distortion.h` of the package
-/// \ref PkgSurfaceMeshParameterization. In spite of its name, that function looks at areas only: it returns the root of
-/// a sum, over interior vertices, of squared relative changes of the area of the triangles around the vertex, each
-/// as a part of the total area; 0 at best, and growing with the number of vertices. `Flattening_measures::l2_stretch`
-/// is the \f$L_2\f$ stretch of \cgalCite{cgal:ssgh-tmpm-01}, and `Flattening_measures::l2_area_distortion` a mean of the
-/// change of areas.
+/// \ref PkgSurfaceMeshParameterization. In spite of its name, that function considers only areas. For each interior
+/// vertex it takes the area of the triangles around the vertex, as a fraction of the total area. It returns the root
+/// of the sum of the squared relative changes of these fractions. The value is 0 at best, and grows with the number
+/// of vertices. `Flattening_measures::l2_stretch`
+/// is the \f$L_2\f$ stretch of \cgalCite{cgal:ssgh-tmpm-01}, and `Flattening_measures::l2_area_distortion` is a mean
+/// of the change of areas.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 /// \tparam VertexUVMap a model of `ReadablePropertyMap` with
@@ -48,8 +50,9 @@ namespace Surface_mesh_parameterization {
 ///
 /// \param mesh a triangulated surface.
 /// \param bhd a halfedge on the border of `mesh`: one without a face.
-/// \param uvmap the map to be measured. It may be of any size, and have flipped triangles.
-/// \param visitor is called once for each face of the component, with its measures, by the calling thread.
+/// \param uvmap the map to be measured. It may have any size and flipped triangles.
+/// \param visitor is called once for each face of the component, with the measures of the face, by the calling
+/// thread.
 ///
 /// \return the measures of the whole component.
 ///
