@@ -13,9 +13,9 @@ namespace CGAL {
 /*!
 \ingroup PkgSolverInterfaceLS
 
-Names the solver that factors in the place of `SolverTraits` where the factors only precondition an iterative solution, so
-that fewer digits, half of the memory and less time are enough. For `SuperLU_solver_traits<double>` it is
-`SuperLU_solver_traits<float>`, with the same widths, and with `SuperLU_options::PIVOTS` as its check; any other solver
+The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative solution:
+fewer digits, half of the memory and less time are then enough. The counterpart of `SuperLU_solver_traits<double>` is
+`SuperLU_solver_traits<float>`, with the same widths, and with `SuperLU_options::PIVOTS` as its check. Any other solver
 is its own counterpart.
 
 This is a customization point: specialize it for a solver of your own, with the members below.
@@ -29,8 +29,8 @@ struct CGAL::Low_precision_solver_traits<My_solver<double>>
 };
 \endcode
 
-What the counterpart refuses (by returning `false`), or does not precondition well enough, has to be done again by a copy of the
-caller's own object of type `SolverTraits`.
+If the counterpart refuses a matrix (by returning `false`), or does not precondition well enough, a copy of the
+caller's own object of type `SolverTraits` factors the matrix again.
 
 \tparam SolverTraits a model of `SparseLinearAlgebraTraits_d`
 
@@ -49,13 +49,13 @@ struct Low_precision_solver_traits
 /*!
 \ingroup PkgSolverInterfaceLS
 
-Says whether copies of a solver own their factorizations:
-- `factor()` on a copy has no effect on the other copies, nor on the object that they are copies of;
-- different threads may use different copies at the same time;
+Whether copies of a solver own their factorizations. They do if
+- `factor()` on a copy has no effect on the other copies or on the original object,
+- different threads may use different copies at the same time, and
 - the matrix may be destroyed after `factor()`.
 
-If so, two matrices are factored at the same time, each by a copy. It is `std::true_type` for
-`SuperLU_solver_traits`, and otherwise `std::false_type`: copies of `Eigen_solver_traits` share one solver.
+If so, two copies factor two matrices at the same time. The type is `std::true_type` for
+`SuperLU_solver_traits`, and `std::false_type` otherwise: copies of `Eigen_solver_traits` share one solver.
 
 This is a customization point: specialize it for a solver of your own.
 

@@ -11,8 +11,8 @@ namespace CGAL {
 /*!
 \ingroup PkgSolverInterfaceLS
 
-The options of `SuperLU_solver_traits`. The default values suit matrices from triangle meshes. The widths change how fast
-SuperLU is, and results in their last digits only.
+The options of `SuperLU_solver_traits`. The default values suit matrices from triangle meshes. The widths change the speed of
+SuperLU. They change only the last digits of results.
 
 \sa `CGAL::SuperLU_solver_traits<FT>`
 */
@@ -21,27 +21,28 @@ struct SuperLU_options
   /// What is checked of a factorization before it is used.
   enum Check
   {
-    /// A matrix that is singular, but for rounding errors, is refused. A matrix that is not definite is factored with
-    /// partial pivoting, after its rows and columns were scaled. The backward error of each solution is small, after iterative
-    /// refinement where that is needed.
+    /// A matrix that is singular up to rounding errors is refused. A matrix that is not definite is factored with
+    /// partial pivoting, after its rows and columns were scaled. The backward error of each solution is small.
+    /// Iterative refinement ensures this if necessary.
     ACCURACY,
-    /// Only a symmetric matrix is factored whose pivots, all of them from the diagonal, have the sign of the diagonal, and are
-    /// larger than \f$ 16 \varepsilon\f$ times the entry of the matrix there (\f$ \varepsilon\f$ is the precision of the number
-    /// type); any other is refused. Then the factors are those of a definite matrix. Nothing is promised of the
-    /// accuracy of solutions but that they are finite: this is for factors that precondition an iterative solution, which has a
-    /// check of its own.
+    /// Only a symmetric matrix is factored. All its pivots must be on the diagonal, have the sign of the diagonal,
+    /// and be larger than \f$ 16 \varepsilon\f$ times the entry of the matrix there (\f$ \varepsilon\f$ is the precision of the number
+    /// type). Any other matrix is refused. The factors are then those of a definite matrix. Solutions are finite, but
+    /// their accuracy is not guaranteed. Use this check for factors that precondition an iterative solution, which
+    /// has a check of its own.
     PIVOTS
   };
 
   /// What is checked of a factorization.
   Check check = ACCURACY;
 
-  /// The number of columns that SuperLU treats at once, from 1; 0 chooses one. More than SuperLU counts, by
-  /// default 20, are as many as it counts.
+  /// The number of columns that SuperLU treats at once, at least 1; 0 means an automatic choice. SuperLU has an upper
+  /// limit, 20 by default. Larger values have the effect of this limit.
   int panel_width = 0;
 
-  /// The number of columns, from 1, that a subtree of the elimination tree may have to become one dense block; 0 chooses
-  /// one. More than SuperLU counts, by default 20, are as many as it counts.
+  /// The largest number of columns of a subtree of the elimination tree that becomes one dense block, at least 1; 0
+  /// means an automatic choice. SuperLU has an upper limit, 20 by default. Larger values have the effect of this
+  /// limit.
   int relax = 0;
 };
 

@@ -44,8 +44,8 @@ approximate minimum degree ordering. If all the pivots have that sign too, then 
 definite and this is numerically stable. Any other matrix is factored in a COLAMD ordering with
 partial pivoting, after its rows and columns were scaled.
 
-The ordering depends on the pattern of the matrix only: factoring another matrix that has its entries at
-the same places as the one before reuses it, also in a copy of this object. `analyze_pattern()` computes it beforehand.
+The ordering depends only on the pattern of the matrix. If the next matrix has its entries at the same places, its factorization
+reuses the ordering, also in a copy of this object. `analyze_pattern()` computes the ordering beforehand.
 
 \cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d,
 NormalEquationSparseLinearAlgebraTraits_d}
@@ -54,15 +54,20 @@ NormalEquationSparseLinearAlgebraTraits_d}
 
 \cgalHeading{Single Precision}
 
-With `float`, the entries of the factors take half of the memory (their indices the same). Solutions take about 0.6 of the
-time, and so do factorizations of some hundred thousand rows; smaller ones gain less. Solutions have a
-backward error of some \f$ 10^{-7}\f$, so that a system with condition number \f$ \kappa\f$ is solved to a relative error of about
-\f$ 10^{-7} \kappa\f$. That is enough to precondition an iterative solution in `double`; `symmetric()` tells whether
-the preconditioner is definite. A matrix that was rounded from `double` may be refused, though the original one is not: if it is
-singular but for the errors of `float` (with a definite matrix, if its least eigenvalue is below \f$ 1.2 \cdot 10^{-7}\f$ after it was
-scaled to a diagonal of ones; with any other, if its reciprocal condition number is, after its rows and columns were scaled), if an
-entry became infinite, or if entries became so small that they lost digits or vanished, and the others
-in their rows and columns are not much larger. To precondition, `SuperLU_options::PIVOTS` checks less, and takes less time.
+With `float`, the entries of the factors take half of the memory. Their indices take the same memory. Solutions take about 0.6 of the
+time, and so do factorizations of some hundred thousand rows. Smaller factorizations gain less. Solutions have a
+backward error of some \f$ 10^{-7}\f$: a system with condition number \f$ \kappa\f$ is solved to a relative error of about
+\f$ 10^{-7} \kappa\f$. This is enough to precondition an iterative solution in `double`. `symmetric()` returns whether
+the preconditioner is definite.
+
+A matrix that was rounded from `double` may be refused although the original matrix is not. The reasons are:
+- The matrix is singular up to the errors of `float`. For a definite matrix, this means that its least eigenvalue is below
+  \f$ 1.2 \cdot 10^{-7}\f$ after scaling to a diagonal of ones. For any other matrix, it means that its reciprocal condition number
+  is below this value after scaling of rows and columns.
+- An entry became infinite.
+- Entries became so small that they lost digits or vanished, and the others in their rows and columns are not much larger.
+
+For preconditioners, `SuperLU_options::PIVOTS` checks less and takes less time.
 SuperLU must have been built with single precision, as it is by default.
 
 \cgalHeading{Copies}
@@ -72,21 +77,21 @@ A copy shares the factorization, which never changes, at the cost of copying a f
 
 \cgalHeading{Errors}
 
-Every function that can fail returns `false` then, and leaves the object usable; after a failure
-of `factor()` it holds no factorization. Failures are: a matrix that is not square, is empty, is singular
+A function that fails returns `false` and leaves the object usable. After a failure of `factor()` the object holds no
+factorization. Failures are: a matrix that is not square, is empty, is singular
 or has an entry that is not finite (a matrix that is singular but for rounding errors is recognized if it is semidefinite, by an
 estimate of its condition number, and otherwise, with `double`, only if a pivot is as small as these errors);
 with `SuperLU_options::PIVOTS` any matrix that is not definite;
 a right-hand side of another size or with an entry that is not finite; a solution that is
 not finite or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite of iterative refinement; factors with
-more than \f$ 2^{31}\f$ entries, or more than fit into memory. SuperLU itself ends the program where its memory
-does not suffice: what it will take is known before it is called, and is not promised twice if several threads factor
-at once.
+more than \f$ 2^{31}\f$ entries, or more than fit into memory. SuperLU itself would end the program if memory runs
+out. The memory that it needs is therefore computed before it is called. If several threads factor at once, the same memory
+is not promised to two of them.
 
 \cgalHeading{Thread Safety}
 
 Distinct objects can be used by distinct threads at the same time, even if they are copies of one another.
-The matrix passed to one of them must not be accessed meanwhile, as `CGAL::Eigen_sparse_matrix`
+The matrix passed to one of them must not be accessed at the same time, because `CGAL::Eigen_sparse_matrix`
 assembles itself on the first access.
 
 \cgalHeading{Complexity}
@@ -131,7 +136,7 @@ public:
   /// constructs a solver with the default options.
   SuperLU_solver_traits() = default;
 
-  /// constructs a solver that checks and factors as `options` say.
+  /// constructs a solver with the given options.
   explicit SuperLU_solver_traits(const SuperLU_options& options) : m_options(options) {}
   /// @}
 
@@ -145,8 +150,8 @@ public:
     return factor(A, D) && linear_solver(B, X);
   }
 
-  /// computes the ordering for matrices with the pattern of `A`, that are definite if `A` might be, so that `factor()` can
-  /// use it, on this object and on copies made later. The factorization stays as it is.
+  /// computes the ordering for matrices with the pattern of `A` that are definite if `A` might be. `factor()` can
+  /// then use it, on this object and on copies made later. The factorization is unchanged.
   /// \return `true` if successful
   bool analyze_pattern(const Matrix& A)
   {
