@@ -32,7 +32,7 @@ public:
       : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors)
   {}
 
-  // Prepares for matrices of that pattern; values are not needed yet.
+  // Does what the first solution can do before there are values: then it takes less time.
   void analyze_pattern(const Block_matrix<2>& matrix)
   {
     if(m_iteratively && !m_preconditioner && matrix.size() > 0) {
@@ -41,7 +41,7 @@ public:
     }
   }
 
-  // Solves with a matrix of the pattern that was analyzed. Returns `false` if the linear solver fails.
+  // Solves with a matrix of the same pattern each time. Returns `false` if the linear solver fails.
   bool solve(const Block_matrix<2>& matrix, const Eigen::VectorXd& right_hand_side,
              const Iterative_accuracy& accuracy, Eigen::VectorXd& solution)
   {
@@ -51,6 +51,7 @@ public:
       solution = right_hand_side;
       return true;
     }
+    analyze_pattern(matrix);
     if(m_iteratively) {
       const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
       if(status == Iterative_solution::SOLVED)
