@@ -61,7 +61,8 @@ inline Exit_status tell_failure(const Command_line& command, const Failure& fail
       Output_file file(command.json);
       file.write(failure_json(failure.name, failure.message, command.input));
       file.publish();
-    } catch(const std::exception&) { // one message is enough
+    } catch(const std::exception& error) {
+      std::cerr << "flatten_mesh: " << error.what() << std::endl;
     }
   }
   return failure.exit_status;

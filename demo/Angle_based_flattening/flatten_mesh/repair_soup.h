@@ -87,10 +87,6 @@ inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
   }
 }
 
-} // namespace internal
-
-namespace internal {
-
 // Once equal points are one, faces with two corners at the same place are no more than an edge.
 inline void drop_collapsed_polygons(Polygon_soup& soup, Notes& notes)
 {
