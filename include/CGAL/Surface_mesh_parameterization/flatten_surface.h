@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -87,12 +88,13 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameteriz
     parameterize(mesh, parameterizer, border, uvmap);
     return parameterizer.report();
   }
-  auto report = Parameterizer().report();
+  std::decay_t<decltype(parameterizer.report())> report;
   if(faces(mesh).empty())
     internal::ABF::fail(report, Flattening_report::EMPTY_MESH, "the mesh has no faces");
   else
-    internal::ABF::fail(report, Flattening_report::NO_BORDER,
-                        "the surface is closed: it has no border; cut it open first, as a Seam_mesh does");
+    internal::ABF::fail(
+        report, Flattening_report::NO_BORDER,
+        "the surface is closed: it has no border; cut it open first, for example with a Seam_mesh");
   return report;
 }
 
