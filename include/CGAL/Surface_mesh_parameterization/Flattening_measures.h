@@ -25,7 +25,7 @@ namespace Surface_mesh_parameterization {
 /// The measures of a flipped triangle are those of its mirror image. Flips are counted separately, so they do not
 /// hide how good a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) If a triangle
 /// has no area, in space or in the plane, every measure that is made from derivatives has its worst value: 1 for
-/// shear, principal shear and equal-stretch error, and infinity for the others. If a planar coordinate of a triangle
+/// shear, principal shear and equal-stretch error, and infinity for the others. Its scale is 0. If a planar coordinate of a triangle
 /// is not a finite number, its measures are not a number.
 struct Flattening_face_measures
 {

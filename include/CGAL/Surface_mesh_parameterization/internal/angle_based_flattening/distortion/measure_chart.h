@@ -45,7 +45,7 @@ inline void measure_differential(const Triangle_differential& map, double scale,
   face.principal_shear = map.principal_shear();
   face.equal_stretch_error = map.equal_stretch_error();
   face.quasi_conformal_ratio = largest / smallest;
-  face.scale = 1 / std::sqrt(largest * smallest);
+  face.scale = scale / std::sqrt(map.area_stretch());
   face.area_distortion = std::abs(std::log(map.area_stretch() / (scale * scale)));
   face.l2_stretch = std::sqrt(squares / 2);
   face.linf_stretch = largest;
