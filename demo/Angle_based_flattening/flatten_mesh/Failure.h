@@ -62,7 +62,9 @@ inline Exit_status tell_failure(const Command_line& command, const Failure& fail
       file.write(failure_json(failure.name, failure.message, command.input));
       file.publish();
     } catch(const std::exception& error) {
-      std::cerr << "flatten_mesh: " << error.what() << std::endl;
+      if(error.what() != failure.message) { // told already if this file is what failed
+        std::cerr << "flatten_mesh: " << error.what() << std::endl;
+      }
     }
   }
   return failure.exit_status;
