@@ -287,12 +287,23 @@ BOOST_AUTO_TEST_CASE(touching_border)
   BOOST_TEST(!square.is_injective());
 }
 
+// Fans that meet in a vertex may touch there, but no more than there.
 BOOST_AUTO_TEST_CASE(pinched_vertex)
 {
-  const Planar<> bow_tie({{0, 0, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
-  BOOST_TEST(bow_tie.flipped().empty());
-  BOOST_TEST(!bow_tie.is_locally_injective());
-  BOOST_TEST(bow_tie.crossings() == 0u);
+  for(int k = 0; k < 64; ++k) { // the second fan turns around the vertex
+    const double angle = CGAL_PI / 32 * k;
+    auto point = [](double direction) { return Point_3(std::cos(direction), std::sin(direction), 0); };
+    const Planar<> bow_tie({{0, 0, 0}, point(0), point(1), point(angle), point(angle + 1.5)},
+                           {{0, 1, 2}, {0, 3, 4}});
+    const bool is_apart = angle > 1 && angle + 1.5 < 2 * CGAL_PI;
+    BOOST_TEST(bow_tie.flipped().empty());
+    BOOST_TEST(bow_tie.is_locally_injective() == is_apart);
+  }
+  // around a hole that touches the outer border
+  const Planar<> ring({{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {3, 2, 0}, {2, 3, 0}},
+                      {{0, 1, 3}, {1, 2, 3}, {3, 2, 4}, {2, 0, 4}});
+  BOOST_TEST(ring.is_locally_injective());
+  BOOST_TEST(ring.crossings() == 0u);
 }
 
 // The border of the hole may cross the outer one, or itself.

@@ -111,9 +111,10 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 /// orientation. This holds if and only if
 /// - no face is in `flipped_faces()`,
 /// - the faces around each interior vertex go around it once (positively oriented faces may do so more often),
-/// - the faces around each border vertex take less than a full turn, and are a single fan.
+/// - the faces around each border vertex take less than a full turn. If they are several fans, the fans have nothing but
+///   the vertex in common.
 ///
-/// The function takes linear time. Parameters, requirements and exceptions are those of `flipped_faces()`.
+/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and exceptions are those of `flipped_faces()`.
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_locally_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 {

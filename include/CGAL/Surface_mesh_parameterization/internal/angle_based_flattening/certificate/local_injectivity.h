@@ -14,6 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -131,36 +132,54 @@ std::vector<int> winding_numbers(const std::vector<int>& vertex, const std::vect
   return sweeps;
 }
 
-// Whether a fan of triangles around `origin`, from the edge to `first` counterclockwise to the one to `last`, is less
-// than a full turn.
-template <typename Point>
-bool is_fan_open(const Point& origin, const Point& first, const Point& last, int sweeps)
+// A border edge as a ray from a vertex, where triangles begin or end, counterclockwise.
+struct Border_ray
 {
-  if(sweeps != 1)
-    return sweeps == 0;
-  const bool first_in_upper = is_in_upper_half(first, origin), last_in_upper = is_in_upper_half(last, origin);
-  if(first_in_upper != last_in_upper)
-    return last_in_upper;
-  return CGAL::orientation(origin, first, last) == CGAL::RIGHT_TURN;
-}
+  int vertex;
+  int to;
+  bool begins;
+};
 
-// Whether positively oriented triangles go around each interior vertex once, and around each border vertex less than
-// once, in a single fan. Every vertex must be in a triangle.
+// By vertices and, around each, counterclockwise from the direction of the x-axis
+template <typename Point>
+struct Is_ray_before
+{
+  const std::vector<Point>& uv;
+
+  bool operator()(const Border_ray& r, const Border_ray& s) const
+  {
+    if(r.vertex != s.vertex)
+      return r.vertex < s.vertex;
+    const Point& origin = uv[r.vertex];
+    const bool upper = is_in_upper_half(uv[r.to], origin);
+    if(upper != is_in_upper_half(uv[s.to], origin))
+      return upper;
+    return CGAL::orientation(origin, uv[r.to], uv[s.to]) == CGAL::LEFT_TURN;
+  }
+};
+
+// Whether positively oriented triangles overlap at no vertex: they go around each interior vertex once, and the fans
+// around each border vertex follow one another, each ending before the next one begins.
 template <typename Point>
 bool is_injective_at_vertices(const std::vector<int>& vertex, const std::vector<Border_edge>& border,
                               const std::vector<Point>& uv)
 {
-  std::vector<int> next(uv.size(), -1), previous(uv.size(), -1);
-  for(const Border_edge& edge : border) {
-    if(next[edge.source] >= 0 || previous[edge.target] >= 0)
-      return false;
-    next[edge.source] = edge.target;
-    previous[edge.target] = edge.source;
-  }
   const std::vector<int> sweeps = winding_numbers(vertex, uv);
-  for(std::size_t v = 0; v < uv.size(); ++v)
-    if(next[v] < 0 ? sweeps[v] != 1 : !is_fan_open(uv[v], uv[next[v]], uv[previous[v]], sweeps[v]))
+  if(std::any_of(sweeps.begin(), sweeps.end(), [](int number) { return number > 1; }))
+    return false;
+  std::vector<Border_ray> rays;
+  for(const Border_edge& edge : border) {
+    rays.push_back({edge.source, edge.target, true});
+    rays.push_back({edge.target, edge.source, false});
+  }
+  const Is_ray_before<Point> is_before{uv};
+  std::sort(rays.begin(), rays.end(), is_before);
+  for(std::size_t i = 0; i < rays.size(); ++i) {
+    const bool is_first = i == 0 || rays[i - 1].vertex != rays[i].vertex;
+    const bool is_in_fan = is_first ? sweeps[rays[i].vertex] == 1 : rays[i - 1].begins;
+    if(rays[i].begins == is_in_fan || (!is_first && !is_before(rays[i - 1], rays[i])))
       return false;
+  }
   return true;
 }
 
