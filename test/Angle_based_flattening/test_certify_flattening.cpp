@@ -298,11 +298,12 @@ BOOST_AUTO_TEST_CASE(pinched_vertex)
     const bool is_apart = angle > 1 && angle + 1.5 < 2 * CGAL_PI;
     BOOST_TEST(bow_tie.flipped().empty());
     BOOST_TEST(bow_tie.is_locally_injective() == is_apart);
+    BOOST_TEST(bow_tie.is_injective() == is_apart);
   }
   // around a hole that touches the outer border
   const Planar<> ring({{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {3, 2, 0}, {2, 3, 0}},
                       {{0, 1, 3}, {1, 2, 3}, {3, 2, 4}, {2, 0, 4}});
-  BOOST_TEST(ring.is_locally_injective());
+  BOOST_TEST(ring.is_injective());
   BOOST_TEST(ring.crossings() == 0u);
 }
 
@@ -439,6 +440,31 @@ BOOST_AUTO_TEST_CASE(seam_mesh)
   BOOST_TEST(SMP::is_injective(const_mesh, uvmap));
 }
 
+// The hole of a square frame, moved as a whole, and turned inside out.
+BOOST_AUTO_TEST_CASE(moved_holes)
+{
+  auto frame = [](double shift, double width) {
+    std::vector<Point_3> points;
+    for(const auto& [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+      points.emplace_back(4 * x, 4 * y, 0);
+      points.emplace_back(shift + width * x, y, 0);
+    }
+    test_charts::Triangles triangles;
+    for(int v = 0; v < 8; v += 2) {
+      triangles.push_back({v, (v + 2) % 8, v + 1});
+      triangles.push_back({v + 1, (v + 2) % 8, (v + 3) % 8});
+    }
+    return Planar<>(points, triangles);
+  };
+  BOOST_TEST(frame(0, 1).is_injective());
+  BOOST_TEST(frame(2.875, 1).is_injective());
+  for(const auto& [shift, width] :
+      {std::pair(3, 1), std::pair(4, 1), std::pair(9, 1), std::pair(0, -1), std::pair(0, 5)})
+    BOOST_TEST(!frame(shift, width).is_injective());
+  BOOST_TEST(frame(0, -1).crossings() == 0u);
+  BOOST_TEST(frame(9, 1).crossings() == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(not_triangles)
 {
   Surface_mesh quads;
@@ -471,11 +497,12 @@ BOOST_AUTO_TEST_CASE(sweep_against_all_pairs)
   BOOST_TEST(simple < 19000);
 }
 
-// Two triangles at a time.
+// Two triangles at a time: they bound a region if one is in the other and turns the other way, or beside it and turns
+// the same way.
 BOOST_AUTO_TEST_CASE(sweep_over_several_borders)
 {
   std::mt19937 random(8);
-  int apart = 0;
+  int apart = 0, nested = 0;
   for(int run = 0; run < 20000; ++run) {
     std::vector<Point_2> uv;
     for(int i = 0; i < 6; ++i)
@@ -484,9 +511,18 @@ BOOST_AUTO_TEST_CASE(sweep_over_several_borders)
     const auto pairs = all_touching(edges, uv);
     BOOST_REQUIRE(abf::Border_sweep<Point_2>(edges, uv).finds_touching_edges() == !pairs.empty());
     BOOST_REQUIRE(abf::touching_edges(edges, uv) == pairs);
-    apart += pairs.empty();
+    bool is_region = pairs.empty();
+    if(is_region) {
+      const Exact_kernel::Triangle_2 s(uv[0], uv[1], uv[2]), t(uv[3], uv[4], uv[5]);
+      const bool is_nested = s.has_on_bounded_side(uv[3]) || t.has_on_bounded_side(uv[0]);
+      is_region = is_nested == (s.orientation() != t.orientation());
+      nested += is_nested;
+      ++apart;
+    }
+    BOOST_REQUIRE(abf::Border_sweep<Point_2>(edges, uv).bounds_region() == is_region);
   }
   BOOST_TEST(apart > 1000);
+  BOOST_TEST(nested > 20);
 }
 
 BOOST_AUTO_TEST_CASE(crossings_of_a_chart)

@@ -134,23 +134,27 @@ bool is_locally_injective(const TriangleMesh& mesh,
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns whether the map is injective and keeps the orientation: no two faces overlap anywhere.
+/// returns whether the map is injective and keeps the orientation: no two points of the surface have the same image.
 ///
-/// The function compares no pairs of faces. For a disk it is enough that every face is positively oriented and the
-/// border is a simple polygon \cgalCite{cgal:l-bmtmb-14}: the border winds around each point as often as faces cover
-/// the point. In general, a map is injective if and only if
-/// - it is locally injective,
-/// - the borders are simple polygons that do not touch one another, and
-/// - no connected component lies within another.
+/// The function compares no pairs of faces. The map is injective if and only if
+/// - no face is in `flipped_faces()`,
+/// - no pair of edges is in `crossing_border_edges()`, and
+/// - the border winds around no point more than once. (The surface is on its left.)
 ///
-/// Under these conditions, the borders of each connected component turn by \f$2 \pi \chi\f$ in total, with its Euler
-/// characteristic \f$\chi\f$. Each border turns once, to the left or to the right, so exactly one turns left.
-/// The component therefore has no handles, this border surrounds all others, and every point is covered at most once.
+/// This is because the border winds around each point as often as positively oriented faces cover the point
+/// \cgalCite{cgal:l-bmtmb-14}.
+/// - A disk needs no more than the first two conditions: its border is a simple polygon.
+/// - A chart with holes meets the conditions if and only if it has no flipped faces, each border is a simple polygon, the holes are within
+///   the outer border and turn the other way, and borders do not touch or contain one another otherwise.
+/// - A surface with several components meets them if and only if each component does, their borders do not touch, and
+///   none lies within another. The holes of a component may contain other components.
+/// - Where the border runs through a vertex several times, the fans of faces there may touch in the vertex.
 ///
-/// Holes of a component may contain other components. The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and
-/// \f$b\f$ border edges. If there are several components, each of them adds the number of edges that a ray from it
-/// meets.
-/// Parameters, requirements and exceptions are those of `flipped_faces()`.
+/// The third condition does not follow from the others, even on a connected surface: two sheets, one over the other,
+/// that are cut and glued crosswise have two simple borders, and points in the middle have two preimages.
+///
+/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
+/// exceptions are those of `flipped_faces()`.
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 {
@@ -170,7 +174,8 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There
-/// is no such pair if and only if the borders are simple polygons that do not touch one another. Edges with a
+/// is no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
+/// they meet on the surface. Edges with a
 /// coordinate that is infinite or not a number are left out. Their faces are in `flipped_faces()`.
 ///
 /// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise it depends on the

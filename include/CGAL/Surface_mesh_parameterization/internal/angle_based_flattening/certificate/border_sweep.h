@@ -45,8 +45,9 @@ bool touch(const Border_edge& e, const Border_edge& f, const std::vector<Point>&
   return CGAL::do_intersect(s, t);
 }
 
-// Decides whether any two of the edges touch (Shamos and Hoey's sweep, with no construction but comparisons): in
-// `O(b log b)` time, for any number of borders. Loops and edges with points that are not finite are left out.
+// Decides whether any two of the edges touch (Shamos and Hoey's sweep, with no construction but comparisons), and whether
+// they bound a region: in `O(b log b)` time, for any number of closed borders. Loops and edges with points that are not
+// finite are left out, and then there is no region.
 template <typename Point>
 class Border_sweep
 {
@@ -81,29 +82,41 @@ public:
       m_left.push_back((std::min)(m_rank[e.source], m_rank[e.target]));
       m_right.push_back((std::max)(m_rank[e.source], m_rank[e.target]));
     }
+    m_bounds_region = m_edges.size() == edges.size();
+    sweep();
   }
 
-  bool finds_touching_edges()
+  bool finds_touching_edges() const { return m_touching; }
+
+  // Whether no two edges touch, and all have the same region of the plane on their left, or all on their right: all winding
+  // numbers are 0 or 1, or all are 0 or -1.
+  bool bounds_region() const { return !m_touching && m_bounds_region; }
+
+private:
+  // The winding number changes by one at each edge on the sweep line. So edges bound a region exactly if neighbours have
+  // opposite directions, and the lowest one always has the same. As many edges lead to a vertex as from it: if those
+  // that begin there differ from the ones below, the next one above does too.
+  void sweep()
   {
     for(std::size_t i = 1; i < m_vertices.size(); ++i)
-      if(m_uv[m_vertices[i - 1]] == m_uv[m_vertices[i]])
-        return true;
+      m_touching = m_touching || m_uv[m_vertices[i - 1]] == m_uv[m_vertices[i]];
     const std::vector<int> by_left = sorted_by(m_left), by_right = sorted_by(m_right);
     Line line(Is_below{this});
     std::vector<typename Line::iterator> position(m_edges.size(), line.end());
     std::size_t inserted = 0, removed = 0;
-    for(int rank = 0; rank < static_cast<int>(m_vertices.size()); ++rank) {
-      for(; removed < by_right.size() && m_right[by_right[removed]] == rank && !m_found; ++removed)
+    for(int rank = 0; rank < static_cast<int>(m_vertices.size()) && !m_touching; ++rank) {
+      for(; removed < by_right.size() && m_right[by_right[removed]] == rank && !m_touching; ++removed)
         remove(line, position[by_right[removed]]);
-      for(; inserted < by_left.size() && m_left[by_left[inserted]] == rank && !m_found; ++inserted)
+      const std::size_t first = inserted;
+      for(; inserted < by_left.size() && m_left[by_left[inserted]] == rank && !m_touching; ++inserted)
         position[by_left[inserted]] = insert(line, by_left[inserted]);
-      if(m_found)
-        return true;
+      if(rank == 0)
+        m_lowest_goes_right = goes_right(*line.begin());
+      for(std::size_t i = first; i < inserted; ++i)
+        m_bounds_region = m_bounds_region && is_opposite_to_below(line, position[by_left[i]]);
     }
-    return false;
   }
 
-private:
   // Sets the vertices in the order in which they are swept, and the rank of each.
   void sort_vertices()
   {
@@ -132,11 +145,11 @@ private:
   {
     const CGAL::Orientation result = CGAL::orientation(
         m_uv[m_vertices[m_left[edge]]], m_uv[m_vertices[m_right[edge]]], m_uv[m_vertices[rank]]);
-    m_found = m_found || result == CGAL::COLLINEAR;
+    m_touching = m_touching || result == CGAL::COLLINEAR;
     return result;
   }
 
-  void test(int e, int f) { m_found = m_found || touch(m_edges[e], m_edges[f], m_uv); }
+  void test(int e, int f) { m_touching = m_touching || touch(m_edges[e], m_edges[f], m_uv); }
 
   typename Line::iterator insert(Line& line, int edge)
   {
@@ -155,12 +168,19 @@ private:
       test(*std::prev(above), *above);
   }
 
+  bool goes_right(int edge) const { return m_rank[m_edges[edge].source] == m_left[edge]; }
+
+  bool is_opposite_to_below(const Line& line, typename Line::iterator edge) const
+  {
+    return goes_right(*edge) == (edge == line.begin() ? m_lowest_goes_right : !goes_right(*std::prev(edge)));
+  }
+
   const std::vector<Point>& m_uv;
   std::vector<Border_edge> m_edges;
   std::vector<int> m_vertices;      // in the order of the sweep
   std::vector<int> m_rank;          // of each vertex in that order
   std::vector<int> m_left, m_right; // of each edge: the ranks of its ends
-  bool m_found = false;
+  bool m_touching = false, m_bounds_region = true, m_lowest_goes_right = true;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

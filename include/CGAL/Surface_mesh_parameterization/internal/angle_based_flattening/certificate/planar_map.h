@@ -13,11 +13,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -69,10 +66,23 @@ public:
     return flipped_triangles(vertex, points).empty() && is_injective_at_vertices(vertex, border, points);
   }
 
+  // Theorem. The map is injective and keeps the orientation if and only if every triangle is positively oriented, no two
+  // border edges touch, and the border winds around no point more than once.
+  //
+  // Proof. The border of a positively oriented triangle winds once around the points within it, and not around those
+  // without. Summed over all triangles, edges between two of them cancel: the border winds around a point that is on no
+  // edge as often as triangles contain it. If that is twice, or border edges touch, the map is not injective.
+  // Conversely, let two points of the surface have the same image. If no border edges touch, one of the two is not on the
+  // border, and has a neighbourhood that covers one of the image. Triangles at the other point cover a part of that
+  // again, around which the border winds twice.
+  //
+  // This holds for any number of borders and components, and whether or not vertices are manifold. On a connected
+  // surface, it means that one border turns left and all others turn right: the winding numbers are not negative, and so
+  // the holes are within the outer border and apart. That does not follow from borders that are simple and apart:
+  // two sheets glued crosswise along a cut have two that turn left.
   bool is_injective() const
   {
-    return is_locally_injective() && !Border_sweep<Point_2>(border, points).finds_touching_edges() &&
-           !has_component_within_another();
+    return flipped_triangles(vertex, points).empty() && Border_sweep<Point_2>(border, points).bounds_region();
   }
 
   std::vector<face_descriptor> face_descriptors;     // of each triangle
@@ -80,78 +90,6 @@ public:
   std::vector<Point_2> points;                       // of each vertex
   std::vector<int> vertex;                           // of each corner
   std::vector<Border_edge> border;
-
-private:
-  // Of each vertex: a vertex of its component, the same for all.
-  std::vector<int> components() const
-  {
-    std::vector<int> rank(points.size()), component(points.size());
-    boost::disjoint_sets<int*, int*> sets(rank.data(), component.data());
-    for(std::size_t v = 0; v < points.size(); ++v)
-      sets.make_set(static_cast<int>(v));
-    for(std::size_t c = 0; c < vertex.size(); c += 3) {
-      sets.union_set(vertex[c], vertex[c + 1]);
-      sets.union_set(vertex[c], vertex[c + 2]);
-    }
-    for(std::size_t v = 0; v < points.size(); ++v)
-      component[v] = sets.find_set(static_cast<int>(v));
-    return component;
-  }
-
-  // Of the vertices of each component the rightmost one.
-  std::vector<int> rightmost_vertices(const std::vector<int>& component) const
-  {
-    std::vector<int> rightmost(points.size(), -1), result;
-    for(std::size_t v = 0; v < points.size(); ++v) {
-      int& best = rightmost[component[v]];
-      if(best < 0 || CGAL::compare_x(points[best], points[v]) == CGAL::SMALLER)
-        best = static_cast<int>(v);
-    }
-    for(int v : rightmost)
-      if(v >= 0)
-        result.push_back(v);
-    return result;
-  }
-
-  // How often an edge crosses the ray that goes from `p` to the right: once or not at all, with the sign of a turn.
-  int crossing(const Border_edge& edge, const Point_2& p) const
-  {
-    const Point_2 &q = points[edge.source], &r = points[edge.target];
-    const bool starts_below = CGAL::compare_y(q, p) != CGAL::LARGER;
-    const bool ends_below = CGAL::compare_y(r, p) != CGAL::LARGER;
-    if(starts_below && !ends_below)
-      return CGAL::orientation(q, r, p) == CGAL::LEFT_TURN ? 1 : 0;
-    if(!starts_below && ends_below)
-      return CGAL::orientation(q, r, p) == CGAL::RIGHT_TURN ? -1 : 0;
-    return 0;
-  }
-
-  // For components that are injective each, and whose borders do not touch: then they are apart unless one contains
-  // all others that it meets. A ray to the right of each is enough to see how often the others wind around it.
-  bool has_component_within_another() const
-  {
-    const std::vector<int> component = components(), rightmost = rightmost_vertices(component);
-    if(rightmost.size() < 2)
-      return false;
-    const double infinity = std::numeric_limits<double>::infinity();
-    std::vector<Indexed_box> rays, edges = edge_boxes(border, points);
-    for(std::size_t i = 0; i < rightmost.size(); ++i) {
-      const CGAL::Bbox_2 box = points[rightmost[i]].bbox();
-      rays.emplace_back(CGAL::Bbox_2(box.xmin(), box.ymin(), infinity, box.ymax()), static_cast<int>(i));
-    }
-    std::vector<int> winding(rightmost.size(), 0);
-    CGAL::box_intersection_d(rays.begin(), rays.end(), edges.begin(), edges.end(),
-                             [&](const Indexed_box& ray, const Indexed_box& box) {
-                               const Border_edge& edge = border[box.info()];
-                               const int v = rightmost[ray.info()];
-                               if(component[edge.source] != component[v])
-                                 winding[ray.info()] += crossing(edge, points[v]);
-                             });
-    for(int number : winding)
-      if(number != 0)
-        return true;
-    return false;
-  }
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
