@@ -83,8 +83,7 @@ struct Flattening_face_measures
 /// surface, and extremes. `Flattening_face_measures` explains the measures of a triangle. Triangles without area on
 /// the surface count only for the angles and the flips, unless there are no others.
 ///
-/// The map of a disk is injective if no triangle is flipped and the border is simple. See `border_is_simple` for
-/// other surfaces.
+/// The map is injective if and only if no triangle is flipped and the border is simple.
 ///
 /// All measures are invariant under scaling, translation, and rotation of the plane, except `l2_shear` and
 /// `l2_equal_stretch_error`, which depend on the direction of the axes.
@@ -155,11 +154,14 @@ struct Flattening_measures
   /// Number of triangles that are not positively oriented in the plane (exact, for the coordinates as doubles).
   int flipped_triangles = 0;
 
-  /// Whether the borders are simple polygons in the plane that do not touch one another: no two border edges have a
-  /// point in common, except a vertex of both (exact, for the coordinates as doubles). If the map is locally
-  /// injective (see `is_locally_injective()`), it is injective as a whole if and only if this holds: no two triangles
-  /// overlap. `crossing_border_edges()` lists the edges that violate this. Edges with a coordinate that is not a
-  /// finite number are left out. Their triangles are flipped.
+  /// Whether the borders in the plane are those of a polygon with holes (exact, for the coordinates as doubles). No two
+  /// border edges have a point in common, except a vertex of both. The holes are within the outer border, not within one
+  /// another, and turn the other way. If no triangle is flipped, the map is injective if and only if this holds; see
+  /// `is_injective()`.
+  ///
+  /// `crossing_border_edges()` lists the edges that have a point in common. If there are none, and no triangle is flipped,
+  /// this can be `false` only if the map is not locally injective; see `is_locally_injective()`. It is `false` if a
+  /// coordinate of a border vertex is not a finite number.
   bool border_is_simple = false;
 
   /// Smallest angle of a planar triangle, in radians.

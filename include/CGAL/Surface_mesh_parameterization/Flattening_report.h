@@ -90,9 +90,9 @@ struct Flattening_report
   int borders = 0;   ///< Border cycles of the chart.
 
   bool border_is_simple =
-      false;              ///< Whether no two edges of the planar border touch but neighbours: with no flipped
-                          ///< triangle, the map is then injective as a whole.
-  double scale_range = 1; ///< Longest edge of the layout over its shortest one.
+      false; ///< Whether the borders are simple, as `Flattening_measures::border_is_simple`: with no
+             ///< flipped triangle, the map is injective if and only if they are.
+  double scale_range = 1;    ///< Longest edge of the layout over its shortest one.
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 

@@ -65,10 +65,11 @@ inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
   return pairs;
 }
 
-// Whether no two border edges touch: the borders are simple polygons, apart from one another.
+// Whether the borders are simple polygons that do not touch one another, the holes are within the outer one and beside one
+// another, and turn the other way. With no flipped triangle, the map is then injective: see `Planar_map::is_injective()`.
 inline bool is_border_simple(const Chart& chart, const std::vector<Exact_point_2>& uv)
 {
-  return !Border_sweep<Exact_point_2>(border_edges(chart), uv).finds_touching_edges();
+  return Border_sweep<Exact_point_2>(border_edges(chart), uv).bounds_region();
 }
 
 inline bool is_border_simple(const Chart& chart, const std::vector<Chart::Point_2>& uv)
