@@ -8,8 +8,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 
+#include "immersed_charts.h"
 #include "mesh_of_chart.h"
+#include "overlaps.h"
 #include "test_charts.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -438,6 +441,89 @@ BOOST_AUTO_TEST_CASE(seam_mesh)
     }
   }
   BOOST_TEST(SMP::is_injective(const_mesh, uvmap));
+}
+
+namespace {
+
+// How many maps there were of a kind
+struct Tally
+{
+  int injective = 0, overlapping = 0;
+  int only_apart = 0;    // overlapping, but not at a vertex
+  int only_covering = 0; // overlapping without flipped triangles, and without border edges that touch
+};
+
+// Compares all that is said about a map with what all pairs of its triangles say.
+template <typename Surface>
+void compare_with_all_pairs(const Surface& surface, Tally& tally)
+{
+  const test_charts::Overlaps overlaps(surface.points(), surface.triangles());
+  const Chart chart = test_charts::make_chart(surface.points(), surface.triangles());
+  const Planar<> planar(chart);
+  BOOST_REQUIRE(planar.flipped().empty() == overlaps.are_positive());
+  BOOST_REQUIRE(planar.is_locally_injective() == overlaps.is_locally_injective());
+  BOOST_REQUIRE(planar.is_injective() == overlaps.is_injective());
+  const bool is_simple = abf::is_border_simple(chart, test_charts::projected(chart));
+  BOOST_REQUIRE((overlaps.are_positive() && is_simple) == overlaps.is_injective());
+  ++(overlaps.is_injective() ? tally.injective : tally.overlapping);
+  if(overlaps.is_locally_injective() && !overlaps.is_injective())
+    ++tally.only_apart;
+  if(overlaps.are_positive() && !overlaps.is_injective() && planar.crossings() == 0)
+    ++tally.only_covering;
+}
+
+} // namespace
+
+// With holes, handles, pinched vertices and several components, all of them positively oriented.
+BOOST_AUTO_TEST_CASE(random_surfaces_against_all_pairs)
+{
+  std::mt19937 random(9);
+  Tally tally;
+  for(int run = 0; run < 3000; ++run) {
+    const int places = 3 + random() % 6, careful = random() % 16, careless = random() % 3;
+    const test_charts::Random_surface surface(places, careful, careless, random);
+    compare_with_all_pairs(surface, tally);
+  }
+  BOOST_TEST_MESSAGE(tally.injective << " injective, " << tally.overlapping << " overlapping, of them "
+                                     << tally.only_apart << " not at vertices, " << tally.only_covering
+                                     << " without border edges that touch");
+  BOOST_TEST(tally.injective > 1000);
+  BOOST_TEST(tally.only_covering > 20);
+  BOOST_TEST(tally.only_apart > 200);
+  BOOST_TEST(tally.overlapping - tally.only_apart > 200);
+}
+
+// Holes may be moved over the border or one another, outside, or turned inside out.
+BOOST_AUTO_TEST_CASE(punched_grids_against_all_pairs)
+{
+  std::mt19937 random(10);
+  Tally tally;
+  for(int run = 0; run < 600; ++run) {
+    const int n = 2 + random() % 4, moves = random() % 3;
+    compare_with_all_pairs(test_charts::Punched_grid(n, moves, random), tally);
+  }
+  BOOST_TEST_MESSAGE(tally.injective << " injective, " << tally.overlapping << " overlapping");
+  BOOST_TEST(tally.injective > 150);
+  BOOST_TEST(tally.overlapping > 150);
+}
+
+// Borders that are simple and do not touch, and triangles that overlap.
+BOOST_AUTO_TEST_CASE(crosswise_sheets)
+{
+  for(bool left_end_on_border : {false, true})
+    for(bool right_end_on_border : {false, true}) {
+      const test_charts::Crosswise_sheets sheets(left_end_on_border, right_end_on_border);
+      Tally tally;
+      compare_with_all_pairs(sheets, tally);
+      BOOST_TEST(tally.overlapping == 1);
+      const Chart chart = test_charts::make_chart(sheets.points(), sheets.triangles());
+      BOOST_TEST(chart.borders.size() == 2u);
+      BOOST_TEST(abf::border_crossings(chart, test_charts::projected(chart)).empty());
+      const abf::Certificate certificate = abf::certify(chart, test_charts::projected(chart));
+      BOOST_TEST(certificate.flipped_triangles == 0);
+      BOOST_TEST(certificate.is_valid() == (left_end_on_border && right_end_on_border));
+      BOOST_TEST(!certificate.border_is_simple);
+    }
 }
 
 // The hole of a square frame, moved as a whole, and turned inside out.
