@@ -98,7 +98,7 @@ inline void add_measures(Json_object& json, const Flattening& flattening)
   json.add("flipped_triangles",
            json_number(known ? flattening.measures.flipped_triangles : flattening.report.flipped_triangles));
   const bool simple = known ? flattening.measures.border_is_simple : flattening.report.border_is_simple;
-  json.add("border", json_text(simple ? "simple" : "crosses itself"));
+  json.add("border", json_text(simple ? "simple" : "not simple"));
   add("smallest_angle", &Measures::smallest_angle);
 }
 

@@ -86,8 +86,9 @@ inline std::string quality_text(const SMP::Flattening_measures& measures)
          line("area distortion", measures.l2_area_distortion, "of logarithms of areas; best 0") +
          line("symmetric Dirichlet", measures.symmetric_dirichlet_energy, "energy per area; best 4") +
          report_line("flipped triangles", std::to_string(measures.flipped_triangles), "must be 0") +
-         report_line("border", measures.border_is_simple ? "simple" : "crosses itself",
-                     measures.border_is_simple ? "the map is injective" : "parts of the layout overlap") +
+         report_line("border", measures.border_is_simple ? "simple" : "not simple",
+                     measures.border_is_simple ? "the map is injective"
+                                               : "parts of the layout overlap or touch") +
          report_line("smallest angle", degrees_text(measures.smallest_angle));
 }
 
