@@ -91,7 +91,7 @@ def parse_command_line() -> argparse.Namespace:
     parser.add_argument("--sizes", type=run.numbers, default=[], metavar="N,N,...",
                         help="numbers of triangles to which the base is simplified or subdivided, with noise")
     parser.add_argument("--base", type=Path, default=run.SHELL, metavar="FILE",
-                        help="a disk; by default the examples' sea shell")
+                        help="a disk; by default a sea shell")
     for name, default, which in (("--least", 500, "smaller"), ("--most", 10000000, "larger")):
         parser.add_argument(name, type=int, default=default, metavar="N",
                             help=f"{which} meshes of folders are left out ({default})")

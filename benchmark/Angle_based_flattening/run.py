@@ -17,7 +17,8 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SHELL = ROOT / "examples/Angle_based_flattening/data/shell.off"
+SHELL = ROOT / "benchmark/Angle_based_flattening/data/shell.off"
+EXAMPLES = ROOT / "examples/Angle_based_flattening/data"
 
 FOLDER = tempfile.TemporaryDirectory()  # for meshes that are made; it vanishes with the process
 
@@ -145,7 +146,7 @@ def words(known: Iterable[str]) -> Callable[[str], list[str]]:
 def add_mesh(parser: argparse.ArgumentParser, name: str = "mesh", **how: str) -> None:
     """The mesh of which others are made"""
     parser.add_argument(name, type=Path, default=SHELL, metavar="FILE", **how, help="a disk, which is "
-                        "simplified or subdivided; by default the sea shell of the examples")
+                        "simplified or subdivided; by default a sea shell")
 
 
 def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int = 600,

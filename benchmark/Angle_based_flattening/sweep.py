@@ -74,7 +74,7 @@ def summary(results: list[tuple[str, run.Measurement]]) -> tuple[str, list[str]]
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", nargs="?", type=Path, default=run.SHELL.parent,
+    parser.add_argument("folder", nargs="?", type=Path, default=run.EXAMPLES,
                         help="with meshes, also in folders within it; by default the data of the examples")
     parser.add_argument("--method", choices=["direct", "hierarchical"], default="direct")
     run.add_options(parser, repeat=0, timeout=120, memory=8)

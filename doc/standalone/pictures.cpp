@@ -22,7 +22,10 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -39,7 +42,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
-const Kernel::Vector_3 shell_from(0.55, -1, 0.35), egg_from(0.5, -1, 0.35), upwards(0, 0, 1);
+const Kernel::Vector_3 dinosaur_from(0.45, -1, 0.35), egg_from(0.5, -1, 0.35), forwards(1, 0, 0),
+    upwards(0, 0, 1);
 
 void write_file(const std::string& name, const std::string& content)
 {
@@ -60,6 +64,11 @@ Color color_of(const std::string& name)
   return {(rgb >> 16) / 255., (rgb >> 8 & 255) / 255., (rgb & 255) / 255.};
 }
 
+double in_degrees(const double radians)
+{
+  return radians * 180. / CGAL_PI;
+}
+
 // A mesh, its map by one of the parameterizers, and what that did to each triangle.
 struct Flat_mesh
 {
@@ -70,8 +79,9 @@ struct Flat_mesh
   std::string name;
   Mesh mesh;
   UV_map uv;
-  std::vector<double> distortion; // angular, of each face
-  std::vector<double> areas;      // on the surface
+  std::vector<double> angle_change; // of each face, in degrees
+  std::vector<double> areas;        // on the surface
+  std::vector<bool> flipped;
   SMP::Flattening_measures measures;
 };
 
@@ -87,12 +97,14 @@ Flat_mesh_ptr flatten(const std::string& name, const Mesh& mesh, Parameterizer p
   const Halfedge border = CGAL::Polygon_mesh_processing::longest_border(flat->mesh).first;
   if(SMP::parameterize(flat->mesh, parameterizer, border, flat->uv) != SMP::OK)
     throw std::runtime_error(name + " failed");
-  flat->distortion.resize(mesh.number_of_faces());
+  flat->angle_change.resize(mesh.number_of_faces());
   flat->areas.resize(mesh.number_of_faces());
+  flat->flipped.resize(mesh.number_of_faces());
   flat->measures = SMP::measure_flattening(flat->mesh, border, flat->uv,
                                            [&](const Face f, const SMP::Flattening_face_measures& face) {
-                                             flat->distortion[f.idx()] = face.angular_distortion;
+                                             flat->angle_change[f.idx()] = in_degrees(face.rms_angle_change);
                                              flat->areas[f.idx()] = face.area;
+                                             flat->flipped[f.idx()] = face.flipped;
                                            });
   return flat;
 }
@@ -128,15 +140,39 @@ void draw_edges(Canvas& canvas, const Mesh& mesh, const Projected_surface& corne
   }
 }
 
+// By the change of the angles; red where the triangle is flipped.
+Color color_of_face(const Flat_mesh& flat, const Face f, const Distortion_scale& scale)
+{
+  if(flat.flipped[f.idx()])
+    return {0.9, 0.1, 0.1};
+  return color_of(Distortion_scale::color(scale.color_index(flat.angle_change[f.idx()])));
+}
+
 void draw_plane(Canvas& canvas, const Flat_mesh& flat, const Mesh& plane, const Distortion_scale& scale,
                 const Frame& frame)
 {
   const Projected_surface corners(plane, all_faces(plane), from_above(), frame);
   for(const Face f : plane.faces()) {
-    const Color color = color_of(Distortion_scale::color(scale.color_index(flat.distortion[f.idx()])));
+    const Color color = color_of_face(flat, f, scale);
     draw_face(canvas, plane, f, corners, [&](const auto&) { return color; });
   }
   draw_edges(canvas, plane, corners, 1.2, {0.15, 0.15, 0.15}, true);
+}
+
+double brightness(const Kernel::Vector_3& normal)
+{
+  return 0.45 + 0.55 * std::abs(normal * Surface_view::normalized(Kernel::Vector_3(-0.35, 0.5, 0.8)));
+}
+
+void draw_angle_change(Canvas& canvas, const Flat_mesh& flat, const Surface_view& view,
+                       const Distortion_scale& scale, const Frame& frame)
+{
+  const Projected_surface corners(flat.mesh, all_faces(flat.mesh), view, frame);
+  for(const Face f : flat.mesh.faces()) {
+    const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(flat.mesh, f)));
+    const Color color = mix({0, 0, 0}, color_of_face(flat, f, scale), brightness(normal));
+    draw_face(canvas, flat.mesh, f, corners, [&](const auto&) { return color; });
+  }
 }
 
 // A plain surface with its edges.
@@ -146,10 +182,9 @@ void draw_net(Canvas& canvas, const Mesh& mesh, const Surface_view& view, const 
   const Projected_surface corners(mesh, all_faces(mesh), view, frame);
   for(const Face f : mesh.faces()) {
     const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(mesh, f)));
-    const double lamp = std::abs(normal * Surface_view::normalized(Kernel::Vector_3(-0.35, 0.5, 0.8)));
     const Color paint = normal.z() < 0 ? Color{0.66, 0.68, 0.7} : Color{0.86, 0.91, 0.97};
     draw_face(canvas, mesh, f, corners, [&](const auto&) {
-      return mix({0, 0, 0}, paint, 0.45 + 0.55 * lamp);
+      return mix({0, 0, 0}, paint, brightness(normal));
     });
   }
   draw_edges(canvas, mesh, corners, width, {0.08, 0.22, 0.4}, false);
@@ -159,7 +194,7 @@ Distortion_scale common_scale(const std::vector<const Flat_mesh*>& flats)
 {
   std::vector<double> all;
   for(const Flat_mesh* flat : flats)
-    all.insert(all.end(), flat->distortion.begin(), flat->distortion.end());
+    all.insert(all.end(), flat->angle_change.begin(), flat->angle_change.end());
   return Distortion_scale(all);
 }
 
@@ -175,22 +210,25 @@ double square_side(const Flat_mesh& flat)
   return std::sqrt(area) / 26;
 }
 
-// The two vertices that are the most distant in z, lower first.
-std::pair<Vertex, Vertex> lowest_and_highest(const Mesh& mesh)
+// The first and the last vertex in that direction.
+std::pair<Vertex, Vertex> ends(const Mesh& mesh, const Kernel::Vector_3& direction)
 {
-  const auto lower = [&](const Vertex v, const Vertex w) { return mesh.point(v).z() < mesh.point(w).z(); };
-  const auto ends = std::minmax_element(mesh.vertices_begin(), mesh.vertices_end(), lower);
-  return {*ends.first, *ends.second};
+  const auto before = [&](const Vertex v, const Vertex w) {
+    return (mesh.point(w) - mesh.point(v)) * direction > 0;
+  };
+  const auto found = std::minmax_element(mesh.vertices_begin(), mesh.vertices_end(), before);
+  return {*found.first, *found.second};
 }
 
-void draw_pair(const Flat_mesh& flat, const Kernel::Vector_3& from, const std::string& file)
+void draw_pair(const Flat_mesh& flat, const Kernel::Vector_3& from, const Kernel::Vector_3& axis,
+               const std::string& file)
 {
   Canvas canvas(1000, 520);
-  const auto [lower, upper] = lowest_and_highest(flat.mesh);
+  const auto [lower, upper] = ends(flat.mesh, axis);
   draw_checkerboard(canvas, flat.mesh, all_faces(flat.mesh), flat.uv, square_side(flat),
-                    Surface_view(from, upwards), Frame{10, 10, 480, 500});
+                    Surface_view(from, upwards), Frame{10, 10, 590, 500});
   draw_plane(canvas, flat, plane_of(flat.mesh, flat.uv, lower, upper), common_scale({&flat}),
-             Frame{510, 10, 480, 500});
+             Frame{620, 10, 370, 500});
   write_file(file, canvas.png());
 }
 
@@ -198,7 +236,7 @@ void draw_package(const Flat_mesh& flat, const std::string& file)
 {
   Canvas canvas(300, 300);
   draw_checkerboard(canvas, flat.mesh, all_faces(flat.mesh), flat.uv, square_side(flat),
-                    Surface_view(shell_from, upwards), Frame{5, 5, 290, 290});
+                    Surface_view(dinosaur_from, upwards), Frame{5, 5, 290, 290});
   write_file(file, canvas.png());
 }
 
@@ -208,16 +246,18 @@ void draw_comparison(const std::vector<Flat_mesh_ptr>& flats, const std::string&
   for(const Flat_mesh_ptr& flat : flats)
     all.push_back(flat.get());
   const Distortion_scale scale = common_scale(all);
-  const double column = 270;
-  Canvas canvas(static_cast<int>(column * static_cast<double>(flats.size())), 640);
+  const double column = 300;
+  Canvas canvas(static_cast<int>(column * static_cast<double>(flats.size())), 690);
   for(std::size_t i = 0; i < flats.size(); ++i) {
     const double left = column * static_cast<double>(i) + 8;
     const Mesh& mesh = flats[i]->mesh;
-    const auto [lower, upper] = lowest_and_highest(mesh);
-    draw_checkerboard(canvas, mesh, all_faces(mesh), flats[i]->uv, square_side(*flats[i]),
-                      Surface_view(shell_from, upwards), Frame{left, 8, column - 16, 330});
+    const auto [lower, upper] = ends(mesh, forwards);
+    const Surface_view view(dinosaur_from, upwards);
+    draw_checkerboard(canvas, mesh, all_faces(mesh), flats[i]->uv, square_side(*flats[i]), view,
+                      Frame{left, 8, column - 16, 170});
+    draw_angle_change(canvas, *flats[i], view, scale, Frame{left, 188, column - 16, 170});
     draw_plane(canvas, *flats[i], plane_of(mesh, flats[i]->uv, lower, upper), scale,
-               Frame{left, 350, column - 16, 282});
+               Frame{left, 370, column - 16, 312});
   }
   write_file(file, canvas.png(51));
 }
@@ -252,20 +292,20 @@ struct Coarse_chart_keeper : SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchica
   }
 };
 
-void draw_hierarchy(const Mesh& shell, const std::string& file)
+void draw_hierarchy(const Mesh& mesh, const std::string& file)
 {
   SMP::Hierarchical_options options;
   options.coarse_triangles = 600;
   const Coarse_chart_keeper keeper;
   const Flat_mesh_ptr flat = flatten(
-      "hierarchical", shell, SMP::Hierarchical_parameterizer_3<Mesh, Coarse_chart_keeper>(options, keeper));
-  Mesh plane = shell;
-  for(const Vertex v : shell.vertices())
+      "hierarchical", mesh, SMP::Hierarchical_parameterizer_3<Mesh, Coarse_chart_keeper>(options, keeper));
+  Mesh plane = mesh;
+  for(const Vertex v : mesh.vertices())
     plane.point(v) = Kernel::Point_3(flat->uv[v].x(), flat->uv[v].y(), 0);
 
-  const Surface_view view(shell_from, upwards);
+  const Surface_view view(dinosaur_from, upwards);
   Canvas canvas(1080, 300);
-  draw_net(canvas, shell, view, 0.3, Frame{8, 8, 254, 284});
+  draw_net(canvas, mesh, view, 0.3, Frame{8, 8, 254, 284});
   draw_net(canvas, *keeper.surface, view, 0.9, Frame{278, 8, 254, 284});
   draw_net(canvas, *keeper.plane, from_above(), 0.9, Frame{548, 8, 254, 284});
   draw_net(canvas, plane, from_above(), 0.3, Frame{818, 8, 254, 284});
@@ -278,11 +318,11 @@ std::string svg_text(const double x, const double y, const std::string& anchor, 
          anchor + "\">" + text + "</text>\n";
 }
 
-// Of the logarithm of the angular distortion, by area.
+// Of the logarithm of the change of the angles, by area.
 class Histogram
 {
 public:
-  static constexpr int first_decade = -5, last_decade = 1, bins = 48;
+  static constexpr int first_decade = -2, last_decade = 2, bins = 48;
 
   explicit Histogram(const Flat_mesh& flat) : m_parts(bins, 0.)
   {
@@ -290,7 +330,7 @@ public:
     for(const double area : flat.areas)
       sum += area;
     for(std::size_t i = 0; i < flat.areas.size(); ++i) {
-      const double decade = std::log10((std::max)(flat.distortion[i], 1e-30)) - first_decade;
+      const double decade = std::log10((std::max)(flat.angle_change[i], 1e-30)) - first_decade;
       const int bin = static_cast<int>(std::floor(decade * bins / (last_decade - first_decade)));
       m_parts[static_cast<std::size_t>((std::min)((std::max)(bin, 0), bins - 1))] += flat.areas[i] / sum;
     }
@@ -308,14 +348,16 @@ void draw_histogram(const std::vector<Flat_mesh_ptr>& flats, const std::string& 
   const char* const colors[] = {"#b5542b", "#8a6fb0", "#14588a", "#2b9a74"};
   std::string svg =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 720 340\" font-family=\"sans-serif\" "
-      "font-size=\"13\" fill=\"#5b6775\">\n<title>Angular distortion by area</title>\n";
+      "font-size=\"13\" fill=\"#5b6775\">\n<title>Change of the angles by area</title>\n";
   const int decades = Histogram::last_decade - Histogram::first_decade;
   for(int i = 0; i <= decades; ++i) {
     const double x = left + width * i / decades;
     svg += "<path stroke=\"#d9e0e7\" d=\"M" + format_number("%g", x) + " 20v260\"/>\n";
-    svg += svg_text(x, top + height + 18, "middle", "1e" + std::to_string(Histogram::first_decade + i));
+    svg += svg_text(x, top + height + 18, "middle",
+                    format_number("%g", std::pow(10., Histogram::first_decade + i)));
   }
-  svg += svg_text(left + width / 2, top + height + 42, "middle", "angular distortion of a triangle");
+  svg += svg_text(left + width / 2, top + height + 42, "middle",
+                  "change of the angles of a triangle, in degrees");
   for(int percent = 0; percent <= 15; percent += 5)
     svg += svg_text(left - 8, top + height * (1 - percent / (100 * highest)) + 4, "end",
                     std::to_string(percent) + " %");
@@ -341,9 +383,11 @@ void print_measures(const std::vector<Flat_mesh_ptr>& flats)
   for(const Flat_mesh_ptr& flat : flats) {
     const SMP::Flattening_measures& m = flat->measures;
     std::cout << "<tr><td>" << flat->name << "</td>";
-    for(const double value : {m.angular_distortion, m.l2_principal_shear, m.max_quasi_conformal_ratio,
-                              m.l2_stretch, m.l2_area_distortion})
-      std::cout << "<td>" << format_number("%.3g", value) << "</td>";
+    for(const double radians : {m.mean_angle_change, m.rms_angle_change, m.mean_corner_angle_change})
+      std::cout << "<td>" << format_number("%.2f", in_degrees(radians)) << "</td>";
+    for(const double value : {m.mean_quasi_conformal_ratio, m.quasi_conformal_ratio_95,
+                              m.max_quasi_conformal_ratio, m.min_scale, m.max_scale, m.angular_distortion})
+      std::cout << "<td>" << format_number("%.4g", value) << "</td>";
     std::cout << "<td>" << m.flipped_triangles << "</td></tr>\n";
   }
 }
@@ -372,19 +416,19 @@ Mesh read_egg(const std::string& folder)
 
 void run(const std::string& data, const std::string& pictures)
 {
-  const Mesh shell = read_mesh(data + "/shell.off");
+  const Mesh dinosaur = read_mesh(data + "/dinosaur.off");
   std::vector<Flat_mesh_ptr> flats;
-  flats.push_back(flatten("LSCM", shell, SMP::LSCM_parameterizer_3<Mesh>()));
-  flats.push_back(flatten("ARAP", shell, SMP::ARAP_parameterizer_3<Mesh>()));
-  flats.push_back(flatten("ABF++", shell, SMP::ABF_plus_plus_parameterizer_3<Mesh>()));
-  flats.push_back(flatten("hierarchical ABF++", shell, SMP::Hierarchical_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("LSCM", dinosaur, SMP::LSCM_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("ARAP", dinosaur, SMP::ARAP_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("ABF++", dinosaur, SMP::ABF_plus_plus_parameterizer_3<Mesh>()));
+  flats.push_back(flatten("hierarchical ABF++", dinosaur, SMP::Hierarchical_parameterizer_3<Mesh>()));
   print_measures(flats);
-  draw_pair(*flats[2], shell_from, pictures + "/shell.png");
+  draw_pair(*flats[2], dinosaur_from, forwards, pictures + "/dinosaur.png");
   draw_package(*flats[2], pictures + "/package.png");
   draw_comparison(flats, pictures + "/comparison.png");
   draw_histogram(flats, pictures + "/histogram.svg");
-  draw_hierarchy(shell, pictures + "/hierarchy.png");
-  draw_pair(*flatten("egg", read_egg(data), SMP::ABF_plus_plus_parameterizer_3<Mesh>()), egg_from,
+  draw_hierarchy(dinosaur, pictures + "/hierarchy.png");
+  draw_pair(*flatten("egg", read_egg(data), SMP::ABF_plus_plus_parameterizer_3<Mesh>()), egg_from, upwards,
             pictures + "/egg.png");
 }
 

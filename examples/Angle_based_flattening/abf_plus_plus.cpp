@@ -20,7 +20,7 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh)) {
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", mesh)) {
     std::cerr << "Cannot read the mesh.\n";
     return 1;
   }

@@ -30,7 +30,7 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 int main(int argc, char* argv[])
 {
   Mesh mesh; // OpenMesh's own reader knows no comments in files
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh) || CGAL::is_closed(mesh)) {
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", mesh) || CGAL::is_closed(mesh)) {
     std::cerr << "Cannot read the mesh, or it has no border.\n";
     return 1;
   }

@@ -48,7 +48,7 @@ void certify(const std::string& name, const Mesh& mesh, const VertexUVMap& uv)
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh) || CGAL::is_closed(mesh)) {
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", mesh) || CGAL::is_closed(mesh)) {
     std::cerr << "Cannot read the mesh, or it has no border.\n";
     return 1;
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/number_utils.h>
 
 #include <iomanip>
 #include <iostream>
@@ -31,8 +32,11 @@ void compare(const char* name, const Parameterizer& parameterizer, Mesh& mesh)
   std::cout << std::setw(6) << name;
   if(SMP::parameterize(mesh, parameterizer, border, uv) == SMP::OK) {
     const SMP::Flattening_measures measures = SMP::measure_flattening(mesh, border, uv);
-    std::cout << std::fixed << std::setprecision(4) << std::setw(10) << measures.angular_distortion
-              << std::setw(10) << measures.l2_stretch << std::setw(9) << measures.flipped_triangles << "\n";
+    const double degrees = 180. / CGAL_PI;
+    std::cout << std::fixed << std::setprecision(2) << std::setw(8) << measures.mean_angle_change * degrees
+              << std::setw(11) << measures.mean_corner_angle_change * degrees << std::setprecision(3)
+              << std::setw(17) << measures.mean_quasi_conformal_ratio << std::setw(9)
+              << measures.flipped_triangles << "\n";
   } else {
     std::cout << " failed\n";
   }
@@ -42,11 +46,12 @@ void compare(const char* name, const Parameterizer& parameterizer, Mesh& mesh)
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/shell.off", mesh) || CGAL::is_closed(mesh)) {
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", mesh) || CGAL::is_closed(mesh)) {
     std::cerr << "Cannot read the mesh, or it has no border.\n";
     return 1;
   }
-  std::cout << "          angles   stretch  flipped\n";
+  std::cout << "       change of angles, degrees  quasi-conformal  flipped\n"
+            << "          area  per corner            ratio\n";
   compare("LSCM", SMP::LSCM_parameterizer_3<Mesh>(), mesh);
   compare("ARAP", SMP::ARAP_parameterizer_3<Mesh>(), mesh);
   compare("ABF++", SMP::ABF_plus_plus_parameterizer_3<Mesh>(), mesh);

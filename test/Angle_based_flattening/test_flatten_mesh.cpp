@@ -54,9 +54,9 @@ std::string program()
   return place("ABF_FLATTEN_MESH", ABF_FLATTEN_MESH);
 }
 
-std::string shell()
+std::string dinosaur()
 {
-  return place("ABF_EXAMPLES_DIR", ABF_EXAMPLES_DIR) + "/shell.off";
+  return place("ABF_EXAMPLES_DIR", ABF_EXAMPLES_DIR) + "/dinosaur.off";
 }
 
 std::string content(const fs::path& file)
@@ -352,7 +352,7 @@ BOOST_FIXTURE_TEST_SUITE(good_input, Folder)
 
 BOOST_AUTO_TEST_CASE(bundled_mesh)
 {
-  flatten(shell());
+  flatten(dinosaur());
   check_success();
   for(const char* word : {"vertices",
                           "triangles",
@@ -1083,7 +1083,7 @@ BOOST_AUTO_TEST_CASE(memory_limits)
     {
       const std::string json = file("flat.json"), errors = file("stderr");
       const std::string command = std::string("export OPENBLAS_NUM_THREADS=2; ulimit -v ") + limit +
-                                  "; timeout -s KILL 60 " + quoted(program()) + " " + quoted(shell()) +
+                                  "; timeout -s KILL 60 " + quoted(program()) + " " + quoted(dinosaur()) +
                                   " --json " + quoted(json) + " > /dev/null 2> " + quoted(errors);
       const int result = std::system(command.c_str());
       BOOST_TEST(WIFEXITED(result));
