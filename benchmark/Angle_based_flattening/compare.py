@@ -115,7 +115,8 @@ def add_tables(report: Report, results: Results) -> None:
             ("Table I: run times", "In seconds, of meshes up to 60,000 faces.\n\n", times_table(results)),
             ("Table II: small to large meshes", "Shear is that of Eq. 24, which depends on the direction of the "
              "axes; principal shear does not. Stretch is that of the mirror image where a triangle is flipped, "
-             "and infinite where one has no area.\n\n", distortions_table(results, 0, TABLE_2)),
+             "and infinite where one has no area. Energy is the mean square relative change of the "
+             "target angles (Eq. 1, per angle), which ABF++ minimizes.\n\n", distortions_table(results, 0, TABLE_2)),
             ("Table III: very large meshes", "", distortions_table(results, TABLE_2, float("inf"))),
             ("Ratios to CGAL's LSCM", "Geometric means over the meshes that both methods could do, but for "
              "developable ones; of stretch, those where it is finite.\n\n", ratios_table(results, "lscm")),

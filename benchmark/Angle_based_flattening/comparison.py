@@ -14,7 +14,7 @@ METHODS = {
     "conformal": "discrete conformal map, on a circle (CGAL)",
     "mean-value": "mean value coordinates, on a circle (CGAL)", "authalic": "iterative authalic, on a circle (CGAL)"}
 NUMBERS = ["runs", "seconds", "bytes", "shear", "principal_shear", "equal_stretch_error", "stretch",
-           "linf_stretch", "angular", "angle_change", "corner_angle_change", "quasi_conformal", "area",
+           "linf_stretch", "energy", "angle_change", "corner_angle_change", "quasi_conformal", "area",
            "symmetric_dirichlet", "flips", "border_is_simple"]
 TABLE_1, TABLE_2 = 60000, 300000  # up to which the paper's tables go, roughly
 
@@ -34,7 +34,7 @@ class Results:
         """A number, with a row for each mesh and a column for each method. Curved: without meshes on
         which some method leaves but rounding errors of the angles, whose quotients say nothing."""
         wide = self.rows.pivot(index="number", columns="method", values=name).reindex(columns=list(METHODS))
-        return wide[~(self.wide("angular") < 1e-8).any(axis=1)] if curved else wide
+        return wide[~(self.wide("energy") < 1e-8).any(axis=1)] if curved else wide
 
     def quotients(self, name: str, left: str, right: str, least_faces: int = 0) -> pd.Series:
         """Of each mesh where both were measured"""
@@ -73,7 +73,7 @@ def times_table(results: Results) -> str:
 def distortions_table(results: Results, least: int, most: float) -> str:
     """Run time, distortion, flips and memory: a row for each mesh and method"""
     titles = ["mesh", "faces", "method", "seconds", "shear", "principal shear", "stretch",
-              "angular distortion", "flips", "memory, MB", "note"]
+              "energy", "flips", "memory, MB", "note"]
     rows = []
     for m in results.rows[results.rows["faces"].between(least + 1, most)].itertuples():
         expected = m.failure == "not tried" or m.failure.startswith("stopped")
@@ -81,7 +81,7 @@ def distortions_table(results: Results, least: int, most: float) -> str:
         if not m.failure:
             note = "" if m.border_is_simple else "the border crosses itself"
         rows.append([m.mesh, str(m.faces), METHODS[m.method], cell(m.seconds, "seconds"), cell(m.shear),
-                     cell(m.principal_shear), cell(m.stretch, ".5g"), cell(m.angular, ".3e"),
+                     cell(m.principal_shear), cell(m.stretch, ".5g"), cell(m.energy, ".3e"),
                      cell(m.flips, ".0f"), cell(m.bytes / 1e6, ".1f"), note])
     return table(titles, rows, 3) if rows else "There was no such mesh.\n"
 
@@ -91,13 +91,13 @@ def ratios_table(results: Results, reference: str) -> str:
     rows = []
     for method in results.methods:
         ratios = {name: finite(results.quotients(name, method, reference))
-                  for name in ("seconds", "bytes", "principal_shear", "stretch", "angular")}
+                  for name in ("seconds", "bytes", "principal_shear", "stretch", "energy")}
         mean = {name: cell(geometric_mean(ratio), ".3g") for name, ratio in ratios.items()}
         rows.append([METHODS[method], str(len(ratios["seconds"])), mean["seconds"], mean["bytes"],
                      mean["principal_shear"], mean["stretch"], str(len(ratios["stretch"])),
-                     mean["angular"]])
+                     mean["energy"]])
     return table(["method", "meshes", "time", "memory", "principal shear", "stretch", "of meshes",
-                  "angular distortion"], rows)
+                  "energy"], rows)
 
 
 def growth(results: Results, method: str) -> tuple[int, np.poly1d | None]:

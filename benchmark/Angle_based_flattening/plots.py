@@ -38,7 +38,7 @@ def draw_distortions(results: Results, file: Path) -> None:
     """One diagram for each measure, the meshes beside each other. The excess of stretch is over the best
     value, which is 1."""
     figure, all_axes = plt.subplots(3, 1, figsize=(12, 13.5), sharex=True, layout="constrained")
-    measures = {"angular": "angular distortion", "principal_shear": "principal shear",
+    measures = {"energy": "energy", "principal_shear": "principal shear",
                 "stretch": "L2 stretch - 1"}
     for axes, (name, title) in zip(all_axes, measures.items()):
         wide = results.wide(name, curved=True).reset_index(drop=True) - (name == "stretch")
@@ -48,7 +48,7 @@ def draw_distortions(results: Results, file: Path) -> None:
                           **STYLES[method])
         axes.set(ylabel=title)
         axes.grid(alpha=0.4)
-    titles = results.mesh_titles()[results.wide("angular", curved=True).index]
+    titles = results.mesh_titles()[results.wide("energy", curved=True).index]
     all_axes[-1].set_xticks(range(len(titles)), titles, rotation=40, ha="right")
     all_axes[0].legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize="small")
     figure.savefig(file)

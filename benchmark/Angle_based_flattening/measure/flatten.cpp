@@ -64,7 +64,7 @@ void measure_map(Surface& surface, Measurement& m)
   m.add("equal_stretch_error", measures.l2_equal_stretch_error);
   m.add("stretch", measures.l2_stretch);
   m.add("linf_stretch", measures.linf_stretch);
-  m.add("angular", measures.angular_distortion);
+  m.add("energy", measures.angular_distortion);
   m.add("angle_change", measures.mean_angle_change);
   m.add("corner_angle_change", measures.mean_corner_angle_change);
   m.add("quasi_conformal", measures.mean_quasi_conformal_ratio);
