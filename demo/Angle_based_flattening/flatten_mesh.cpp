@@ -44,7 +44,7 @@
 
 namespace flatten_mesh {
 
-// The surface as it was in the file, and as it is flattened.
+// The surface in the file, and the surface that is flattened.
 struct Surface
 {
   Polygon_soup soup;
@@ -68,7 +68,7 @@ Surface read_surface(const Command_line& command, Notes& notes)
 
 using Output_files = std::vector<std::unique_ptr<Output_file>>;
 
-// Writes what is asked for, under temporary names.
+// Writes the requested files under temporary names.
 Output_files write_files(const Command_line& command, const Surface& surface, Run_record& record)
 {
   Output_files files;
@@ -130,13 +130,13 @@ void look_at_area(const Surface& surface, Run_record& record, Notes& notes)
   const Missing_area missing = missing_area(surface.mesh, surface.chart);
   record.has_area = !missing.of_all;
   if(missing.of_all) {
-    notes.add(std::string("the surface has no area: all of its vertices lie ") +
-              (missing.is_point ? "in one point" : "on a line") +
-              "; the layout and the measures mean nothing, and the exit status is " +
+    notes.add(std::string("the surface has no area: all its vertices lie ") +
+              (missing.is_point ? "at one point" : "on a line") +
+              "; the layout and the measures are meaningless, and the exit status is " +
               std::to_string(WITHOUT_AREA));
   } else if(missing.triangles > 0) {
     notes.add(count_text(missing.triangles, "triangle") + " of " + std::to_string(record.triangles) +
-              " without area: measures that divide by it are infinite, or leave them out");
+              " without area: some measures are infinite, others ignore these triangles");
   }
 }
 
@@ -182,7 +182,7 @@ Exit_status run(const Command_line& command)
   record.flattening = flatten_chart(surface.mesh, surface.chart, command, progress);
   if(record.flattening.report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
     record.flattening.place +=
-        std::string("; mostly this means: ") + memory_text; // solvers only say that they failed
+        std::string("; the usual cause: ") + memory_text; // solvers only say that they failed
   } else if(!record.flattening.succeeded()) {
     record.flattening.place +=
         other_component_text(surface.mesh, static_cast<std::size_t>(command.component));
@@ -199,7 +199,8 @@ Exit_status run(const Command_line& command)
                                         : WITHOUT_AREA;
 }
 
-// Where the memory does not suffice, threads of OpenBLAS wait for some, and an orderly end of the process for them: for ever.
+// If memory runs out, threads of OpenBLAS wait for more forever, and a regular exit of the process would wait for
+// these threads.
 [[noreturn]] void end(const Exit_status status)
 {
   std::cout.flush();
@@ -227,7 +228,7 @@ Exit_status understand_and_run(const int argc, char* argv[])
 int main(int argc, char* argv[])
 {
   using namespace flatten_mesh;
-  // Failed assertions of debug builds throw; the catch below tells about them, in one line.
+  // Failed assertions in debug builds throw. The catch below reports them in one line.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   Unfinished_files::remove_when_interrupted();

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program `flatten_mesh`, from outside: exit status, messages, files.
+// The program `flatten_mesh` as a black box: exit status, messages, files.
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,7 +42,7 @@ using Lines = std::vector<std::string>;
 
 namespace {
 
-// A place the build names as a macro, and the environment may change.
+// A path that the build defines as a macro, and the environment may override.
 std::string place(const char* variable, const char* built)
 {
   const char* value = std::getenv(variable);
@@ -92,7 +92,7 @@ std::string quoted(const std::string& word)
   return "'" + word + "'";
 }
 
-// A folder of its own for each test, and what the program did last.
+// A separate folder for each test, and the results of the program's last run.
 struct Folder
 {
   Folder() : path(fs::temp_directory_path() / ("test_flatten_mesh_" + std::to_string(::getpid())))
@@ -144,7 +144,7 @@ struct Folder
 
   std::string obj() const { return content(path / "flat.obj"); }
 
-  // Status 2, one line that contains all the words, and of the three files only the one that tells what is wrong.
+  // Status 2, one line that contains all the words, and of the three files, only the report.
   void check_refusal(const Lines& words)
   {
     BOOST_TEST(status == 2);
@@ -291,7 +291,7 @@ void append_binary(std::string& text, const Number number)
   text.append(bytes, sizeof(Number));
 }
 
-// A binary PLY; its format knows numbers that are none.
+// A binary PLY, whose format has NaN and infinities.
 std::string ply(const std::vector<float>& coordinates, const std::vector<std::vector<int>>& triangles)
 {
   std::string text =
@@ -567,7 +567,7 @@ BOOST_AUTO_TEST_CASE(all_options)
   check_success();
 }
 
-// Lines that say nothing about the surface are skipped, and told where they might have.
+// Lines without information about the surface are skipped. Those that are not understood are reported.
 BOOST_AUTO_TEST_CASE(obj_lines)
 {
   const Sheet sheet;
@@ -621,7 +621,7 @@ BOOST_AUTO_TEST_CASE(soup_is_welded)
   const std::string input = write("soup.off", off(3 * static_cast<int>(faces.size()), text, faces));
   flatten(input);
   BOOST_TEST(status == 0);
-  BOOST_TEST((standard_error.find("welded, 35 vertices remain of 144") != std::string::npos), standard_error);
+  BOOST_TEST((standard_error.find("merged, 35 vertices remain of 144") != std::string::npos), standard_error);
   BOOST_TEST(json().get<int>("components") == 1);
   BOOST_TEST(json().get<int>("vertices") == sheet.vertices());
   flatten(input, "--repair off");
@@ -650,7 +650,7 @@ BOOST_AUTO_TEST_CASE(orientation_is_repaired)
       std::swap(faces[turned][1], faces[turned][2]);
       flatten(write("orientation.off", off(Sheet().vertices(), Sheet().points(), faces)));
       BOOST_TEST(status == 0);
-      const std::string told = "1 face turned, the first is face " + std::to_string(turned + 1);
+      const std::string told = "1 face turned; the first is face " + std::to_string(turned + 1);
       BOOST_TEST((standard_error.find(told) != std::string::npos), standard_error);
       BOOST_TEST(json().get<int>("triangles") == 48);
       BOOST_TEST(json().get<int>("components") == 1);
@@ -812,7 +812,7 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   flatten(write("short_face.off", with({{more, more + 1}})));
   check_refusal({"short_face.off"});
   flatten(write("absent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"));
-  check_refusal({"absent.obj", "line 4", "vertex 4", "not there"});
+  check_refusal({"absent.obj", "line 4", "vertex 4", "does not exist"});
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   flatten(write("zero.obj", triangle + "f 0 1 2\n"));
   check_refusal({"line 4", "vertex 0"});
@@ -853,7 +853,7 @@ BOOST_AUTO_TEST_CASE(bow_tie)
   }
 }
 
-// However the faces are turned, and whichever face is the first.
+// For every orientation of the faces, and every first face.
 BOOST_AUTO_TEST_CASE(one_sided)
 {
   const int n = 12;
@@ -873,7 +873,7 @@ BOOST_AUTO_TEST_CASE(one_sided)
   check_refusal({"one-sided", "between vertices"});
 }
 
-// Half of a wheel: its hub has all of the faces, which are then added at once.
+// Half of a wheel: all faces share its hub, and are then added together.
 BOOST_AUTO_TEST_CASE(hub)
 {
   const int n = 100000;
@@ -1047,7 +1047,7 @@ BOOST_AUTO_TEST_CASE(read_only_output_is_kept)
   BOOST_TEST(content(kept) == "kept");
 }
 
-// It waits for a reader of the pipe while its first file is there under a temporary name.
+// The program waits for a reader of the pipe. Its first file then exists under a temporary name.
 BOOST_AUTO_TEST_CASE(interrupted)
 {
   const std::string input = write("sheet.off", off(Sheet()));
@@ -1075,7 +1075,7 @@ BOOST_AUTO_TEST_CASE(interrupted)
 }
 
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-// Solvers say only that they failed, and threads that wait for memory do not keep the program from ending.
+// Solvers do not say why they failed. Threads that wait for memory do not block the end of the program.
 BOOST_AUTO_TEST_CASE(memory_limits)
 {
   for(const char* limit : {"120000", "200000"}) {
@@ -1089,8 +1089,8 @@ BOOST_AUTO_TEST_CASE(memory_limits)
       BOOST_TEST(WIFEXITED(result));
       standard_error = content(errors);
       BOOST_TEST(WEXITSTATUS(result) == 1, standard_error);
-      check_told("memory does not suffice");
-      BOOST_TEST((content(json).find("memory does not suffice") != std::string::npos));
+      check_told("not enough memory");
+      BOOST_TEST((content(json).find("not enough memory") != std::string::npos));
       fs::remove(json);
     }
   }
@@ -1114,7 +1114,7 @@ BOOST_AUTO_TEST_CASE(surfaces_without_area)
     BOOST_TEST(json().get<std::string>("status") == "NO_AREA");
     BOOST_TEST(fs::exists(file("flat.obj")));
   };
-  check("point.off", "0", "in one point");
+  check("point.off", "0", "at one point");
   check("line.off", "7", "on a line");
 
   flatten(write("corner.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n3 0 1 2\n3 1 0 3\n"));

@@ -27,16 +27,16 @@ inline Color mix(const Color& a, const Color& b, const double part)
   return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
 }
 
-// A picture made of triangles, of which the nearest is seen: for pictures without a display.
+// A picture of triangles with a depth buffer. It needs no display.
 class Canvas
 {
 public:
   static constexpr int number_of_values = 5;
 
-  // A place in the picture, in pixels from the upper left, and what is interpolated in between.
+  // A place in the picture, in pixels from the upper left, with values to interpolate.
   struct Corner
   {
-    double x, y, depth; // the larger the nearer
+    double x, y, depth; // larger is nearer
     std::array<double, number_of_values> values;
   };
 
@@ -51,7 +51,7 @@ public:
 
   int height() const { return m_height; }
 
-  // `color` is called with the interpolated values of each sample that is seen.
+  // `color` is called with the interpolated values of each visible sample.
   template <class Shader>
   void draw_triangle(const Corner& a, const Corner& b, const Corner& c, const Shader& color)
   {
@@ -91,7 +91,7 @@ public:
     draw_triangle(q, s, r, shader);
   }
 
-  // The picture as a PNG file. Fewer levels of each colour make it smaller.
+  // The picture as a PNG file. The file is smaller with fewer levels of each colour.
   std::string png(const int levels = 255) const
   {
     const std::vector<png_byte> pixels = averaged(levels);
@@ -113,7 +113,7 @@ public:
   }
 
 private:
-  static constexpr int samples = 3; // of a pixel, in each direction
+  static constexpr int samples = 3; // per pixel, in each direction
 
   static double cross(const Corner& a, const Corner& b, const double x, const double y)
   {

@@ -29,7 +29,7 @@ struct Chart
 {
   std::vector<Face> faces;
   std::vector<Vertex> vertices;  // by rising number
-  std::vector<Halfedge> borders; // a halfedge without a face on each, the longest border first
+  std::vector<Halfedge> borders; // one halfedge without a face on each border, the longest border first
   Halfedge border;               // the outer one of these
   std::size_t components;        // of the whole mesh
 };
@@ -53,7 +53,7 @@ inline std::vector<Vertex> vertices_of_faces(const Mesh& mesh, const std::vector
   return vertices;
 }
 
-// One halfedge of each border of the component that holds the vertices, the longest border first.
+// One halfedge of each border of the component with these vertices, the longest border first.
 inline std::vector<Halfedge> borders_by_length(const Mesh& mesh, const std::vector<Vertex>& vertices)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -115,8 +115,8 @@ inline Chart choose_chart(Mesh& mesh, const std::size_t component, const std::si
 }
 
 // Closes every border of the chart but the outer one, by a fan of triangles around the centre of its vertices. The
-// vertices, faces and halfedges of the mesh keep their numbers. A disk can be laid out exactly, while the angles alone
-// do not make the gap in the plane close around a hole.
+// vertices, faces and halfedges of the mesh keep their numbers. A disk has an exact layout. With a hole, the angles
+// alone do not ensure that the layout closes around the hole.
 inline void close_holes(Mesh& mesh, const Chart& chart)
 {
   for(const Halfedge hole : chart.borders) {

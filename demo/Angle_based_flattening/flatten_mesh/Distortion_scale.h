@@ -15,14 +15,14 @@
 
 namespace flatten_mesh {
 
-// Colours for numbers that span powers of ten: a logarithmic scale of a few whole decades, from a dark blue
-// for little distortion over green to a light yellow for much.
+// Colours on a logarithmic scale of a few whole decades, from dark blue for small numbers over green to light yellow
+// for large ones.
 class Distortion_scale
 {
 public:
   static constexpr int number_of_colors = 64;
 
-  // The scale covers nearly all the values; those outside get the colours of the ends.
+  // The scale covers nearly all values. The others get the colours of the ends.
   explicit Distortion_scale(std::vector<double> values)
   {
     values.erase(std::remove_if(values.begin(), values.end(), [](const double x) { return !(x > 1e-30); }),
@@ -46,8 +46,7 @@ public:
     return (std::min)((std::max)(static_cast<int>(part * number_of_colors), 0), number_of_colors - 1);
   }
 
-  // "#rrggbb". Lightness rises evenly, so that differences look alike everywhere, and a grey print is still
-  // right.
+  // "#rrggbb". Lightness increases evenly, so equal differences look equal, also in grey.
   static std::string color(const int index)
   {
     const double part = (index + 0.5) / number_of_colors;
@@ -66,7 +65,7 @@ private:
     return *nth;
   }
 
-  // From Oklab, a space in which distances are differences to the eye, to sRGB.
+  // Converts a colour from Oklab, where distances are visual differences, to sRGB.
   static std::string oklab_color(const double lightness, const double a, const double b)
   {
     const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);

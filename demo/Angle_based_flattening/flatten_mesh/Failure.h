@@ -26,7 +26,7 @@ enum Exit_status
   WITHOUT_AREA = 3
 };
 
-// Why there was nothing that the parameterizer could report about.
+// A failure outside of the parameterizer, which therefore has no report.
 struct Failure
 {
   Exit_status exit_status;
@@ -34,7 +34,7 @@ struct Failure
   std::string message;
 };
 
-// Of the exception that is being handled.
+// The failure of the exception that is being handled.
 inline Failure current_failure()
 {
   try {
@@ -52,7 +52,7 @@ inline Failure current_failure()
   }
 }
 
-// One line for people, and where asked for, the report for programs.
+// Prints one line for people, and writes the report for programs if requested.
 inline Exit_status tell_failure(const Command_line& command, const Failure& failure)
 {
   std::cerr << "flatten_mesh: " << failure.message << std::endl;
@@ -62,7 +62,7 @@ inline Exit_status tell_failure(const Command_line& command, const Failure& fail
       file.write(failure_json(failure.name, failure.message, command.input));
       file.publish();
     } catch(const std::exception& error) {
-      if(error.what() != failure.message) { // told already if this file is what failed
+      if(error.what() != failure.message) { // already printed if this file failed
         std::cerr << "flatten_mesh: " << error.what() << std::endl;
       }
     }

@@ -12,7 +12,7 @@
 
 namespace flatten_mesh {
 
-// What the user should know although the program goes on: told on standard error at once, and kept for the report.
+// Warnings to the user: printed on standard error at once, and kept for the report.
 class Notes
 {
 public:

@@ -21,9 +21,9 @@
 
 namespace flatten_mesh {
 
-// A file that appears under its name only when it is complete. The text goes into a temporary file next to
-// the target, which `publish()` renames, and which vanishes with the object, and with the process, otherwise. Standard
-// output, devices and pipes are written directly.
+// A file that appears under its name only when it is complete. The text is written to a temporary file next to the
+// target, which `publish()` renames. Otherwise the temporary file is removed with the object or at the end of the
+// process. Standard output, devices and pipes are written directly.
 class Output_file
 {
 public:
@@ -54,8 +54,8 @@ public:
     remove();
   }
 
-  // Throws unless `name` can be written now. Nothing is left behind. Pipes and devices are not opened: for who reads them
-  // that would be the end.
+  // Throws unless `name` can be written now. Leaves nothing behind. Does not open pipes and devices: closing them
+  // would signal the end to their reader.
   static void check(const std::string& name)
   {
     std::error_code ignored;
@@ -102,15 +102,14 @@ private:
     if(std::filesystem::is_directory(m_target, ignored)) {
       throw Output_error("cannot write '" + m_name + "': it is a folder; give the name of a file");
     }
-    // Renaming does not ask whether the file there may be written to, and nothing asks the superuser.
+    // Renaming ignores the permissions of the existing file, and the superuser may write every file.
     using Permissions = std::filesystem::perms;
     const Permissions write = Permissions::owner_write | Permissions::group_write | Permissions::others_write;
     if(std::filesystem::exists(m_target, ignored) &&
        ((std::filesystem::status(m_target, ignored).permissions() & write) == Permissions::none ||
         ::access(m_target.c_str(), W_OK) != 0)) {
-      throw Output_error(
-          "cannot write '" + m_name +
-          "': there is such a file, and it is read-only; choose another name or allow writing");
+      throw Output_error("cannot write '" + m_name +
+                         "': the file exists and is read-only; choose another name or make it writable");
     }
   }
 
@@ -134,10 +133,10 @@ private:
   {
     if(m_name == standard_output) {
       throw Output_error(
-          "cannot write to standard output: check that its disk is not full, or its pipe closed");
+          "cannot write to standard output: check that the disk is not full and the pipe is not closed");
     }
     throw Output_error("cannot write '" + m_name +
-                       "': check that its folder exists, may be written to, and that the disk is not full");
+                       "': check that its folder exists and is writable, and that the disk is not full");
   }
 
   std::string m_name;

@@ -21,7 +21,7 @@ struct Polygon_soup
 {
   std::vector<Kernel::Point_3> points;
   std::vector<Polygon> polygons;
-  bool is_welded = false; // from a file without indices, as STL is: the reader merged equal points
+  bool is_welded = false; // from a file without indices, such as STL: the reader merged equal points
 };
 
 } // namespace flatten_mesh

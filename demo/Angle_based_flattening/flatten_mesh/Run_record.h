@@ -23,14 +23,14 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
-// What came out of the parameterizer.
+// The result of the parameterizer.
 struct Flattening
 {
   UV_map uv;
   Mesh::Property_map<Face, double> distortion; // change of the angles of each face, in degrees
-  SMP::ABF_plus_plus_report report;            // of the hierarchical method: what both have in common
-  std::string method;                          // direct or hierarchical
-  int levels = 0;                              // of the hierarchical method
+  SMP::ABF_plus_plus_report report; // for the hierarchical method, the part that both methods have in common
+  std::string method;               // direct or hierarchical
+  int levels = 0;                   // of the hierarchical method
   int coarse_triangles = 0;
   std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
   SMP::Flattening_measures measures;                  // only if it succeeded
@@ -41,11 +41,11 @@ struct Flattening
   bool succeeded() const { return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG; }
 };
 
-// Everything that the reports for people and for programs tell.
+// The data of the reports for people and for programs.
 struct Run_record
 {
   std::string input;
-  std::size_t vertices = 0; // of the chart, as are the next two
+  std::size_t vertices = 0; // these three are of the chart
   std::size_t triangles = 0;
   std::size_t borders = 0;
   std::size_t components = 0; // of the whole mesh
@@ -86,7 +86,7 @@ inline std::string layout_name(const SMP::ABF_plus_plus_report& report)
                                                   : "none";
 }
 
-// Whether the computation failed, and not the input.
+// Whether the computation failed rather than the input.
 inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
 {
   using Report = SMP::ABF_plus_plus_report;
@@ -103,8 +103,8 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
   }
 }
 
-// The stages, with the time of each. The chart's reading and writing are `chart` and `uv`; files have `read`
-// and `write`. `parameterize` is the whole call of the parameterizer, so the sum of its stages.
+// The stages, with the time of each. The chart's reading and writing are `chart` and `uv`; files have `read` and
+// `write`. `parameterize` is the whole call of the parameterizer, that is, the sum of its stages.
 inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_record& record)
 {
   std::vector<std::pair<std::string, double>> result{{"read", record.read_seconds}};
@@ -115,7 +115,7 @@ inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_r
   return result;
 }
 
-// The largest memory that this process took until the map was there, in megabytes; 0 where unknown.
+// The peak memory of this process until the map was computed, in megabytes; 0 if unknown.
 inline double peak_memory_mb(const SMP::ABF_plus_plus_report& report)
 {
   return static_cast<double>(report.peak_memory) / (1024. * 1024.);

@@ -14,21 +14,21 @@
 
 namespace flatten_mesh {
 
-// The temporary files of this process, which vanish when a signal ends it.
+// The temporary files of this process. They are removed if a signal ends it.
 class Unfinished_files
 {
 public:
-  // From now on.
+  // Starts to handle signals.
   static void remove_when_interrupted()
   {
     for(const int signal : signals()) {
-      if(std::signal(signal, remove_and_die) == SIG_IGN) { // as `nohup` and scripts in the background have it
+      if(std::signal(signal, remove_and_die) == SIG_IGN) { // ignored under `nohup` and in background scripts
         std::signal(signal, SIG_IGN);
       }
     }
   }
 
-  // From now on nothing interrupts: all complete files get their names, or none.
+  // Ignores signals from now on, so that either all complete files get their names or none.
   static void ignore_interruptions()
   {
     for(const int signal : signals()) {
@@ -36,13 +36,13 @@ public:
     }
   }
 
-  // The text has to stay where it is until it is removed.
+  // The string must not move until it is removed.
   static void add(const char* name) { replace(nullptr, name); }
 
   static void remove(const char* name) { replace(name, nullptr); }
 
 private:
-  using Names = std::array<std::atomic<const char*>, 8>; // more than there are outputs
+  using Names = std::array<std::atomic<const char*>, 8>; // more than the number of outputs
 
   static Names& names()
   {
@@ -66,7 +66,7 @@ private:
     }
   }
 
-  // Calls only what a signal handler may call.
+  // Calls only async-signal-safe functions.
   static void remove_and_die(const int signal)
   {
     for(const std::atomic<const char*>& name : names()) {

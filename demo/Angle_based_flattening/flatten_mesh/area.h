@@ -16,7 +16,7 @@
 
 namespace flatten_mesh {
 
-// What of a chart has no area, up to the rounding of coordinates.
+// The parts of a chart without area, up to the rounding of coordinates.
 struct Missing_area
 {
   std::size_t triangles = 0;
@@ -37,7 +37,8 @@ inline CGAL::Bbox_3 box_of(const Mesh& mesh, const Chart& chart)
 
 } // namespace internal
 
-// On a line the areas of triangles are rounding errors, which do not exceed `rounding` relative to the squared extent.
+// If all vertices are on a line, the areas of triangles are rounding errors, at most `rounding` times the squared
+// extent.
 inline Missing_area missing_area(const Mesh& mesh, const Chart& chart)
 {
   const double rounding = 1e-14;
@@ -50,7 +51,7 @@ inline Missing_area missing_area(const Mesh& mesh, const Chart& chart)
     const Halfedge h = mesh.halfedge(f);
     const Kernel::Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
                           &r = mesh.point(mesh.target(mesh.next(h)));
-    // Numbers near the ends of the range of `double` have squares, too, in units of the extent.
+    // In units of the extent, squares of numbers near the ends of the range of `double` do not overflow or vanish.
     const Kernel::Vector_3 a = (q - p) / extent, b = (r - p) / extent;
     const double area = std::sqrt(CGAL::cross_product(a, b).squared_length()) / 2;
     missing.triangles += !(area > 0);

@@ -12,8 +12,8 @@
 #include "repair_soup.h"
 #include "texts.h"
 
-// The header that divides faces has one for holes with it, and two more triangulations for these: not used here, they would
-// take long to compile.
+// The header that triangulates faces includes one for holes with two further triangulations. They are not needed
+// here, and slow to compile.
 #define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
 #define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
 
@@ -40,7 +40,7 @@ using Halfedge = Mesh::Halfedge_index;
 
 namespace internal {
 
-// Says why the mesh of the polygons before did not take this one.
+// Returns why this polygon could not be added to the mesh of the previous ones.
 [[noreturn]] inline void refuse_polygon(const Polygon_soup& soup, const std::size_t p, const Mesh& mesh)
 {
   const Polygon& polygon = soup.polygons[p];
@@ -48,7 +48,7 @@ namespace internal {
   for(std::size_t i = 0; i < polygon.size(); ++i) {
     check_edge(soup, p, polygon[i], polygon[(i + 1) % polygon.size()]);
   }
-  // A vertex whose faces are complete without this one, or would be and leave out others
+  // A vertex whose faces are closed without this one, or would be closed with it and exclude others
   for(std::size_t i = 0; i < polygon.size(); ++i) {
     const Vertex v(polygon[i]), next(polygon[(i + 1) % polygon.size()]),
         previous(polygon[(i + polygon.size() - 1) % polygon.size()]);
@@ -68,7 +68,7 @@ inline void add_vertices(const Polygon_soup& soup, Mesh& mesh)
   }
 }
 
-// Adding faces one by one names the first that does not fit, but takes quadratic time at a vertex with many of them.
+// Adding faces one by one finds the first that does not fit, but takes quadratic time at a vertex with many faces.
 inline void add_faces(const Polygon_soup& soup, Mesh& mesh)
 {
   const std::size_t large_valence = 1000;
@@ -134,9 +134,9 @@ inline Mesh build_repaired_mesh(Polygon_soup& soup, Notes& notes)
 
 } // namespace internal
 
-// The triangulated surface of a polygon soup, which is repaired if need be and wanted. Its vertices are those of the soup,
-// in the same order; larger polygons are divided into triangles. Throws an `Input_error` that names the place unless
-// the polygons form an oriented manifold with finite coordinates.
+// The triangulated surface of a polygon soup, which is repaired if necessary and requested. Its vertices are those of
+// the soup, in the same order; larger polygons are divided into triangles. Throws an `Input_error` that names the
+// place unless the polygons form an oriented manifold with finite coordinates.
 inline Mesh build_mesh(Polygon_soup& soup, const bool repair, Notes& notes)
 {
   if(soup.points.empty() || soup.polygons.empty()) {

@@ -35,7 +35,8 @@ inline const std::array<Output_option, 4>& output_options()
   return options;
 }
 
-// What a file is called does not change what is written: no other extension, so that nobody takes it for another format.
+// The name of a file does not determine its format. Extensions of other formats are refused, because they would
+// mislead.
 inline void check_extension(const Output_option& option, const std::string& file)
 {
   const std::string format = file_format(file);
@@ -45,7 +46,7 @@ inline void check_extension(const Output_option& option, const std::string& file
       known += (known.empty() ? "--" : ", --") + other.name + " ." + other.format;
     }
     throw Output_error("cannot write '" + file + "': --" + option.name + " does not write ." + format +
-                       "; what is written is " + known);
+                       "; the formats are " + known);
   }
 }
 
@@ -79,7 +80,7 @@ inline void check_output(const Command_line& command, const Output_option& optio
 
 } // namespace internal
 
-// Throws unless the names of the outputs tell what is written and lead to different files.
+// Throws unless the names of the outputs fit their formats and lead to different files.
 inline void check_outputs(const Command_line& command)
 {
   for(const internal::Output_option& option : internal::output_options()) {
@@ -95,7 +96,7 @@ inline bool takes_standard_output(const Command_line& command)
   });
 }
 
-// Whether nothing is wrong with the name of the report for programs, so that it can tell what else is wrong.
+// Whether the name of the report for programs is valid, so that the report can tell what else is wrong.
 inline bool can_write_json(const Command_line& command)
 {
   try {

@@ -17,7 +17,7 @@
 
 namespace flatten_mesh {
 
-// The polygons do not fit together, but turning some or giving vertices to parts may help.
+// The polygons do not fit together. Turning some of them or duplicating vertices may help.
 struct Not_a_mesh : public Input_error
 {
   using Input_error::Input_error;
@@ -34,8 +34,8 @@ inline std::string edge_name(const std::size_t v, const std::size_t w)
 [[noreturn]] inline void refuse_vertex(const std::size_t v)
 {
   throw Not_a_mesh("at " + vertex_name(v) +
-                   " parts of the surface touch in a point, so it is not a manifold; give each part a "
-                   "vertex of its own");
+                   " parts of the surface touch at one vertex, so it is not a manifold; give each part "
+                   "its own vertex");
 }
 
 [[noreturn]] inline void refuse_edge(const std::size_t v, const std::size_t w, const std::size_t faces)
@@ -44,8 +44,8 @@ inline std::string edge_name(const std::size_t v, const std::size_t w)
                     " faces, so the surface is not a manifold; remove or separate the surplus ones");
 }
 
-// Throws if another polygon runs along an edge of the polygon in the same direction: too many have that edge, or the two
-// are oriented differently.
+// Throws if another polygon runs along an edge of the polygon in the same direction: either too many polygons share
+// that edge, or the two are oriented differently.
 inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std::size_t v,
                        const std::size_t w)
 {
@@ -95,14 +95,14 @@ inline void check_points(const Polygon_soup& soup)
   }
 }
 
-// The number of polygons at each vertex. Throws if a polygon has a vertex that is not there.
+// The number of polygons at each vertex. Throws if a polygon names a vertex that does not exist.
 inline std::vector<std::size_t> valences(const Polygon_soup& soup)
 {
   std::vector<std::size_t> result(soup.points.size(), 0);
   for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
     for(const std::size_t v : soup.polygons[p]) {
       if(v >= soup.points.size()) {
-        throw Input_error(face_name(p) + " has a vertex that is not there: the file has only " +
+        throw Input_error(face_name(p) + " names a vertex that does not exist: the file has only " +
                           std::to_string(soup.points.size()) + "; export the mesh again");
       }
       ++result[v];

@@ -71,7 +71,8 @@ inline std::vector<bool> are_disks(const Mesh& mesh, const std::vector<std::vect
 
 } // namespace internal
 
-// After what is wrong with a component: the option that takes the largest other one that can be flattened, if any.
+// Text to append to an error about a component: the option that chooses the largest other component that can be
+// flattened, if any.
 inline std::string other_component_text(Mesh& mesh, const std::size_t failed)
 {
   const std::vector<bool> can = internal::are_disks(mesh, components_by_size(mesh));

@@ -38,7 +38,8 @@ public:
         m_up(CGAL::cross_product(m_depth, m_right))
   {}
 
-  // A surface that looks one way is seen from there, others from the front, somewhat above and to the right.
+  // A surface that faces mainly one way is seen from there, others from the front, slightly from above and from the
+  // right.
   static Surface_view of(const Mesh& mesh, const std::vector<Face>& faces)
   {
     Vector sum(0, 0, 0);
@@ -74,7 +75,7 @@ private:
   Vector m_depth, m_right, m_up;
 };
 
-// A surface as it is seen in a frame: its vertices' corners, without values.
+// The projection of a surface into a frame: a corner for each vertex, without values.
 class Projected_surface
 {
 public:
@@ -126,8 +127,8 @@ void draw_face(Canvas& canvas, const Mesh& mesh, const Face f, const Projected_s
                        color);
 }
 
-// Draws the surface with a checkerboard in the plane of its map; the squares have the given side there. Where the
-// surface is seen from behind it is grey.
+// Draws the surface with a checkerboard in the plane of its map; the squares have the given side there. The back of
+// the surface is grey.
 template <class UV_map>
 void draw_checkerboard(Canvas& canvas, const Mesh& mesh, const std::vector<Face>& faces, const UV_map& uv,
                        const double side, const Surface_view& view, const Frame& frame)
@@ -158,8 +159,8 @@ void draw_checkerboard(Canvas& canvas, const Mesh& mesh, const std::vector<Face>
   }
 }
 
-// A picture of the surface with a checkerboard, as a PNG file. About `squares` squares are as long as the root of the
-// surface's area.
+// A picture of the surface with a checkerboard, as a PNG file. The square root of the surface's area is about
+// `squares` squares long.
 template <class UV_map>
 std::string checkerboard_picture(const Mesh& mesh, const std::vector<Face>& faces, const UV_map& uv)
 {

@@ -24,7 +24,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Text files of some programs begin with a byte order mark, which readers take for a word.
+// Some programs write a byte order mark at the start of text files. Readers take it for a word.
 inline void open_file(const std::string& name, std::ifstream& file)
 {
   file.open(name, std::ios::binary);
@@ -36,7 +36,7 @@ inline void open_file(const std::string& name, std::ifstream& file)
   }
 }
 
-// Whether a word is a number that is none, as programs write it: "nan", "-inf", "1.#IND".
+// Whether a word is a non-finite number as programs write it: "nan", "-inf", "1.#IND".
 inline bool is_not_a_finite_number(const std::string& word)
 {
   char* end = nullptr;
@@ -51,13 +51,14 @@ inline bool is_number(const std::string& word)
   return end != word.c_str() && *end == '\0';
 }
 
-// Follows a text file that CGAL did not read line by line, as far as OFF and PLY have one vertex or face on each.
+// Reads, line by line, a text file that CGAL could not read. Expects one vertex or face per line in OFF and PLY
+// files.
 class Line_checker
 {
 public:
   explicit Line_checker(const std::string& name) : m_format(file_format(name)) { open_file(name, m_file); }
 
-  // What is wrong with the first line that is wrong, or nothing
+  // What is wrong with the first wrong line, or an empty string
   std::string complaint()
   {
     const bool has_elements = read_counts();
@@ -149,7 +150,7 @@ private:
     return "";
   }
 
-  // Whether the line is a vertex in a text file of the format STL. Leaves the coordinates.
+  // Whether the line is a vertex in a text file of the format STL. If so, only the coordinates remain.
   bool is_stl_vertex()
   {
     if(m_format != "stl" || m_words[0] != "vertex") {
@@ -162,7 +163,7 @@ private:
   std::string advice()
   {
     return std::string(m_file.peek() == std::ifstream::traits_type::eof()
-                           ? ", for the file ends here: it was cut short"
+                           ? ": the file ends here, so it was cut short"
                            : "") +
            "; export the mesh again";
   }
@@ -184,20 +185,20 @@ private:
 
   std::string wrong_face()
   {
-    if(m_faces == m_all_faces) { // edges, or what else may follow
+    if(m_faces == m_all_faces) { // edges and other elements may follow
       return "";
     }
     const std::string name = face_name(m_faces++);
     std::size_t size = 0;
     if(!read_number(m_words[0], size) || size >= m_words.size()) {
-      return name + " has fewer vertices than it says" + advice();
+      return name + " has fewer vertices than its count says" + advice();
     }
     for(std::size_t i = 1; i <= size; ++i) {
       std::size_t index = 0;
       if(!read_number(m_words[i], index) || index >= m_all_vertices) {
         return name + " names vertex '" + m_words[i] +
-               "', counted from 0, which is not there: the file has only " + std::to_string(m_all_vertices) +
-               "; export the mesh again";
+               "' (counted from 0), which does not exist: the file has only " +
+               std::to_string(m_all_vertices) + "; export the mesh again";
       }
     }
     return "";
@@ -222,7 +223,8 @@ inline std::string explain_unreadable_file(const std::string& name)
     return "'" + name + "', " + complaint;
   }
   return "cannot read '" + name +
-         "': it is damaged, cut short, has a face with a vertex that is not there, or is not in the format "
+         "': it is damaged or cut short, a face names a vertex that does not exist, or it is not in the "
+         "format "
          "that its name says; export the mesh again";
 }
 

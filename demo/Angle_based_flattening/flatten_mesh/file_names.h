@@ -17,21 +17,22 @@ namespace flatten_mesh {
 // The name of an output that stands for standard output.
 const char* const standard_output = "-";
 
-// The extension in small letters, without its dot.
+// The extension in lower case, without its dot.
 inline std::string file_format(const std::string& name)
 {
   const std::string extension = std::filesystem::path(name).extension().string();
   return boost::algorithm::to_lower_copy(extension.empty() ? extension : extension.substr(1));
 }
 
-// Whether something is there that is neither file nor folder: a device, a pipe.
+// Whether the name exists and is neither a file nor a folder, but a device or a pipe, say.
 inline bool is_other_file(const std::filesystem::path& path)
 {
   std::error_code ignored;
   return std::filesystem::is_other(path, ignored);
 }
 
-// Where a name leads, also through links to what is not there yet. Pipes, as /dev/fd/63, have no other name.
+// The target of a name, also through links to files that do not exist yet. Pipes such as /dev/fd/63 have no other
+// name.
 inline std::filesystem::path resolved(const std::string& name)
 {
   std::error_code ignored;
@@ -46,7 +47,7 @@ inline std::filesystem::path resolved(const std::string& name)
   return canonical.empty() ? path : canonical;
 }
 
-// Whether two names lead to one file, or will.
+// Whether two names lead to the same file, or will when it is written.
 inline bool is_same_file(const std::string& a, const std::string& b)
 {
   std::error_code ignored;

@@ -112,7 +112,7 @@ inline boost::program_options::variables_map values_of(const int argc, const cha
   return values;
 }
 
-// The report for programs is written also where the rest of the command line is wrong.
+// The report for programs is written even if the rest of the command line is wrong.
 inline void find_json(const int argc, const char* const argv[], Command_line& command)
 {
   for(int i = 1; i < argc; ++i) {
@@ -136,7 +136,7 @@ inline void check_names_of_files(const boost::program_options::variables_map& va
 
 } // namespace internal
 
-// Throws a `Usage_error` for wrong usage. What is understood until then is in `command`.
+// Throws a `Usage_error` for wrong usage. `command` contains what was understood until then.
 inline void parse_command_line(const int argc, const char* const argv[], Command_line& command)
 {
   namespace po = boost::program_options;

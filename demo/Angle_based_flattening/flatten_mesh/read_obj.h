@@ -25,8 +25,8 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Reads vertices and faces of an OBJ file. CGAL's reader takes part of the format only, and does not tell the line that it
-// does not understand.
+// Reads vertices and faces of an OBJ file. CGAL's reader supports only a part of the format, and does not report the
+// line that it does not understand.
 class Obj_reader
 {
 public:
@@ -51,17 +51,17 @@ public:
     if(m_largest_index > m_soup.points.size()) {
       throw Input_error("'" + m_name + "', line " + std::to_string(m_line_of_largest) +
                         ": the face names vertex " + std::to_string(m_largest_index) +
-                        ", which is not there: the file has only " + std::to_string(m_soup.points.size()) +
+                        ", which does not exist: the file has only " + std::to_string(m_soup.points.size()) +
                         "; export the mesh again");
     }
     if(m_skipped > 0) {
       notes.add("'" + m_name + "': " + count_text(m_skipped, "line") +
-                " skipped, not understood: " + (m_skipped > 1 ? "the first is " : "") + m_first_skipped);
+                " not understood and skipped: " + (m_skipped > 1 ? "the first is " : "") + m_first_skipped);
     }
   }
 
 private:
-  // One line with those that continue it. Numbers are that of the first.
+  // One line with its continuation lines. Its number is that of the first.
   bool next_line(std::istream& file)
   {
     m_line.clear();
@@ -175,7 +175,7 @@ private:
                       (m_soup.points.empty()
                            ? "no vertices; export the mesh again"
                            : "vertices but no faces; a point cloud has to be made into a surface first") +
-                      (m_skipped > 0 ? " (" + m_first_skipped + ", is not understood)" : ""));
+                      (m_skipped > 0 ? " (" + m_first_skipped + ", was not understood)" : ""));
   }
 
   std::string m_name;

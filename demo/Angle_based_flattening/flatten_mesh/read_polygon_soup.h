@@ -46,7 +46,7 @@ inline void check_file_is_there(const std::string& name)
     throw Input_error("'" + name + "' is a folder: name a mesh file");
   }
   if(!std::ifstream(name)) {
-    throw Input_error("'" + name + "' may not be read: check its permissions");
+    throw Input_error("'" + name + "' cannot be read: check its permissions");
   }
   if(std::filesystem::is_regular_file(name, ignored) && std::filesystem::file_size(name, ignored) == 0) {
     throw Input_error("'" + name + "' is empty: export the mesh again");
@@ -69,8 +69,8 @@ inline void check_file_format(const std::string& name)
 #endif
 }
 
-// Whether CGAL can read the file. Its readers may throw, and talk to standard error: neither gets out of
-// here.
+// Whether CGAL can read the file. Catches the exceptions of CGAL's readers, and hides what they print on standard
+// error.
 inline bool try_to_read(const std::string& name, Polygon_soup& soup)
 {
   const boost::io::ios_rdbuf_saver no_output(std::cout, nullptr), no_errors(std::cerr, nullptr);
@@ -97,7 +97,7 @@ inline bool try_to_read(const std::string& name, Polygon_soup& soup)
 
 } // namespace internal
 
-// Throws an `Input_error` if the file cannot be read. Whether the polygons fit together is not looked at.
+// Throws an `Input_error` if the file cannot be read. Does not check whether the polygons fit together.
 inline Polygon_soup read_polygon_soup(const std::string& name, Notes& notes)
 {
   internal::check_file_is_there(name);

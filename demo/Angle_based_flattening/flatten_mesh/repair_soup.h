@@ -27,7 +27,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// What CGAL does to the polygons while it orients them.
+// Records what CGAL does to the polygons while it orients them.
 struct Orientation_visitor : public CGAL::Polygon_mesh_processing::Default_orientation_visitor
 {
   std::vector<bool>* is_turned = nullptr; // of each polygon
@@ -43,7 +43,7 @@ struct Orientation_visitor : public CGAL::Polygon_mesh_processing::Default_orien
   void duplicated_vertex(const std::size_t v, std::size_t) { duplicated->push_back(v); }
 };
 
-// Throws if two of the polygons still run along an edge in the same direction when those are turned that CGAL turned.
+// Throws if two polygons run along an edge in the same direction even after CGAL turned some.
 inline void check_two_sided(const std::vector<Polygon>& polygons, const std::vector<bool>& is_turned)
 {
   std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -57,13 +57,13 @@ inline void check_two_sided(const std::vector<Polygon>& polygons, const std::vec
   const auto edge = std::adjacent_find(edges.begin(), edges.end());
   if(edge != edges.end()) {
     throw Input_error(
-        "the surface is one-sided, like a Moebius strip: however its faces are oriented, two of them "
-        "do not fit, as at " +
+        "the surface is one-sided, like a Moebius strip: its faces cannot be oriented consistently, "
+        "for example at " +
         edge_name(edge->first, edge->second) + "; cut it open across the strip");
   }
 }
 
-// CGAL keeps the first polygon of each component as it is. Here the majority does not turn.
+// CGAL keeps the orientation of the first polygon of each component. This keeps that of the majority.
 inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
 {
   boost::disjoint_sets_with_storage<> components(soup.points.size());
@@ -87,7 +87,7 @@ inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
   }
 }
 
-// Once equal points are one, faces with two corners at the same place are no more than an edge.
+// After equal points are merged, a triangle with two corners at the same place is only an edge.
 inline void drop_collapsed_polygons(Polygon_soup& soup, Notes& notes)
 {
   const std::size_t before = soup.polygons.size();
@@ -103,13 +103,13 @@ inline void drop_collapsed_polygons(Polygon_soup& soup, Notes& notes)
   }
   if(soup.polygons.size() < before) {
     notes.add(count_text(before - soup.polygons.size(), "face") +
-              " with two corners at the same place left out; '--repair off' refuses them");
+              " with two corners at the same place removed; '--repair off' refuses them");
   }
 }
 
 } // namespace internal
 
-// Merges equal points if every polygon has vertices of its own, as triangles written one by one have.
+// Merges equal points if no polygons share a vertex, as in a list of separate triangles.
 inline void weld_soup(Polygon_soup& soup, Notes& notes)
 {
   const std::vector<std::size_t> valences = internal::valences(soup);
@@ -119,7 +119,7 @@ inline void weld_soup(Polygon_soup& soup, Notes& notes)
     CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons);
     soup.is_welded = soup.points.size() < before;
     if(soup.is_welded) {
-      notes.add("every face has vertices of its own: those at the same place were welded, " +
+      notes.add("no two faces share a vertex: vertices at the same place were merged, " +
                 count_text(soup.points.size(), "vertex", "vertices") + " remain of " +
                 std::to_string(before) + "; '--repair off' leaves them");
     }
@@ -129,8 +129,8 @@ inline void weld_soup(Polygon_soup& soup, Notes& notes)
   }
 }
 
-// Orients the polygons alike, and gives the parts that touch in a vertex vertices of their own. Throws an
-// `Input_error` if that does not make a manifold of them.
+// Orients the polygons consistently, and duplicates vertices at which parts touch. Throws an `Input_error` if the
+// result is not a manifold.
 inline void orient_soup(Polygon_soup& soup, Notes& notes)
 {
   for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
@@ -148,15 +148,15 @@ inline void orient_soup(Polygon_soup& soup, Notes& notes)
   internal::keep_majority(soup, is_turned);
   const auto turned = std::find(is_turned.begin(), is_turned.end(), true);
   if(turned != is_turned.end()) {
-    notes.add("faces were oriented differently: " +
+    notes.add("faces were oriented inconsistently: " +
               count_text(static_cast<std::size_t>(std::count(turned, is_turned.end(), true)), "face") +
-              " turned, the first is " + face_name(static_cast<std::size_t>(turned - is_turned.begin())) +
+              " turned; the first is " + face_name(static_cast<std::size_t>(turned - is_turned.begin())) +
               "; '--repair off' refuses them");
   }
   if(!duplicated.empty()) {
-    notes.add("parts of the surface touch in a point, as at " + vertex_name(duplicated.front()) + ": " +
-              count_text(duplicated.size(), "vertex", "vertices") +
-              " added at the end, so that each part has its own; '--repair off' refuses them");
+    notes.add("parts of the surface touch at a vertex, for example at " + vertex_name(duplicated.front()) +
+              ": " + count_text(duplicated.size(), "vertex", "vertices") +
+              " added at the end, one for each further part; '--repair off' refuses them");
   }
 }
 

@@ -35,7 +35,7 @@ inline std::string json_text(const std::string& value)
   return text + '"';
 }
 
-// JSON knows finite numbers only.
+// JSON has finite numbers only.
 template <class Number>
 std::string json_number(const Number number)
 {
@@ -56,7 +56,7 @@ inline std::string json_texts(const std::vector<std::string>& values)
   return "[" + text + "]";
 }
 
-// An object, member by member; their values are JSON themselves.
+// Builds an object from members whose values are JSON.
 class Json_object
 {
 public:
@@ -139,7 +139,7 @@ inline std::string report_json(const Run_record& record)
   return json.text() + "\n";
 }
 
-// The report for programs when nothing came so far as to be flattened.
+// The report for programs if a failure occurred before the flattening.
 inline std::string failure_json(const std::string& status, const std::string& message,
                                 const std::string& input)
 {

@@ -74,16 +74,18 @@ inline std::string quality_text(const SMP::Flattening_measures& measures)
                   format_number("%.5g", measures.quasi_conformal_ratio_95) + "; largest " +
                   format_number("%.5g", measures.max_quasi_conformal_ratio) + "; best 1") +
          report_line("scale", format_number("%.5g", measures.min_scale),
-                     "least of lengths; largest " + format_number("%.5g", measures.max_scale) + "; best 1") +
+                     "of lengths, least; largest " + format_number("%.5g", measures.max_scale) + "; best 1") +
          report_line("energy", format_number("%.4e", measures.angular_distortion),
                      "mean square relative change of the target angles, Equation 1; best 0") +
-         line("L2 stretch", measures.l2_stretch, "lengths; best 1") +
-         line("L-infinity stretch", measures.linf_stretch, "the longest; best 1") +
-         line("L2 shear", measures.l2_shear, "axes, Equation 24; best 0") +
-         line("L2 principal shear", measures.l2_principal_shear, "the worst axes everywhere; best 0") +
+         line("L2 stretch", measures.l2_stretch, "of lengths, root mean square; best 1") +
+         line("L-infinity stretch", measures.linf_stretch, "of lengths, largest; best 1") +
+         line("L2 shear", measures.l2_shear, "of the axes, Equation 24; best 0") +
+         line("L2 principal shear", measures.l2_principal_shear,
+              "for the worst axes of each triangle; best 0") +
          line("equal-stretch error", measures.l2_equal_stretch_error,
-              "axes, one stretched more than the other; best 0") +
-         line("area distortion", measures.l2_area_distortion, "of logarithms of areas; best 0") +
+              "one axis stretched more than the other; best 0") +
+         line("area distortion", measures.l2_area_distortion,
+              "logarithm of the factor of areas, root mean square; best 0") +
          line("symmetric Dirichlet", measures.symmetric_dirichlet_energy, "energy per area; best 4") +
          report_line("flipped triangles", std::to_string(measures.flipped_triangles), "must be 0") +
          report_line("border", measures.border_is_simple ? "simple" : "not simple",

@@ -14,8 +14,8 @@
 
 namespace flatten_mesh {
 
-// Something that the user has to put right: the command line, or a file. The text is one line that names what is wrong
-// and what to do. The program ends with status 2.
+// An error that the user has to correct, in the command line or in a file. The text is one line that names the error
+// and the remedy. The program ends with status 2.
 struct Input_error : public std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -32,9 +32,9 @@ struct Output_error : public Input_error
 };
 
 const char* const memory_text =
-    "the memory does not suffice for this mesh; simplify it or take a larger machine";
+    "not enough memory for this mesh; simplify it or use a machine with more memory";
 
-// Vertices and faces as people know them from OBJ files: counted from 1.
+// Vertices and faces counted from 1, as in OBJ files.
 inline std::string vertex_name(const std::size_t index)
 {
   return "vertex " + std::to_string(index + 1);
@@ -60,7 +60,7 @@ inline std::string format_number(const char* format, const double number)
   return digits;
 }
 
-// Appends the shortest text that reads back as the very same number, whatever the locale.
+// Appends the shortest text that reads back as the same number, in any locale.
 template <class Number>
 void append_number(std::string& text, const Number number)
 {

@@ -26,13 +26,13 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// From the plane of the chart, y up, to whole hundredths of a unit of the picture, y down.
+// Maps the plane of the chart, y up, to integer hundredths of a unit of the picture, y down.
 class Svg_frame
 {
 public:
   using Position = std::pair<long, long>;
 
-  static constexpr double extent = 1500; // of the chart in the picture, the longer way
+  static constexpr double extent = 1500; // the longer side of the chart in the picture
   static constexpr double margin = 20;
 
   Svg_frame(const Chart& chart, const Flattening& flattening)
@@ -82,7 +82,7 @@ inline std::vector<std::string> triangle_paths(const Mesh& mesh, const Chart& ch
       position = frame(flattening.uv[mesh.target(h)]);
       h = mesh.next(h);
     }
-    if(p[0] != p[1] || p[0] != p[2]) { // else too small to be seen
+    if(p[0] != p[1] || p[0] != p[2]) { // otherwise too small to be seen
       std::string& path = paths[static_cast<std::size_t>(scale.color_index(flattening.distortion[f]))];
       append_position(path, 'M', p[0].first, p[0].second);
       append_position(path, 'l', p[1].first - p[0].first, p[1].second - p[0].second);
@@ -123,7 +123,7 @@ inline std::string legend(const Distortion_scale& scale, const double left, cons
   std::string text = "<g font-family=\"sans-serif\" font-size=\"22\" fill=\"#333\">\n";
   text += svg_text(left, top, "start", "change of the angles of each triangle, in degrees");
   for(int color = 0; color < Distortion_scale::number_of_colors; ++color) {
-    const double x = width * color / Distortion_scale::number_of_colors; // up to the end: no hairlines
+    const double x = width * color / Distortion_scale::number_of_colors; // up to the end, without hairlines
     text += "<rect x=\"" + format_number("%.2f", left + x) + "\" y=\"" + format_number("%.2f", top + 12) +
             "\" width=\"" + format_number("%.2f", width - x) + "\" height=\"18\" fill=\"" +
             Distortion_scale::color(color) + "\"/>\n";

@@ -17,17 +17,17 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What rounding leaves of the constraints of small angles and few triangles; less cannot be asked for.
+// Rounding errors alone violate the constraints by this much, even on meshes of few triangles.
 inline constexpr double smallest_tolerance = 1e-14;
 
-// More sweeps would change nothing, but take for ever.
+// More sweeps take time and change nothing.
 inline constexpr int most_sweeps = 1000;
 
-// What is wrong with the options, or nothing.
+// Returns what is wrong with the options, or an empty string.
 inline std::string wrong_option(const Flattening_options& options)
 {
   if(!std::isfinite(options.barrier) || options.barrier < 0)
-    return "the barrier must be a number of at least 0";
+    return "the barrier must be finite and not negative";
   if(options.threads < 0)
     return "the number of threads must not be negative";
   return std::string();
@@ -38,19 +38,19 @@ inline std::string wrong_option(const ABF_plus_plus_options& options)
   if(!(options.tolerance >= smallest_tolerance))
     return "the tolerance must be at least 1e-14";
   if(!(options.energy_tolerance > 0))
-    return "the energy tolerance must be above 0";
+    return "the energy tolerance must be positive";
   if(options.max_iterations < 0)
     return "the number of iterations must not be negative";
   if(options.step != ABF_plus_plus_options::NEWTON &&
      options.step != ABF_plus_plus_options::SEQUENTIAL_LINEARLY_CONSTRAINED)
-    return "the type of step is none of those there are";
+    return "unknown type of step";
   if(options.linear_solver != ABF_plus_plus_options::ITERATIVE &&
      options.linear_solver != ABF_plus_plus_options::DIRECT)
-    return "the linear solver is none of those there are";
+    return "unknown linear solver";
   if(options.layout != ABF_plus_plus_options::AUTOMATIC_LAYOUT &&
      options.layout != ABF_plus_plus_options::EXACT_LAYOUT &&
      options.layout != ABF_plus_plus_options::LEAST_SQUARES_LAYOUT)
-    return "the layout is none of those there are";
+    return "unknown layout";
   return wrong_option(static_cast<const Flattening_options&>(options));
 }
 
@@ -59,7 +59,7 @@ inline std::string wrong_option(const Hierarchical_options& options)
   if(!(options.simplification_rate > 0 && options.simplification_rate < 1))
     return "the simplification rate must be between 0 and 1";
   if(!(options.extreme_angle >= 0))
-    return "the extreme angle must be a number of at least 0";
+    return "the extreme angle must not be negative";
   if(options.coarse_triangles < 0 || options.sweeps < 0 || options.angle_sweeps < 0 ||
      options.max_retries < 0)
     return "numbers of triangles, sweeps and retries must not be negative";
