@@ -18,18 +18,19 @@
 namespace CGAL {
 namespace internal {
 
-// What the pattern of a matrix alone determines: an ordering of the columns, its elimination tree, and the memory that
-// SuperLU needs for the factors. It is computed here and not by SuperLU because SuperLU does not postorder in its
-// symmetric mode, ends the program where memory lacks, and only finds out the size of the factors while it computes them.
+// What the pattern of a matrix alone determines: an ordering of the columns, its elimination tree, and the memory
+// that SuperLU needs for the factors. It is not computed by SuperLU, because SuperLU does not postorder in its
+// symmetric mode, ends the program if memory runs out, and finds out the size of the factors only while it computes
+// them.
 //
 // In symmetric mode the elimination tree is that of A + A', and the sizes hold if all the pivots are on the diagonal.
 // Otherwise it is that of A'A, and the sizes are upper bounds.
 //
-// SuperLU makes one dense block, a relaxed supernode, of a maximal subtree of at most `relax` columns. It stores such a
-// block without looking whether its array of subscripts is full afterwards, and the next column then writes
-// beyond the end (SuperLU 5.3, `dsnode_dfs` and `dcolumn_dfs`). So these subtrees are ordered before all other
-// columns. Their subscripts depend on the pattern only, not on the pivots, and there is memory for them.
-// The others are checked one by one, so that the array grows in time if pivots are not as foreseen.
+// SuperLU makes one dense block, a relaxed supernode, of a maximal subtree of at most `relax` columns. It does not
+// check whether such a block fills its array of subscripts, and the next column then writes beyond the end (SuperLU
+// 5.3, `dsnode_dfs` and `dcolumn_dfs`). So these subtrees are ordered before all other columns. Their subscripts
+// depend on the pattern only, not on the pivots, so enough memory is reserved for them. SuperLU checks the other
+// columns one by one, and enlarges the array in time if the pivots differ from the prediction.
 class SuperLU_analysis
 {
 public:
@@ -58,14 +59,14 @@ public:
   // The parent of every column at its position; `size()` stands for the parent of a root.
   const std::vector<int>& elimination_tree() const { return m_parent; }
 
-  // The number of entries in the supernodes of L (which include the blocks of U on the diagonal). U has no more outside of
-  // these blocks: a column of L that is not zero in a row asks for one entry of U.
+  // The number of entries in the supernodes of L (which include the blocks of U on the diagonal). Outside of these
+  // blocks, U has at most one entry for each of these.
   std::size_t factor_size() const { return m_factor_size; }
 
-  // The largest number of row subscripts that SuperLU holds at a time
+  // The largest number of row subscripts that SuperLU stores at any time
   std::size_t subscripts() const { return m_subscripts; }
 
-  // Those of the relaxed supernodes, with which it begins
+  // The number of subscripts of the relaxed supernodes, which come first
   std::size_t relaxed_subscripts() const { return m_relaxed_subscripts; }
 
   bool has_pattern_of(const SuperLU_pattern& a) const
@@ -78,7 +79,7 @@ public:
 private:
   void order(const SuperLU_pattern& a)
   {
-    // Eigen orders matrices, and copies their values in between: they are as small as possible
+    // Eigen's ordering needs a matrix and copies its values, so the values have the smallest type
     const std::vector<char> values(a.nonzeros(), 0);
     const Eigen::Map<const Eigen::SparseMatrix<char>> columns(m_n, m_n, static_cast<int>(a.nonzeros()),
                                                               a.outer, a.inner, values.data());
@@ -95,8 +96,8 @@ private:
     }
   }
 
-  // The columns that meet in a row are a clique in A'A. A star from the first of them to the others has the same
-  // factor, as eliminating the first one completes the clique.
+  // The columns with an entry in a common row are a clique in A'A. A star from the first of them to the others has
+  // the same factor, because eliminating the first one completes the clique.
   void build_row_graph(const SuperLU_pattern& a, std::vector<int>& begin, std::vector<int>& neighbor) const
   {
     std::vector<int> first(m_n, -1);
@@ -155,7 +156,7 @@ private:
       const int root = relaxed_root(tree, j), width = root - j + 1;
       const std::size_t height = width - 1 + tree.column_count(root);
       m_factor_size += width * height;
-      m_subscripts += width == 1 ? height : 2 * height; // a copy serves to find later fill in
+      m_subscripts += width == 1 ? height : 2 * height; // SuperLU keeps a copy to find later fill-in
       for(; j < root; ++j)
         in_order.push_back(j);
       in_order.push_back(root);
@@ -166,8 +167,8 @@ private:
     renumber(tree, in_order);
   }
 
-  // Columns with nested patterns make a supernode. While it grows SuperLU keeps the subscripts of all its columns, and
-  // once the next one has begun those of the first and the last one.
+  // Columns with nested patterns make a supernode. While a supernode grows, SuperLU keeps the subscripts of all its
+  // columns. Once the next supernode has begun, it keeps those of the first and the last column.
   void count_other_supernodes(const SuperLU_elimination_tree& tree, const std::vector<int>& columns,
                               int max_supernode)
   {

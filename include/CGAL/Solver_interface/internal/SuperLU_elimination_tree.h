@@ -13,8 +13,8 @@
 namespace CGAL {
 namespace internal {
 
-// A graph on the columns of a matrix: the neighbors of column i are `neighbor[begin[i]]`, ..., `neighbor[begin[i + 1] - 1]`,
-// in any order, i itself perhaps among them. It is symmetric.
+// A graph on the columns of a matrix: the neighbors of column i are `neighbor[begin[i]]`, ...,
+// `neighbor[begin[i + 1] - 1]`, in any order, possibly including i itself. The graph is symmetric.
 struct SuperLU_column_graph
 {
   const int* begin;
@@ -25,8 +25,8 @@ struct SuperLU_column_graph
 class SuperLU_elimination_tree
 {
 public:
-  // `position[i]` is that of column i. It is changed to a postorder of the tree, which has the same factor: a subtree gets
-  // consecutive numbers, its root the last one, and a child that preceded its parent still does.
+  // `position[i]` is the position of column i. It is changed to a postorder of the tree, which has the same factor:
+  // the nodes of a subtree get consecutive numbers, with the root last, and children still precede their parents.
   SuperLU_elimination_tree(const SuperLU_column_graph& graph, std::vector<int>& position)
       : m_n(static_cast<int>(position.size())), m_graph(graph)
   {
@@ -38,13 +38,13 @@ public:
 
   int size() const { return m_n; }
 
-  // The parent of node j; `size()` stands for that of a root.
+  // The parent of node j; `size()` if j is a root.
   int parent(int j) const { return m_parent[j]; }
 
-  // The number of nodes in the subtree of node j, which are the last ones up to j
+  // The number of nodes in the subtree of node j: these are consecutive, and j is the last one
   int subtree_size(int j) const { return m_size_of_subtree[j]; }
 
-  // The number of entries of column j of the factor, that on the diagonal included
+  // The number of entries of column j of the factor, including the diagonal
   int column_count(int j) const { return m_count[j]; }
 
 private:
@@ -56,7 +56,7 @@ private:
     return column_at;
   }
 
-  // Liu's algorithm with compressed paths
+  // Liu's algorithm with path compression
   void compute_parents(const std::vector<int>& position)
   {
     const std::vector<int> column_at = inverse(position);
@@ -86,7 +86,7 @@ private:
     }
   }
 
-  // The numbers are dealt out from the last one downward, parents before children.
+  // Numbers are assigned in descending order, parents before children.
   void postorder(std::vector<int>& position)
   {
     std::vector<int> post(m_n), last(m_n + 1);
@@ -108,8 +108,8 @@ private:
       p = post[p];
   }
 
-  // By the skeleton algorithm of Gilbert, Ng and Peyton: a row of the factor is a subtree of the elimination tree, and it
-  // suffices to know its leaves and where their paths meet.
+  // By the skeleton algorithm of Gilbert, Ng and Peyton: the pattern of a row of the factor is a subtree of the
+  // elimination tree, and is determined by its leaves and the nodes where their paths meet.
   void compute_column_counts(const std::vector<int>& position)
   {
     const std::vector<int> column_at = inverse(position);

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace internal {
 inline namespace CGAL_SUPERLU_TYPES {
 
-// A factorization that can be trusted: what is singular is refused, what is not definite is not taken for it, and
-// solutions are refined where they need it. Once `factor()` has returned `FACTORED` the object does not change any
-// more, and can be shared by copies of a solver and by threads.
+// A checked factorization. It refuses singular matrices, never takes an indefinite matrix for a definite one, and
+// refines solutions if necessary. Once `factor()` has returned `FACTORED` the object does not change any more. Copies
+// of a solver and threads can share it.
 template <class FT>
 class SuperLU_factorization
 {
@@ -53,8 +53,8 @@ public:
     FAILED
   };
 
-  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
-  // `sign` is that of the pivots in symmetric mode.
+  // Factors a matrix with the analyzed pattern. The matrix is not needed afterwards. `sign` is the sign of the pivots
+  // in symmetric mode.
   Result factor(const Columns& a, FT sign)
   {
     if(m_options.check == SuperLU_options::PIVOTS)
@@ -62,7 +62,7 @@ public:
     return is_symmetric() ? factor_definite(a, sign) : factor_scaled(a);
   }
 
-  // Replaces the columns of `b` by the solutions, returns false if they are not finite or not accurate.
+  // Replaces the columns of `b` by the solutions. Returns `false` if they are not finite or not accurate.
   bool solve(Block b) const
   {
     m_scaling.scale_rows(b);
@@ -79,7 +79,7 @@ private:
   Result factor_with_pivots_checked(const Columns& a, FT sign)
   {
     const FT significant =
-        16 * precision; // what is smaller may be rounding errors only, and does not tell the sign
+        16 * precision; // smaller pivots may be rounding errors, so their sign means nothing
     const bool definite = m_factors.factor(a, m_options) && pivots_have_sign(sign) &&
                           least_relative_pivot(a.diagonal().cwiseAbs()) > significant;
     if(definite)
@@ -117,7 +117,8 @@ private:
     return good ? FACTORED : FAILED;
   }
 
-  // Only then are the elimination tree of A + A' and pivots from the diagonal right. Elimination is stable then.
+  // The elimination tree of A + A' and diagonal pivots are correct only under this condition. Elimination is then
+  // stable.
   bool pivots_have_sign(FT sign) const
   {
     for(int i = 0; i < size(); ++i)
@@ -126,7 +127,7 @@ private:
     return true;
   }
 
-  // The least ratio of a pivot to the `scale` of its column in the matrix, or 0 if one is not a number
+  // The least ratio of a pivot to the `scale` of its column in the matrix, or 0 if a ratio is NaN
   FT least_relative_pivot(const Vector& scale) const
   {
     FT least = (std::numeric_limits<FT>::max)();
@@ -140,7 +141,7 @@ private:
   }
 
   // Whether a symmetric matrix may differ from a singular one by rounding errors only. A singular matrix has a pivot
-  // that is nothing but these, and only where one is small the condition number is worth its estimation.
+  // that consists of rounding errors, so the condition number is estimated only if a pivot is small.
   bool has_suspicious_pivot(const Columns& a) const
   {
     return !(least_relative_pivot(a.diagonal().cwiseAbs()) > Tolerances::suspicious_pivot);
@@ -152,9 +153,9 @@ private:
     return !(m_factors.reciprocal_condition(norm) > precision);
   }
 
-  // The least absolute value of an eigenvalue of the symmetric matrix, scaled to a diagonal of ones, of which these are the
-  // factors; 0 if it is not a number. Inverse iteration bounds it from above, and is the nearer the more singular
-  // the matrix is. Bad scales do not mislead it, as they do the condition number.
+  // The least absolute eigenvalue of the factored symmetric matrix, scaled to a unit diagonal; 0 if it is NaN.
+  // Inverse iteration gives an upper bound, which is closer the more singular the matrix is. Unlike the condition
+  // number, it does not depend on scaling.
   FT least_scaled_eigenvalue(const Columns& a) const
   {
     const Vector root = a.diagonal().cwiseAbs().cwiseSqrt();
@@ -173,7 +174,7 @@ private:
     return 1 / growth;
   }
 
-  // Neither orthogonal to a constant vector, which Laplacians nearly map to zero, nor constant
+  // Not constant, and not orthogonal to a constant vector, which Laplacians nearly map to zero
   Vector test_vector() const
   {
     Vector x(size());
@@ -182,7 +183,7 @@ private:
     return x;
   }
 
-  // Solves one system to see whether solutions need refinement, and keeps the matrix if they do.
+  // Solves one system to find out whether solutions need refinement. If they do, keeps the matrix.
   bool is_accurate(const Columns& a)
   {
     const Dense_matrix b = a * test_vector();
@@ -211,8 +212,8 @@ private:
     return true;
   }
 
-  // The backward error of the solution with respect to the maximum norm; infinite if it is not a number. Where scales are
-  // bad, the product of norms exceeds the range of float.
+  // The backward error of the solution in the maximum norm; infinity instead of NaN. For badly scaled matrices, the
+  // product of norms exceeds the range of float.
   static double residual(const Columns& a, const Dense_matrix& b, const Dense_matrix& x)
   {
     const double defect = (a * x - b).cwiseAbs().maxCoeff();

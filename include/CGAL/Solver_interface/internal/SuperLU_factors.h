@@ -24,11 +24,10 @@ namespace CGAL {
 namespace internal {
 inline namespace CGAL_SUPERLU_TYPES {
 
-// The triangular factors of one matrix, and all calls of SuperLU.
+// The triangular factors of one matrix. All calls of SuperLU are here.
 //
-// SuperLU ends the program when one of its small allocations fails, prints when a large one
-// does, and does not notice when an index overflows. So sizes are known, and
-// memory is seen to be there, before it is called.
+// SuperLU ends the program if a small allocation fails, prints a message if a large one fails, and does not notice if
+// an index overflows. So sizes are computed, and available memory is checked, before each call.
 template <class FT>
 class SuperLU_factors
 {
@@ -63,23 +62,23 @@ public:
   bool is_symmetric() const { return m_analysis->is_symmetric(); }
   int size() const { return m_analysis->size(); }
 
-  // The number of entries of L and U, the unit diagonal of L not counted
+  // The number of entries of L and U, without the unit diagonal of L
   std::size_t nonzeros() const { return m_nonzeros; }
 
   // How often SuperLU had to grow one of its arrays
   int expansions() const { return m_expansions; }
 
-  // Factors a matrix of the pattern that was analyzed; it is not needed any more afterwards.
+  // Factors a matrix with the analyzed pattern. The matrix is not needed afterwards.
   bool factor(const Columns& a, const SuperLU_options& options = SuperLU_options())
   {
     const double entries = initial_size(a);
     const double upper_bound = (std::max)(entries, static_cast<double>(m_analysis->factor_size()));
-    // Symmetric matrices of meshes fill in so little that panels leave the cache.
+    // Symmetric matrices of meshes have so little fill-in that wide panels do not pay: they leave the cache.
     const int panel = largest_panel(width(options.panel_width, is_symmetric() ? 1 : superlu::sp_ienv(1)));
     if(panel == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
-    // two arrays of reals, two of integers, the work arrays, a dozen of vectors; and a buffer that OpenBLAS takes at its
-    // first use, and for which it would wait for ever
+    // two arrays of reals, two of integers, the work arrays, and a dozen vectors; also the buffer that OpenBLAS
+    // allocates at its first use: it would wait forever if that failed
     const double blas_buffer = 1.5e8;
     const SuperLU_memory memory(2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) +
                                 64. * size() + blas_buffer);
@@ -105,7 +104,7 @@ public:
     return static_cast<const FT*>(lower->nzval)[lower->nzval_colptr[j] + (j - first)];
   }
 
-  // An estimate of the reciprocal condition number in the 1-norm, that of the matrix being `norm`; 0 if unknown
+  // An estimate of the reciprocal condition number in the 1-norm, for a matrix of 1-norm `norm`; 0 if unknown
   FT reciprocal_condition(FT norm) const
   {
     const SuperLU_memory memory(4. * size() * sizeof(FT));
@@ -124,7 +123,7 @@ public:
     return info == 0 ? result : 0;
   }
 
-  // Forgets U, once the pivots of a symmetric matrix are known to be on the diagonal: then L is enough to solve.
+  // Frees U if the pivots of a symmetric matrix are on the diagonal: L alone then suffices to solve.
   void keep_lower_factor_only()
   {
     superlu::Destroy_CompCol_Matrix(&m_upper);
@@ -162,8 +161,8 @@ public:
 private:
   const superlu::SCformat& lower() const { return *static_cast<const superlu::SCformat*>(m_lower.Store); }
 
-  // SuperLU counts panels and relaxed supernodes of each width up to the larger one of its own parameters, and its work
-  // arrays hold supernodes as wide as the larger one of two others.
+  // SuperLU has counters for panels and relaxed supernodes up to the larger of two of its parameters. Its work arrays
+  // hold supernodes as wide as the larger of two others.
   static int width(int asked_for, int usual)
   {
     const int counted = (std::max)(superlu::sp_ienv(1), superlu::sp_ienv(2));
@@ -171,7 +170,8 @@ private:
     return (std::min)({asked_for > 0 ? asked_for : usual, counted, largest});
   }
 
-  // The largest number of columns up to `width` with which no size overflows in SuperLU, or 0 if one does even with one column
+  // The largest number of columns, at most `width`, for which no size overflows in SuperLU; 0 if a size overflows
+  // even for one column
   int largest_panel(int width) const
   {
     while(width > 0 && work_size(width) > (std::numeric_limits<int>::max)())
@@ -179,7 +179,7 @@ private:
     return width;
   }
 
-  // The number of bytes of the larger one of SuperLU's work arrays
+  // The number of bytes of the larger of SuperLU's work arrays
   double work_size(int width) const
   {
     const double n = size();
@@ -189,9 +189,9 @@ private:
     return (std::max)(integers, reals);
   }
 
-  // The number of entries for which SuperLU shall allocate memory initially; it allocates at least a quarter as many
-  // subscripts. That is all it will need, if that is known. Otherwise bounds beyond its default tend to be pessimistic,
-  // and it may grow its arrays.
+  // The number of entries for which SuperLU initially allocates memory; it allocates at least a quarter as many
+  // subscripts. If the final number is known, this is all it needs. Otherwise bounds above its default tend to be
+  // pessimistic, and it may enlarge its arrays.
   double initial_size(const Columns& a) const
   {
     const double needed = (std::max)(static_cast<double>(m_analysis->factor_size()),
@@ -202,7 +202,7 @@ private:
     return (std::min)(needed, (std::max)(usual, allocation_for_subscripts(m_analysis->relaxed_subscripts())));
   }
 
-  // SuperLU grows the array of subscripts as soon as it is full, and not only when it needs more.
+  // SuperLU enlarges the array of subscripts as soon as it is full, even if it needs no more.
   static double allocation_for_subscripts(std::size_t number)
   {
     return 4. * (static_cast<double>(number) + 1);
@@ -218,7 +218,7 @@ private:
     }
     std::vector<int> tree = m_analysis->elimination_tree(); // SuperLU renumbers it temporarily
 
-    // SuperLU uses the number of entries for a first guess of the size of the factors, and only for that.
+    // SuperLU uses the number of entries only for a first guess of the size of the factors.
     superlu::NCPformat store;
     store.nnz = static_cast<int>(std::ceil(entries / (std::max)(1, superlu::sp_ienv(6))));
     store.nzval = const_cast<FT*>(a.valuePtr());
@@ -232,7 +232,7 @@ private:
     options.ColPerm = superlu::MY_PERMC;
     options.Equil = superlu::NO;
     options.PrintStat = superlu::NO;
-    options.SymmetricMode = superlu::YES; // which only says that the tree is not postordered
+    options.SymmetricMode = superlu::YES; // this only means that the tree is not postordered
     options.DiagPivotThresh = is_symmetric() ? 0. : 1.;
 
     superlu::GlobalLU_t growing = superlu::GlobalLU_t();
@@ -241,7 +241,7 @@ private:
     Functions::factor(&options, &columns, m_analysis->relax(), width, tree.data(), nullptr, 0,
                       column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing,
                       &statistics, &info);
-    if(m_lower.Store == nullptr) // memory was exhausted, and what was there is left to us
+    if(m_lower.Store == nullptr) // memory ran out; the arrays allocated so far must be freed here
       free_growing(growing);
     if(info != 0)
       return false;

@@ -8,13 +8,13 @@
 
 // SuperLU's C headers for `double` and `float`, enclosed in the namespace `CGAL::internal::superlu`.
 //
-// How far this goes:
+// The limits:
 // - Types, enumerators (NO, ROW, TRANS, FACT, ...) and functions are visible in that namespace only.
 // - A macro of the user with the name of one of SuperLU's macros or enumerators has its own value
 //   again afterwards, and SuperLU's macros are gone, except those that begin with `SUPERLU_` or `USER_`
 //   and a few that no other program is likely to have.
-// - The Fortran routines of the BLAS that SuperLU declares are declared under other names here, so that
-//   other prototypes of them (in LAPACKE, CHOLMOD, Eigen, ...) do not contradict.
+// - The Fortran routines of the BLAS that SuperLU declares are declared under other names here, so that they do not
+//   conflict with other prototypes (in LAPACKE, CHOLMOD, Eigen, ...).
 // - A file that also includes SuperLU itself, or `<Eigen/SuperLUSupport>`, has to do so *before* this
 //   file, and both then use the types in the global namespace. In the other order the compiler reports
 //   that declarations of C functions contradict: a C function has one signature in a program, and it

@@ -6,7 +6,7 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H
 
-// What has to be known about a matrix before it may be given to SuperLU, which trusts its input.
+// Checks of a matrix before it is given to SuperLU, which trusts its input.
 
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
@@ -22,7 +22,7 @@ namespace internal {
 template <class FT>
 using SuperLU_matrix = Eigen::SparseMatrix<FT>;
 
-// Where a compressed square matrix has entries, whatever they are. It must not outlive the matrix.
+// The pattern of a compressed square matrix. It must not outlive the matrix.
 struct SuperLU_pattern
 {
   template <class FT>
@@ -37,7 +37,7 @@ struct SuperLU_pattern
   const int* inner;
 };
 
-// Is the matrix square, not empty, are its entries finite, and do the row indices of every column increase?
+// Whether the matrix is square and not empty, its entries are finite, and the row indices of every column increase.
 template <class FT>
 bool superlu_is_well_formed(const SuperLU_matrix<FT>& a)
 {
@@ -55,7 +55,7 @@ bool superlu_is_well_formed(const SuperLU_matrix<FT>& a)
   return true;
 }
 
-// Is there an off-diagonal entry, and all of them are below the diagonal? Such an entry is returned in `(i, j)`.
+// Whether there are off-diagonal entries and all of them are below the diagonal. Returns one of them in `(i, j)`.
 template <class FT>
 bool superlu_is_lower_triangle(const SuperLU_matrix<FT>& a, int& i, int& j)
 {
@@ -74,9 +74,8 @@ bool superlu_is_lower_triangle(const SuperLU_matrix<FT>& a, int& i, int& j)
   return found;
 }
 
-// `Eigen_sparse_matrix` does not tell whether it was made with `is_symmetric = true`, and then holds
-// one triangle only. It gives itself away by answering for the other triangle; asking
-// may insert an entry into the matrix, hence the copy.
+// `Eigen_sparse_matrix` does not tell whether it was constructed with `is_symmetric = true` and stores one triangle
+// only. It then returns entries of the other triangle too. Such a query may insert an entry, hence the copy.
 template <class FT>
 bool superlu_stores_one_triangle(const Eigen_sparse_matrix<FT>& matrix)
 {
@@ -87,8 +86,8 @@ bool superlu_stores_one_triangle(const Eigen_sparse_matrix<FT>& matrix)
   return copy.get_coef(j, i) != 0;
 }
 
-// The square roots of the absolute values of the diagonal, or nothing if an entry of the diagonal
-// is missing, zero or out of range, or if their signs differ. `sign` is their common sign.
+// The square roots of the absolute diagonal entries; empty if a diagonal entry is missing, zero or out of range, or
+// if their signs differ. `sign` is their common sign.
 template <class FT>
 std::vector<FT> superlu_diagonal_roots(const SuperLU_matrix<FT>& a, FT& sign)
 {
@@ -109,11 +108,11 @@ std::vector<FT> superlu_diagonal_roots(const SuperLU_matrix<FT>& a, FT& sign)
   return roots;
 }
 
-// Is the pattern of the matrix symmetric, are its values up to rounding, and might it be positive
-// or negative definite, as far as the diagonal and the 2x2 minors tell?
+// Whether the pattern of the matrix is symmetric, its values are symmetric up to rounding, and the diagonal and the
+// 2x2 minors are those of a positive or negative definite matrix.
 //
-// The columns are visited in their order, so that the entries of row j left of the diagonal
-// must be met one after the other in column j, above the diagonal.
+// Columns are visited in order. The entries of row j left of the diagonal must therefore occur in the same order in
+// column j, above the diagonal.
 template <class FT>
 bool superlu_may_be_definite(const SuperLU_matrix<FT>& a, FT& sign)
 {
@@ -127,7 +126,7 @@ bool superlu_may_be_definite(const SuperLU_matrix<FT>& a, FT& sign)
   const FT* value = a.valuePtr();
   std::vector<int> next(outer, outer + a.cols());
   for(int j = 0; j < a.cols(); ++j) {
-    if(inner[next[j]] != j) // an entry above the diagonal that has no partner
+    if(inner[next[j]] != j) // an entry above the diagonal without a counterpart
       return false;
     for(int k = next[j] + 1; k < outer[j + 1]; ++k) {
       const int i = inner[k];
@@ -143,8 +142,8 @@ bool superlu_may_be_definite(const SuperLU_matrix<FT>& a, FT& sign)
   return true;
 }
 
-// Can the rows and columns be matched along stored entries? Without that, SuperLU writes
-// outside of its arrays. Augmenting paths are searched in depth first order.
+// Whether the rows and columns can be matched along stored entries. Otherwise SuperLU writes outside of its arrays.
+// Augmenting paths are searched depth-first.
 class SuperLU_matching
 {
 public:
@@ -163,7 +162,7 @@ public:
   }
 
 private:
-  // A row of the column that is not matched, or -1. Matched rows stay so: each entry is looked at once.
+  // An unmatched row of the column, or -1. Matched rows remain matched, so each entry is examined once.
   int free_row(int column)
   {
     while(m_cheap[column] < m_outer[column + 1]) {
@@ -174,7 +173,7 @@ private:
     return -1;
   }
 
-  // A column not yet visited from `root` that holds a row of `column`, or -1
+  // A column that is matched to a row of `column` and not yet visited from `root`, or -1
   int next_column(int column, int root)
   {
     while(m_next[column] < m_outer[column + 1]) {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace internal {
 inline namespace CGAL_SUPERLU_TYPES {
 
-// The functions of SuperLU that differ by the number type, and what it calls that type.
+// The functions of SuperLU that depend on the number type, and SuperLU's name of that type.
 template <class FT>
 struct SuperLU_functions;
 
@@ -51,10 +51,9 @@ struct SuperLU_functions<float>
 
 // While an object of this class lives, OpenBLAS computes on the calling thread only.
 //
-// OpenBLAS sums in another order on another number of threads, so that results would depend on the machine. Its
-// threads do not pay for SuperLU's small blocks either: they spend their time waiting for one another. The number of
-// threads is one for the whole program, so that it is restored only when the last such object is gone. Other
-// implementations of the BLAS are left alone.
+// The order of summation in OpenBLAS depends on the number of threads, so results would depend on the machine.
+// Several threads are no faster on SuperLU's small blocks: they mostly wait for one another. The setting is global,
+// so it is restored only when the last such object is destroyed. Other BLAS implementations are not changed.
 class SuperLU_one_blas_thread
 {
 public:
@@ -87,9 +86,9 @@ private:
   }
 };
 
-// Memory that a call of SuperLU is going to allocate. Whether it is there is found out by allocating and freeing it,
-// together with what other calls that have not returned yet were promised: several threads may call SuperLU at a time, and
-// how much of their memory they have allocated already is not known.
+// Memory that a call of SuperLU is going to allocate. To find out whether it is available, it is allocated and freed,
+// together with the memory for other calls that have not returned yet. Several threads may call SuperLU at the same
+// time, and it is unknown how much they have already allocated.
 class SuperLU_memory
 {
 public:
@@ -132,7 +131,7 @@ private:
 
   static double& promised()
   {
-    static double bytes = 0; // of the calls that have not returned
+    static double bytes = 0; // for the calls that have not returned
     return bytes;
   }
 

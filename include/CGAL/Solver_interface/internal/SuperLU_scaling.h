@@ -52,8 +52,8 @@ public:
     }
   }
 
-  // Whether the entries of the matrix, before it was scaled, are what they were before they became numbers of this type,
-  // but for errors that are small beside the largest entries of their rows and columns
+  // Whether rounding to this number type changed the entries of the matrix before scaling only by errors that are
+  // small compared with the largest entries of their rows and columns
   template <class FT>
   bool keeps_digits(const SuperLU_matrix<FT>& a) const
   {
@@ -69,14 +69,14 @@ public:
     return true;
   }
 
-  // From the right-hand sides of the original system to those of the scaled one
+  // Converts right-hand sides of the original system to those of the scaled system
   template <class Block>
   void scale_rows(Block& b) const
   {
     scale(b, m_row);
   }
 
-  // From the solutions of the scaled system to those of the original one
+  // Converts solutions of the scaled system to those of the original system
   template <class Block>
   void scale_columns(Block& x) const
   {

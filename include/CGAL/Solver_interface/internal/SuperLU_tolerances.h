@@ -11,19 +11,19 @@
 namespace CGAL {
 namespace internal {
 
-// What is put down to rounding, in the number type `FT`.
+// Tolerances for rounding errors in the number type `FT`.
 //
-// - `asymmetry`: the difference of two entries that mirror one another, in units of the geometric mean of their entries of
-//   the diagonal. It must be below `good_residual`, as only one of them is used.
-// - `pivots_show_singularity`: whether a singular matrix is known by a pivot that is small. The last pivot of a singular
-//   Laplacian with 200 000 rows is a millionth of a millionth of its diagonal in double, but a hundredth in float, where
-//   pivots of regular matrices are smaller.
-// - `suspicious_pivot`: if so, the ratio to the entry of the diagonal below which a pivot is suspected.
-// - `good_residual`: the backward error up to which a solution is not refined. That of a stable factorization is a few
-//   units of the precision.
-// - `fair_residual`: the backward error above which a solution is refused in spite of refinement.
-// - `least_entry`: what is smaller may have lost its digits, or vanished. A matrix of floats is often one of doubles that
-//   was rounded, and below the normal numbers the error of that is not a relative one.
+// - `asymmetry`: the difference of two entries (i, j) and (j, i), relative to the geometric mean of the diagonal
+//   entries i and j. It must be below `good_residual`, because only one of the two is used.
+// - `pivots_show_singularity`: whether a small pivot reveals a singular matrix. The last pivot of a singular
+//   Laplacian with 200 000 rows is 1e-12 times its diagonal in double, but 0.01 times in float, where regular
+//   matrices have smaller pivots.
+// - `suspicious_pivot`: if so, a pivot is suspicious below this multiple of the diagonal entry.
+// - `good_residual`: the backward error up to which a solution is not refined. A stable factorization has a few units
+//   of the precision.
+// - `fair_residual`: the backward error above which a solution is refused even after refinement.
+// - `least_entry`: smaller entries may have lost digits or vanished. A matrix of floats is often a rounded matrix of
+//   doubles, and rounding errors of subnormal numbers are not small relative to the number.
 template <class FT>
 struct SuperLU_tolerances;
 

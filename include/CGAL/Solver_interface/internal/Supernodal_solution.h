@@ -14,8 +14,8 @@
 namespace CGAL {
 namespace internal {
 
-// Consecutive columns of L with the same pattern: a dense trapezoid, with the entries of D on its diagonal and those of
-// the unit triangle below.
+// Consecutive columns of L with the same pattern: a dense trapezoid, with the entries of D on its diagonal and those
+// of the unit triangle of L below it.
 template <class FT>
 struct Supernode
 {
@@ -26,8 +26,8 @@ struct Supernode
   const FT* column(int j) const { return values + std::ptrdiff_t(j) * rows; }
 };
 
-// Triangular solutions with a symmetric factorization L D L'. `Supernodes` has `size()`, `number_of_supernodes()`, and
-// `supernode(s)`, in the order of the pivots. Nodes are mostly too small for calls of the BLAS.
+// Triangular solutions with a symmetric factorization L D L'. `Supernodes` has `size()`, `number_of_supernodes()`,
+// and `supernode(s)`, in the order of the pivots. Most supernodes are too small for calls of the BLAS.
 template <class FT, class Supernodes>
 class Supernodal_solution
 {

@@ -27,7 +27,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Everything about one triangle that is made from derivatives. `scale` enlarges the plane to the area of the surface.
+// Computes the measures of one triangle that depend on derivatives. `scale` enlarges the plane to the area of the
+// surface.
 inline void measure_differential(const Triangle_differential& map, double scale,
                                  Flattening_face_measures& face)
 {
@@ -52,7 +53,7 @@ inline void measure_differential(const Triangle_differential& map, double scale,
   face.symmetric_dirichlet_energy = squares + 1 / (largest * largest) + 1 / (smallest * smallest);
 }
 
-// Everything about one triangle that is made from angles.
+// Computes the measures of one triangle that depend on angles.
 inline void measure_angles(const Chart& chart, const std::vector<double>& beta,
                            const std::vector<Chart::Point_2>& uv, int t, Flattening_face_measures& face)
 {
@@ -79,7 +80,7 @@ inline void set_not_a_number(Flattening_face_measures& face)
     face.*measure = (std::numeric_limits<double>::quiet_NaN)();
 }
 
-// The lesser and the larger one of two numbers, or what is not a number.
+// The smaller and the larger of two numbers, or NaN if one of them is.
 inline double least_of(double a, double b)
 {
   return a <= b || std::isnan(a) ? a : b;
@@ -90,7 +91,7 @@ inline double largest_of(double a, double b)
   return a >= b || std::isnan(a) ? a : b;
 }
 
-// From the measures of triangles to those of the map.
+// Combines the measures of the triangles to those of the map.
 class Measure_totals
 {
 public:
@@ -111,7 +112,7 @@ public:
 
     const double weight = m_surface > 0 ? face.area / m_surface : 1. / m_triangles;
     if(weight == 0)
-      return; // before infinity is multiplied by it
+      return; // infinity times 0 would be NaN
     m_totals.mean_angle_change += weight * face.mean_angle_change;
     m_totals.rms_angle_change += weight * CGAL::square(face.rms_angle_change);
     m_totals.l2_stretch += weight * CGAL::square(face.l2_stretch);
@@ -129,7 +130,7 @@ public:
     m_ratios.emplace_back(face.quasi_conformal_ratio, weight);
   }
 
-  // Of all triangles, once they are added.
+  // The measures of the map, after all triangles were added.
   Flattening_measures measures()
   {
     Flattening_measures result = m_totals;
@@ -143,7 +144,7 @@ public:
   }
 
 private:
-  // The least ratio that is not exceeded on that part of the area
+  // The least ratio that is not exceeded on this fraction of the area
   double ratio_of_part(double part)
   {
     std::sort(m_ratios.begin(), m_ratios.end());
@@ -157,8 +158,8 @@ private:
 
   int m_triangles;
   double m_surface;
-  Flattening_measures m_totals;                    // squares where roots are to be drawn
-  std::vector<std::pair<double, double>> m_ratios; // quasi-conformal, and the weight
+  Flattening_measures m_totals;                    // sums of squares for root mean squares
+  std::vector<std::pair<double, double>> m_ratios; // quasi-conformal ratios and weights
 };
 
 // `scale` enlarges the plane to the area of the surface.
@@ -178,8 +179,8 @@ inline Flattening_face_measures measure_triangle(const Chart& chart, const std::
   return face;
 }
 
-// Calls `visit(t, measures)` for each triangle `t`, in their order and one after the other. Measured are several at
-// once, so many of them before they are visited that their measures take a few megabytes.
+// Calls `visit(t, measures)` for each triangle `t`, in order. Triangles are measured in parallel, in batches whose
+// measures take a few megabytes.
 template <typename Visitor>
 Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::Point_2>& uv, Visitor&& visit)
 {

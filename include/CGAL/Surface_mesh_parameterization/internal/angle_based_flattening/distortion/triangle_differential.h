@@ -17,13 +17,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The derivatives of the map from the plane to the surface on triangle `t`, in orthonormal axes of its plane in
-// space, and times the determinant of its edges in the plane: what does not depend on scale needs no division by
-// that determinant.
+// The derivatives of the map from the plane to the surface on triangle `t`, in an orthonormal basis of its plane in
+// space. They are multiplied by the determinant of the planar edges, so measures that do not depend on scale need no
+// division.
 //
-// The singular values come from the conformal and the anticonformal part of the map, whose norms are half their sum
-// and half their difference. The eigenvalues of the first fundamental form would lose half of the digits where they
-// are nearly equal, which is the usual case here.
+// The singular values are computed from the norms of the conformal and the anticonformal part of the map: these are
+// half the sum and half the difference of the singular values. The eigenvalues of the first fundamental form would
+// lose half of the digits where they are nearly equal, as they usually are here.
 class Triangle_differential
 {
   typedef Chart::Kernel::Vector_2 Vector_2;
@@ -47,7 +47,7 @@ public:
     m_anticonformal = std::hypot(m_u.x() - m_v.y(), m_u.y() + m_v.x()) / 2;
   }
 
-  // In space and in the plane; without, the other functions make no sense.
+  // Whether the triangle has area in space and in the plane. Otherwise the other functions are meaningless.
   bool has_area() const { return std::isnormal(m_twice_area) && std::isnormal(m_determinant); }
 
   double shear() const
@@ -68,7 +68,7 @@ public:
 
   double largest_stretch() const { return (m_conformal + m_anticonformal) / m_determinant; }
 
-  double smallest_stretch() const // from the product of both, which does not cancel
+  double smallest_stretch() const // from the product of both, without cancellation
   {
     return (std::min)(area_stretch() / largest_stretch(), largest_stretch());
   }

@@ -20,8 +20,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The triangles around one vertex in the plane, with the target angles of all their corners: to move the vertex to where
-// the energy of the direct method is least.
+// The triangles around one vertex in the plane, with the target angles of all their corners. They tell where to move
+// the vertex to minimize the energy of the direct method.
 struct Angle_star : Planar_star_base
 {
   struct Triangle
@@ -49,8 +49,8 @@ struct Angle_star : Planar_star_base
   }
 };
 
-// The energy of the angles of a star as a function of the position of its vertex. The Hessian is that of Gauss and Newton,
-// which is never indefinite. Infinite where the star is not valid.
+// The energy of the angles of a star as a function of the position of its vertex. The Hessian is that of
+// Gauss-Newton, which is never indefinite. The energy is infinite where the star is not valid.
 class Angle_star::Energy
 {
 public:
@@ -74,7 +74,7 @@ public:
                star.energy.value(alpha_q, t.beta_q);
       if(!with_derivatives)
         continue;
-      // Moving x across the edge to p changes the angle at p, and along it does not.
+      // The angle at p changes if x moves across the edge to p, but not if it moves along the edge.
       const Planar_point along_p = Planar_point(to_p.y(), -to_p.x()) / to_p.squaredNorm();
       const Planar_point along_q = Planar_point(-to_q.y(), to_q.x()) / to_q.squaredNorm();
       add(star.energy, alpha_p, t.beta_p, along_p);

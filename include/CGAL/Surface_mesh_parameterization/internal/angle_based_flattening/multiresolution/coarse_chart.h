@@ -15,7 +15,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What collapses have left of a chart, as a chart of its own.
+// What remains of a chart after collapses, as a separate chart.
 struct Coarse_chart
 {
   Chart chart;

@@ -22,8 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Makes a chart coarser level by level. The vertices that a level removes are independent: none is a neighbour of
-// another one, so that they can be put back in any order.
+// Makes a chart coarser level by level. No two vertices that a level removes are neighbours, so they can be inserted
+// again in any order.
 class Coarsening
 {
 public:
@@ -39,8 +39,8 @@ public:
   int number_of_vertices() const { return static_cast<int>(m_alive.size()); }
   const std::vector<int>& alive() const { return m_alive; }
 
-  // Adds levels until at most `target` vertices are left, or hardly any more can be removed. For `extreme_angle` see
-  // `Collapse_cost`.
+  // Adds levels until at most `target` vertices are left or hardly any vertex can be removed. See `Collapse_cost` for
+  // `extreme_angle`.
   void coarsen(int target, double extreme_angle, Flattening_visitor* visitor = nullptr)
   {
     while(number_of_vertices() > target) {
@@ -52,8 +52,8 @@ public:
     }
   }
 
-  // Undoes the coarsest level. Returns the vertices that it had removed. `visit` is called with each of them and the vertex
-  // that it had been merged into.
+  // Undoes the coarsest level. Returns the vertices that this level had removed. Calls `visit` with each of them and
+  // the vertex into which it had been merged.
   template <typename Visitor>
   std::vector<int> undo_level(const Visitor& visit)
   {
@@ -64,7 +64,7 @@ public:
       restored.push_back(m_mesh.undo());
       visit(restored.back(), kept);
     }
-    // in order of their numbers neighbours are near to each other in memory
+    // sorted by number, neighbours are close in memory
     std::sort(restored.begin(), restored.end());
     const auto middle = m_alive.insert(m_alive.end(), restored.begin(), restored.end());
     std::inplace_merge(m_alive.begin(), middle, m_alive.end());
@@ -89,7 +89,7 @@ private:
       const int v = m_alive[i];
       if(locked[v])
         continue;
-      // only where the stars of both are as they were, there is nothing to look at
+      // nothing to check if neither star has changed
       if(locked[m_mesh.kept_vertex(candidates[i].record)] && !cost.is_still_allowed(v, candidates[i].record))
         continue;
       m_mesh.for_each_corner(v, [&](int c) {
@@ -103,7 +103,7 @@ private:
     m_level_begin.push_back(static_cast<int>(m_mesh.records().size()));
   }
 
-  // The cheapest collapse of each vertex that is there
+  // The cheapest collapse of each remaining vertex
   std::vector<Collapse_candidate> cheapest_collapses(double extreme_angle) const
   {
     std::vector<Collapse_candidate> candidates(m_alive.size());
@@ -115,8 +115,8 @@ private:
     return candidates;
   }
 
-  // The numbers of all collapses that are allowed, cheaper ones first. Those whose costs differ by less than a factor of
-  // two remain in the order of the vertices, as going back and forth in memory takes longer than all else.
+  // The numbers of all allowed collapses, the cheapest first. Those whose costs differ by less than a factor of two
+  // stay in the order of the vertices, because jumps in memory would take most of the time.
   static std::vector<int> ranked(const std::vector<Collapse_candidate>& candidates)
   {
     std::map<int, std::vector<int>> of_exponent;
@@ -131,7 +131,7 @@ private:
 
   Edge_collapses m_mesh;
   std::vector<int> m_level_begin; // first record of each level
-  std::vector<int> m_alive;       // the vertices that are there, sorted
+  std::vector<int> m_alive;       // the remaining vertices, sorted
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

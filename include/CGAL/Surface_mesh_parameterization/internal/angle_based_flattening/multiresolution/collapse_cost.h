@@ -34,29 +34,30 @@ struct Collapse_candidate
   explicit operator bool() const { return std::isfinite(cost); }
 };
 
-// Ranks and vetoes the collapses of one vertex after the other.
+// Computes the costs of the collapses of one vertex after the other, and rejects some.
 class Collapse_cost
 {
   typedef Eigen::Vector3d Vector;
 
-  // Of the collapses of a vertex of large degree only the cheapest ones are looked at.
+  // For a vertex of large degree, only the cheapest collapses are examined.
   static constexpr std::size_t max_candidates = 32;
 
-  // A border vertex with more stays: where the plane has about a full turn as well, it could not be inserted again.
+  // A border vertex with a larger angle is not removed. It could not be inserted again where its planar angle is
+  // about a full turn too.
   static constexpr double largest_border_turn = 1.9 * pi;
 
 public:
-  // No angle shall be smaller than `extreme_angle` (in radians), or larger than pi less that, unless there is one as
-  // bad around the vertex already. If `extreme_angle` is 0, shapes do not matter at all, only the connectivity does.
+  // No angle may become smaller than `extreme_angle` (in radians) or larger than pi minus that, unless an angle
+  // around the vertex is already as bad. If `extreme_angle` is 0, only the connectivity matters.
   Collapse_cost(const Edge_collapses& mesh, double extreme_angle)
       : m_mesh(mesh), m_any_shape(extreme_angle == 0), m_least_cotangent(1 / std::tan(extreme_angle))
   {}
 
-  // The cheapest collapse of vertex `v` that is allowed.
+  // The cheapest allowed collapse of vertex `v`.
   //
-  // The cost is the sum of the squared volumes between the old star and the new one, d' A d with A = sum n n' over the
-  // normals of the star, along the way d of the vertex. A little of the trace of A is added, so that flat places are
-  // not free, and triangles keep their shapes.
+  // The cost is the sum of the squared volumes between the old star and the new one, d' A d with A = sum n n' over
+  // the normals of the star, for the displacement d of the vertex. A small multiple of the trace of A is added.
+  // Collapses in flat places then have a cost too, and triangles keep their shapes.
   Collapse_candidate best(int v)
   {
     gather_star(v);
@@ -80,7 +81,7 @@ public:
     return {};
   }
 
-  // Whether a collapse that was allowed still is after others, none of which changed the star of `v`.
+  // Whether a collapse is still allowed after other collapses that did not change the star of `v`.
   bool is_still_allowed(int v, Edge_collapses::Record wanted)
   {
     gather_ring(v);
@@ -159,18 +160,18 @@ private:
     return turn;
   }
 
-  // The number of the ring vertex before number i in counterclockwise order, that is the next one clockwise.
+  // The index of the ring vertex before vertex i in counterclockwise order.
   std::size_t after(std::size_t i) const { return i + 1 < m_ring.size() ? i + 1 : 0; }
 
-  // For the triangle with edges `a` and `b` from a vertex: this divided by twice its area is its largest absolute cotangent.
+  // For the triangle with edges `a` and `b`: its largest absolute cotangent times twice its area.
   static double largest_dot_product(const Vector& a, const Vector& b)
   {
     const double ab = a.dot(b), aa = a.squaredNorm(), bb = b.squaredNorm();
     return (std::max)({std::abs(ab), std::abs(aa - ab), std::abs(bb - ab)});
   }
 
-  // Border vertices go along the border only, and not if the triangle that vanishes is all that holds its other two
-  // edges together.
+  // Border vertices are merged along the border only, and only if the surface does not fall apart when the triangle
+  // vanishes.
   bool is_collapsible(std::size_t i) const
   {
     if(!m_on_border)
@@ -183,7 +184,8 @@ private:
     return m_mesh.chart().opposite[c] >= 0 || m_mesh.chart().opposite[kept] >= 0;
   }
 
-  // Whether the triangles that stay keep their sides and are no worse than allowed once the vertex is at ring vertex i.
+  // Whether the remaining triangles keep their orientation and have allowed shapes when the vertex is at ring vertex
+  // i.
   bool keeps_shape(std::size_t i) const
   {
     const Vector& target = m_points[i];
@@ -200,7 +202,7 @@ private:
     return true;
   }
 
-  // The neighbours that the two vertices of the edge have in common are those in the triangles at the edge.
+  // Whether the only common neighbours of the two vertices of the edge are those in the triangles at the edge.
   bool fulfils_link_condition(int i)
   {
     const Chart& chart = m_mesh.chart();
@@ -214,7 +216,7 @@ private:
     return common == (m_on_border ? 1 : 2);
   }
 
-  // Nearly always a look at a bit is enough.
+  // One bit nearly always decides.
   bool is_in_ring(int u)
   {
     if(!(m_ring_bits >> (u % 64) & 1))
@@ -228,7 +230,7 @@ private:
     return std::binary_search(m_sorted_ring.begin(), m_sorted_ring.end(), u);
   }
 
-  // In clockwise order the triangle before ring vertex i has it next to the vertex's corner.
+  // In clockwise order, ring vertex i is next to the vertex's corner in the triangle before it.
   Edge_collapses::Record record(int i) const
   {
     if(!m_on_border)
@@ -247,7 +249,7 @@ private:
   Quadric m_quadric;
   Vector m_centre;
   double m_worst_cotangent = 0;  // squared
-  std::uint64_t m_ring_bits = 0; // for each vertex of the ring that of its number, modulo 64
+  std::uint64_t m_ring_bits = 0; // one bit for each ring vertex: its number modulo 64
   bool m_on_border = false;
 };
 

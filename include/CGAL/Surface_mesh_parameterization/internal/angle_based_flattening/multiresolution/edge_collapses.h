@@ -14,14 +14,14 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The connectivity of a chart that is made coarser by half-edge collapses, and finer again by undoing them in reverse
-// order. A collapse merges a vertex into a neighbour that stays where it is. The arrays of the triangles that vanish
-// keep what they held, so that a single number is enough to undo it.
+// The connectivity of a chart, which half-edge collapses make coarser. Undoing them in reverse order makes it finer
+// again. A collapse merges a vertex into a neighbour, which does not move. The entries of the triangles that vanish
+// are kept, so a single number is enough to undo a collapse.
 class Edge_collapses
 {
 public:
-  // A corner at the vertex that vanishes, `c`: the edge to the vertex of the next corner is collapsed; or `~c`: the
-  // edge to the vertex of the previous corner is, where only that is on the border.
+  // `c` is a corner at the vertex that vanishes, if the edge to the vertex of the next corner is collapsed. `~c`
+  // means the edge to the vertex of the previous corner, where only that edge is on the border.
   typedef int Record;
 
   explicit Edge_collapses(Chart& chart) : m_chart(chart), m_corner_at(chart.points.size(), -1)
@@ -41,14 +41,14 @@ public:
     return m_chart.vertex[record < 0 ? previous_corner(~record) : next_corner(record)];
   }
 
-  // Rotates about the vertex of `c` counterclockwise; -1 behind the last triangle.
+  // The next corner counterclockwise around the vertex of `c`, or -1 after the last triangle.
   int rotate_back(int c) const
   {
     const int across = m_chart.opposite[next_corner(c)];
     return across < 0 ? -1 : next_corner(across);
   }
 
-  // The corner at `v` of the first triangle in clockwise order; any one if `v` is inside.
+  // The corner at `v` of the first triangle in clockwise order, or of any triangle if `v` is interior.
   int first_corner(int v) const
   {
     const int start = m_corner_at[v];
@@ -130,7 +130,7 @@ private:
       visit(vanishing(previous_corner(across), next_corner(across)));
   }
 
-  // Gives the corners at the removed vertex in the triangles that stay to vertex `v`.
+  // Assigns the corners at the removed vertex in the remaining triangles to vertex `v`.
   void relabel(Record record, int v)
   {
     if(record < 0) {
@@ -152,7 +152,7 @@ private:
       m_chart.opposite[d] = c;
   }
 
-  // Lets the vertices of a vanishing triangle refer to a corner of a neighbour, that stays.
+  // Makes the vertices of a vanishing triangle refer to a corner of a remaining triangle.
   void move_corners_off(const Vanishing& triangle, int kept)
   {
     const int outer = triangle.outer_of_kept >= 0 ? triangle.outer_of_kept : triangle.outer_of_removed;
@@ -162,7 +162,7 @@ private:
   }
 
   Chart& m_chart;
-  std::vector<int> m_corner_at; // of each vertex that is there: a corner at it
+  std::vector<int> m_corner_at; // one corner at each remaining vertex
   std::vector<Record> m_records;
 };
 

@@ -16,8 +16,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The position of a vertex with harmonic weights (Section 5.2, step 1), at the border that of Eq. 22. (The paper prints
-// the same cotangent twice there; it is those of both other corners.)
+// The position of a vertex by harmonic weights (Section 5.2, step 1), or by Eq. 22 at the border. (The paper prints
+// the same cotangent twice there. Correct are the cotangents of both other corners.)
 inline Planar_point harmonic_position(const Planar_star& star)
 {
   Planar_point sum(0, 0);
@@ -31,7 +31,7 @@ inline Planar_point harmonic_position(const Planar_star& star)
   return sum / weights;
 }
 
-// The same with mean value weights, which are positive: less extreme where there are obtuse angles.
+// The same with mean value weights. They are positive, and less extreme at obtuse angles.
 inline Planar_point mean_value_position(const Planar_star& star)
 {
   Planar_point sum(0, 0);
@@ -48,7 +48,7 @@ inline Planar_point mean_value_position(const Planar_star& star)
   return sum / weights;
 }
 
-// The part of a convex polygon that is left of the line from `a` to `b`.
+// The part of a convex polygon to the left of the line from `a` to `b`.
 inline std::vector<Planar_point> clipped(const std::vector<Planar_point>& polygon, const Planar_point& a,
                                          const Planar_point& b)
 {
@@ -64,7 +64,7 @@ inline std::vector<Planar_point> clipped(const std::vector<Planar_point>& polygo
   return result;
 }
 
-// The centre of the kernel of the star (Section 5.2, step 2), or something that is not a number if there is none.
+// The centre of the kernel of the star (Section 5.2, step 2), or NaN if the kernel is empty.
 inline Planar_point kernel_centre(const Planar_star& star)
 {
   Planar_point low = star.triangles.front().p, high = low;

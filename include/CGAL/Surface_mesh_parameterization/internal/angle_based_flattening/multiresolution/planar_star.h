@@ -27,12 +27,12 @@ inline double cross(const Planar_point& a, const Planar_point& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// What every star of a vertex tells of its ring.
+// What all kinds of stars know about their ring.
 struct Planar_star_base
 {
   bool on_border = false;
   double least_area = 0;                       // twice the area that a triangle must have in the plane
-  int first_neighbour = 0, last_neighbour = 0; // the smallest and largest number of a vertex around
+  int first_neighbour = 0, last_neighbour = 0; // the smallest and the largest number of a ring vertex
 
   // Calls `visit` with the corner at `v` of each triangle, clockwise, and its two other vertices.
   template <typename Visitor>
@@ -43,7 +43,7 @@ struct Planar_star_base
     on_border = chart.interior[v] < 0;
     first_neighbour = last_neighbour = v;
     double longest = 0;
-    int q = -1; // each triangle starts where the one before it ended
+    int q = -1; // each triangle starts where the previous one ended
     mesh.for_each_corner(v, [&](int c) {
       if(q < 0)
         meet(q = chart.vertex[previous_corner(c)]);
@@ -64,7 +64,7 @@ private:
   }
 };
 
-// Whether all triangles of a star are positively oriented, by more than rounding errors, with its vertex at `x`.
+// Whether all triangles of a star are positively oriented, by more than rounding errors, if its vertex is at `x`.
 template <typename Star>
 bool is_valid(const Star& star, const Planar_point& x)
 {
@@ -74,7 +74,8 @@ bool is_valid(const Star& star, const Planar_point& x)
   return true;
 }
 
-// How often the triangles of a star wind around `x`: how many lead from the lower half of the plane to the upper one
+// The winding number of the ring of a star around `x`: how many triangles lead from the lower half-plane to the upper
+// one
 template <typename Star>
 int winding_number(const Star& star, const Planar_point& x)
 {
@@ -86,8 +87,8 @@ int winding_number(const Star& star, const Planar_point& x)
   }));
 }
 
-// The triangles around one vertex, in space and in the plane: all that the position where it is inserted
-// depends on.
+// The triangles around one vertex, in space and in the plane. The position where it is inserted depends on nothing
+// else.
 struct Planar_star : Planar_star_base
 {
   // A triangle (v, p, q), counterclockwise.
@@ -115,8 +116,8 @@ private:
   {
     const auto a = chart.points[p] - chart.points[v], b = chart.points[q] - chart.points[v];
     const double ab = a * b, aa = a.squared_length(), bb = b.squared_length();
-    // The cotangents of needles are bounded; what counts is that they are finite. A triangle that is a point is as good
-    // as an equilateral one.
+    // The cotangents of needles are bounded, so that they are finite. A triangle that is a point counts as
+    // equilateral.
     if(aa + bb == 0)
       return {Planar_point::Zero(), Planar_point::Zero(), std::sqrt(1. / 3),
               std::sqrt(1. / 3),    std::sqrt(1. / 3),    0};

@@ -12,7 +12,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A quadratic form in space. Its six numbers are apart, so that they stay in registers while it is added up.
+// A quadratic form in space. Its six coefficients are separate members, so that they stay in registers during
+// summation.
 struct Quadric
 {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;

@@ -25,7 +25,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Puts back the vertices that collapses removed, level by level, and relaxes what is there (Section 5.2).
+// Inserts the removed vertices again, level by level, and relaxes the map after each level (Section 5.2).
 class Refinement
 {
 public:
@@ -38,7 +38,8 @@ public:
 
   const Counts& counts() const { return m_counts; }
 
-  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if there is no valid position for a vertex in its star.
+  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no valid position in its
+  // star.
   bool run(int sweeps, Flattening_visitor* visitor)
   {
     sweep(sweeps);
@@ -47,7 +48,7 @@ public:
         return false;
       visit_level(visitor, m_coarsening.number_of_vertices(),
                   m_coarsening.mesh().chart().number_of_vertices());
-      // Errors with long waves are smoothed where vertices are few, and on the largest levels it costs most.
+      // Coarse levels smooth errors of long wavelength. On the finest levels, sweeps cost most.
       const int large_levels = 3;
       sweep(m_coarsening.number_of_levels() < large_levels ? (std::min)(sweeps, 1) : sweeps);
     }
@@ -70,7 +71,7 @@ private:
       relax_all(MIPS_star());
   }
 
-  // What happened to the vertices of a block
+  // Counts of what happened to the vertices of a block
   struct Block_result
   {
     int moves = 0, rejected_moves = 0, kernel_insertions = 0;
@@ -78,7 +79,7 @@ private:
     std::vector<int> deferred;
   };
 
-  // Vertices of a level are not neighbours, so that all can be inserted at once.
+  // Vertices of a level are not neighbours, so all can be inserted in parallel.
   bool insert(const std::vector<int>& vertices)
   {
     const int n = static_cast<int>(vertices.size());
@@ -107,15 +108,15 @@ private:
     return complete;
   }
 
-  // A border vertex stays close to the border as it is, or was merged: angles around its neighbours are only known when all
-  // vertices of the level are there.
+  // A border vertex is inserted close to the present border, or to the vertex into which it was merged. The angles
+  // around its neighbours are known only after all vertices of the level are inserted.
   void insert(const Planar_star& star, int v, Block_result& result)
   {
     const bool is_close = star.on_border && insert_closely(star, v);
     const Insertion insertion = is_close ? INSERTED : insert_vertex(star, m_uv[v]);
-    // Around a border vertex with more than a full turn, all triangles of a vertex that is split off it can be positively
-    // oriented and wind around it twice. No other position is any better: the valid ones are convex, and nothing
-    // can change on the way between two of them.
+    // If the angles around a border vertex exceed a full turn, the triangles of a vertex split off it can all be
+    // positively oriented and still wind around it twice. No other position helps: the set of valid positions is
+    // convex, so the winding number is the same on all of it.
     const bool is_wound = insertion != NOT_INSERTED && !star.on_border && winding_number(star, m_uv[v]) != 1;
     result.kernel_insertions += insertion == INSERTED_IN_KERNEL;
     result.complete = insertion != NOT_INSERTED && !is_wound;
@@ -123,7 +124,7 @@ private:
 
   bool insert_closely(const Planar_star& star, int v)
   {
-    const bool is_first = m_uv[v] == star.triangles.front().q; // there it had been merged into
+    const bool is_first = m_uv[v] == star.triangles.front().q; // the vertex into which it had been merged
     for(double distance : {1e-4, 1e-6, 1e-8}) {
       m_uv[v] =
           star.triangles.size() == 1 ? tip_of_ear(star, distance) : next_to_end(star, is_first, distance);
@@ -133,7 +134,8 @@ private:
     return false;
   }
 
-  // Moves a border vertex to where it would be inserted, or as far as the border does not overlap itself.
+  // Moves a border vertex to where it would be inserted, or as far towards there as the border does not overlap
+  // itself.
   void widen(const Planar_star& star, int v)
   {
     const Planar_point close = m_uv[v];
@@ -149,16 +151,16 @@ private:
     m_uv[v] = close;
   }
 
-  // A position a little outside of the edge between the neighbours on the border
+  // A position slightly outside the edge between the two neighbours on the border
   static Planar_point tip_of_ear(const Planar_star& star, double distance)
   {
     const Planar_point &a = star.triangles.front().q, &b = star.triangles.back().p;
     return (a + b) / 2 + distance * Planar_point(b.y() - a.y(), a.x() - b.x());
   }
 
-  // A position next to the first or the last vertex of the ring of a border vertex, in the middle of the triangles between
-  // that and the others; `distance` is relative to the nearest one. Next to the one that the vertex had been merged into
-  // all triangles are valid.
+  // A position next to the first or the last ring vertex of a border vertex, within the triangles between that vertex
+  // and the other ring vertices. `distance` is relative to the nearest ring vertex. All triangles are valid close to
+  // the vertex into which the border vertex had been merged.
   static Planar_point next_to_end(const Planar_star& star, bool first, double distance)
   {
     const Planar_star::Triangle &front = star.triangles.front(), &back = star.triangles.back();
@@ -176,10 +178,10 @@ private:
            distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
-  // Whether the triangles around border vertex `v` or a neighbour of it on the border nearly take a full turn, but do not take
-  // one with `v` at `before`. Vertices could come to lie in triangles twice there, with all of them positively oriented.
-  // Where a chart overlaps itself anyway, that is no reason to refuse a position. What is left of the turn is for vertices
-  // that have yet to be inserted.
+  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, nearly take a full
+  // turn now, but did not take one with `v` at `before`. The chart could then overlap itself there although all
+  // triangles are positively oriented. A position is not refused where the chart overlaps itself anyway. The rest of
+  // the turn is for vertices that are still to be inserted.
   bool border_overlaps(int v, const Planar_point& before)
   {
     const unsigned now = wide_angles(v, 2 * pi - 1e-2);
@@ -206,7 +208,7 @@ private:
     return bits;
   }
 
-  // The angle of all triangles around `v` together
+  // The sum of the angles of all triangles around `v`
   double turn(int v) const
   {
     const Chart& chart = m_coarsening.mesh().chart();
@@ -219,9 +221,9 @@ private:
     return result;
   }
 
-  // Moves each vertex once. Blocks of consecutive vertices are done at once. Vertices of the border, and those with
-  // neighbours in another block, are deferred until all blocks are done, so that the result does not depend on the number
-  // of threads.
+  // Moves each vertex once. Blocks of consecutive vertices are processed in parallel. Border vertices and vertices
+  // with a neighbour in another block are deferred until all blocks are done, so the result does not depend on the
+  // number of threads.
   template <typename Star>
   void relax_all(const Star& empty)
   {
@@ -265,7 +267,7 @@ private:
     ++(moved ? result.moves : result.rejected_moves);
   }
 
-  // Small blocks have many neighbours in others.
+  // In small blocks, many vertices have a neighbour in another block.
   static int number_of_blocks(int n) { return (std::min)(1 + n / 4096, 16); }
 
   static int begin_of_block(int b, int blocks, int n)

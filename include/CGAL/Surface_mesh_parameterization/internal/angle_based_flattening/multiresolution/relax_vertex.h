@@ -20,7 +20,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The triangles around one vertex, in the plane and in space: to move the vertex to where the triangles are most alike.
+// The triangles around one vertex, in the plane and in space. They tell where to move the vertex so that both are as
+// similar as possible.
 struct MIPS_star : Planar_star_base
 {
   // A triangle (v, p, q), counterclockwise. Twice its area on the surface times the cotangent of an angle is the dot
@@ -56,9 +57,9 @@ struct MIPS_star : Planar_star_base
   }
 };
 
-// The energy of a star as a function of the position of its vertex, with derivatives: of each triangle the area on the
-// surface times the ratio of its Dirichlet energy to its area in the plane, times four. The ratio is one for similar
-// triangles, and grows without bound as a triangle collapses. Infinite where the star is not valid.
+// The energy of a star as a function of the position of its vertex, with derivatives. It sums, over the triangles,
+// four times the area on the surface times the ratio of Dirichlet energy to planar area. The ratio is one for similar
+// triangles, and grows without bound as a triangle collapses. The energy is infinite where the star is not valid.
 class MIPS_star::Energy
 {
 public:
@@ -101,8 +102,8 @@ private:
   }
 };
 
-// Moves a vertex by one step of Newton's method towards the least energy of its star. Returns `false` if it stays
-// where it is.
+// Moves a vertex by one step of Newton's method towards the least energy of its star. Returns `false` if the vertex
+// does not move.
 template <typename Star>
 bool relax_vertex(const Star& star, Planar_point& position)
 {

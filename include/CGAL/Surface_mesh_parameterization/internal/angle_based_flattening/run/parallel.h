@@ -23,7 +23,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Calls `f(b)` for each b in [0, n), several at once where TBB is there.
+// Calls `f(b)` for each b in [0, n), in parallel if TBB is available.
 template <typename Function>
 void parallel_for(int n, const Function& f)
 {
@@ -57,7 +57,7 @@ double parallel_sum(int n, const Function& f)
   return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
-// Calls `f`, which may run as many threads at once; as many as there are processors if `threads` is 0, and never more.
+// Calls `f`, which may use `threads` threads, but at most one per processor. 0 means one per processor.
 template <typename Function>
 void with_threads(int threads, const Function& f)
 {

@@ -17,7 +17,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// As Linux knows it of the program that runs, in bytes; 0 elsewhere. A stream could throw, when the run is over.
+// The peak memory of this program in bytes, from Linux; 0 on other systems. Does not use a stream, which could throw
+// after a successful run.
 inline std::size_t peak_of_program()
 {
   std::size_t kilobytes = 0;
@@ -32,10 +33,10 @@ inline std::size_t peak_of_program()
   return kilobytes * 1024;
 }
 
-// The largest resident size of the process so far, in bytes; 0 where the system does not tell.
+// The largest resident size of the process so far, in bytes; 0 if the system does not tell.
 inline std::size_t peak_resident_size()
 {
-  // The other count comes second, as that of Linux begins with the size of the program that started this one.
+  // getrusage() comes second: on Linux its count starts with the size of the parent process.
   if(const std::size_t peak = peak_of_program())
     return peak;
 #if defined(__unix__) || defined(__APPLE__)

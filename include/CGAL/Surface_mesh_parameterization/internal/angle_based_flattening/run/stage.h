@@ -14,11 +14,11 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Thrown when a visitor wants no more, and caught where the report is written.
+// Thrown when a visitor stops the computation, and caught where the report is written.
 struct Cancelled
 {};
 
-// Tells a visitor of a stage, and adds the time until the end of its scope to `seconds`.
+// Tells a visitor that a stage starts, and adds the time until the end of the scope to `seconds`.
 class Stage
 {
 public:
