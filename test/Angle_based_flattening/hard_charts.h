@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-// Charts that can be flattened, and that flatteners find hard. Whatever is drawn by lot comes from `random`.
+// Charts that can be flattened, but only with difficulty. All random numbers come from `random`.
 namespace test_charts {
 
 inline double uniform(std::mt19937& random, double low, double high)
@@ -75,14 +75,14 @@ inline Chart saddle(int rings, double height)
   return disk(rings, [height](double x, double y) { return height * (x * x - y * y); });
 }
 
-// Heights by lot, up to `amplitude` lengths of an edge.
+// Random heights, up to `amplitude` lengths of an edge.
 inline Chart noisy_terrain(int n, double amplitude, std::mt19937& random)
 {
   return grid(n, random(), [&](double, double) { return uniform(random, -amplitude, amplitude) / n; });
 }
 
-// Vertices of degree 3, each in a triangle that the one before has made: the three of these are taken in turn (`turning`),
-// or all triangles share an edge.
+// Vertices of degree 3, each in a triangle that the previous vertex has made. The three of these are used in turn
+// (`turning`), or all triangles share an edge.
 inline Chart nested_insertions(int depth, bool turning, const std::function<Point_3(int)>& point)
 {
   std::vector<Point_3> points{point(0), point(1), point(2)};
@@ -182,7 +182,7 @@ inline Chart comb(int teeth, int length, double hills)
   return make_chart(points, triangles);
 }
 
-// A vertex with `valence` neighbours, at distances and heights by lot; with a second ring of triangles, or not.
+// A vertex with `valence` neighbours at random distances and heights, with or without a second ring of triangles.
 inline Chart star(int valence, bool two_rings, std::mt19937& random)
 {
   std::vector<Point_3> points{Point_3(0, 0, 0)};
@@ -202,7 +202,7 @@ inline Chart star(int valence, bool two_rings, std::mt19937& random)
   return make_chart(points, triangles);
 }
 
-// The closed unit sphere: an octahedron, each of whose triangles is quartered some times.
+// The closed unit sphere: an octahedron, whose triangles are quartered several times.
 inline std::pair<std::vector<Point_3>, Triangles> sphere(int subdivisions)
 {
   std::vector<Point_3> points{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -231,7 +231,7 @@ inline std::pair<std::vector<Point_3>, Triangles> sphere(int subdivisions)
   return {points, triangles};
 }
 
-// A sphere slit along two edges, the vertex between which is doubled.
+// A sphere slit along two edges. The vertex between them is duplicated.
 inline Chart cut_sphere(int subdivisions, std::mt19937& random)
 {
   auto [points, triangles] = sphere(subdivisions);

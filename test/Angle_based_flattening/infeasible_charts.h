@@ -17,14 +17,14 @@
 #include <utility>
 #include <vector>
 
-// Charts without any map to the plane, or that are not allowed, and what a diagnosis has to say of them.
+// Charts that have no map to the plane or are not allowed, with the expected diagnosis.
 namespace test_charts {
 
 struct Infeasible_chart
 {
   Chart chart;
   CGAL::Surface_mesh_parameterization::ABF_plus_plus_report::Diagnosis diagnosis;
-  std::vector<std::set<int>> offenders; // the vertices to be named: one of these sets
+  std::vector<std::set<int>> offenders; // the vertices to name: one of these sets
 };
 
 typedef CGAL::Surface_mesh_parameterization::ABF_plus_plus_report Report;
@@ -85,7 +85,7 @@ inline Infeasible_chart interior_degree_2(const Chart& chart, std::mt19937& rand
   return {open_edge(chart, c, 1, {{b, a, v}, {a, b, v}}), Report::PARALLEL_EDGES, {{a, b}}};
 }
 
-// Around it, there is a loop.
+// A loop surrounds it.
 inline Infeasible_chart interior_degree_1(Chart chart, std::mt19937& random)
 {
   const int c = interior_edge(chart, random), a = chart.edge_source(c), b = chart.edge_target(c);

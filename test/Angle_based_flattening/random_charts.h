@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-// Disks that can be flattened, as every disk without parallel edges, but whose points in space are not what a surface
-// has: at random, many times the same, or in a line.
+// Disks without parallel edges, which can therefore be flattened. Their points are not those of a real surface:
+// random, coincident, or collinear.
 namespace test_charts {
 
 // Connectivity at random: triangles are split, edges are flipped, and triangles are put onto the border.
@@ -103,7 +103,7 @@ inline Chart random_chart(int operations, std::mt19937& random)
   return make_chart(points, triangulation.triangles());
 }
 
-// A third corner of some triangles is moved to a point on its edge across, but for `distance`, relative to the edge.
+// In some triangles, a corner is moved to the opposite edge, up to `distance` relative to the edge.
 inline Chart slivers(Chart chart, int number, double distance, std::mt19937& random)
 {
   for(int i = 0; i < number; ++i) {

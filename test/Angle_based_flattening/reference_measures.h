@@ -21,15 +21,15 @@ namespace test_charts {
 typedef CGAL::Surface_mesh_parameterization::Flattening_measures Measures;
 typedef CGAL::Surface_mesh_parameterization::Flattening_face_measures Face_measures;
 
-// Of a map and of its triangles.
+// The measures of a map and of its triangles.
 struct Measured
 {
   Measures map;
   std::vector<Face_measures> faces;
 };
 
-// The measures from lengths alone: the first fundamental form is what gives the edges of the triangle in the plane
-// the lengths that they have in space; angles by the law of cosines.
+// The measures from lengths alone: the first fundamental form gives the planar edges of a triangle their lengths in
+// space. Angles are computed by the law of cosines.
 class Reference_measures
 {
   typedef boost::multiprecision::cpp_bin_float_50 Real;

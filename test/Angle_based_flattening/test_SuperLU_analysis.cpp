@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is said of a pattern before SuperLU sees it: it must never have to grow an array, as it writes beyond the end of
-// some of those that it grows.
+// The analysis of a pattern before SuperLU is called. SuperLU must never enlarge an array, because it writes beyond
+// the end of some that it enlarges.
 
 #include <boost/test/unit_test.hpp>
 
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(meshes_at_hand)
   BOOST_TEST(meshes >= 2);
 }
 
-// It is no loose bound either: chains, stars and grids need exactly the room foreseen.
+// The bound is tight: chains, stars and grids need exactly the predicted size.
 BOOST_AUTO_TEST_CASE(room_is_what_is_needed)
 {
   for(int n : {5, 50, 500}) {
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(room_is_what_is_needed)
   }
 }
 
-// Where pivots are not on the diagonal, more may be needed than was foreseen, and arrays grow; no harm comes of that.
+// If pivots are not on the diagonal, arrays may exceed the predicted size and be enlarged. This is harmless.
 BOOST_AUTO_TEST_CASE(arrays_that_grow)
 {
   std::mt19937 random(3);

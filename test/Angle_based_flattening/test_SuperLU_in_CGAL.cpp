@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `SuperLU_solver_traits`, just as it is, as the solver of CGAL's own algorithms on surfaces, next to the solver of
-// Eigen that each of them takes by default.
+// `SuperLU_solver_traits` as the solver of CGAL's own algorithms on surfaces, compared with the default solver of
+// each, which is Eigen's.
 
 #include <boost/test/unit_test.hpp>
 
@@ -76,7 +76,7 @@ double difference_of_points(const Surface_mesh& mesh, const Surface_mesh& other)
 
 } // namespace
 
-// What CGAL asks of solver traits beyond the concepts; each line says who does.
+// What CGAL requires of solver traits beyond the concepts. Each line names the package that requires it.
 static_assert(std::is_same<SuperLU::NT, double>::value,
               "`double D`: fair, smooth_shape, Heat_method_3, LSCM");
 static_assert(std::is_integral<SuperLU::Index>::value, "`Index`: Heat_method_3");
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(beyond_the_concepts)
     BOOST_TEST(solver.factor(A, D));
     SuperLU::Matrix other(n, n);
     A.swap(other);
-  } // the matrix goes before the right-hand sides come: Heat_method_3, Surface_mesh_deformation
+  } // the matrix is destroyed before the right-hand sides exist: Heat_method_3, Surface_mesh_deformation
   BOOST_TEST(D == 1); // asserted: OpenNL, Orbifold_Tutte_parameterizer_3; not read by the others
 
   SuperLU::Matrix sparse_column(n, 1); // Heat_method_3

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `SuperLU_solver_traits`, just as it is, as the solver of CGAL's own parameterizers, next to the solver of Eigen that
-// each of them takes by default.
+// `SuperLU_solver_traits` as the solver of CGAL's own parameterizers, compared with the default solver of each, which
+// is Eigen's.
 
 #include <boost/test/unit_test.hpp>
 

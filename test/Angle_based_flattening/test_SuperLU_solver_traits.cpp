@@ -5,7 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-// Names of SuperLU are free for others, before its header is included...
+// Other code may use names of SuperLU before its header is included...
 #define ABORT a_macro_of_the_user
 #define COL 17
 namespace used_before {
@@ -158,8 +158,8 @@ void check_solution(const Columns& a, const Vector<double>& b, const Vector<doub
   BOOST_CHECK_LE((x - y).norm(), tolerance * y.norm());
 }
 
-// The condition number may take all digits of a float, hence the backward error: a few units of the precision, which are
-// as many times more as the tolerance for `double` exceeds its default.
+// The condition number may cost all digits of a float, so this checks the backward error: a few units of the
+// precision, times the ratio of the tolerance for `double` to its default.
 void check_solution(const Columns& a, const Vector<float>& b, const Vector<float>& x,
                     double tolerance = 1e-10)
 {
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(degenerate_patterns, FT, Number_types)
   }
   Columns arrow(n, n);
   arrow.setFromTriplets(entries.begin(), entries.end());
-  // the last pivot is what is left after 499 subtractions
+  // the last pivot is the remainder after 499 subtractions
   check_solver<FT>(arrow, random, true, std::is_same<FT, double>::value ? 1e-10 : 1e-9);
   check_solver<FT>(Columns(Eigen::MatrixXd(random_definite(60, random)).sparseView()), random, true);
 }
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(badly_scaled, FT, Number_types)
     }
     // a solution of the scaled system is one of the original system
     for(bool symmetric : {true, false}) {
-      // what equilibration leaves of the scales, a float has no digits for
+      // a float lacks the digits for the scales that equilibration leaves
       const int divisor = symmetric || std::is_same<FT, double>::value ? 1 : 4;
       Eigen::VectorXd s(n), t(n);
       for(int i = 0; i < n; ++i) {
@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(badly_scaled, FT, Number_types)
       BOOST_REQUIRE(solver.linear_solver(rounded<FT>(scaled), scaled_b, x, d));
       BOOST_CHECK_EQUAL(solver.symmetric(), symmetric);
       x.array() *= (symmetric ? s : t).array().cast<FT>();
-      // equilibration does not find the original scales, and other pivots lose up to 2e-10 here
+      // equilibration does not restore the original scales, and other pivots lose up to 2e-10 here
       check_solution(original, b, x, symmetric ? 1e-10 : 1e-8);
     }
   }
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_triangle, FT, Number_types)
   BOOST_CHECK(solver.symmetric());
   check_solution(a, b, x);
 
-  // a triangular matrix is not mistaken for one, and stays as it is
+  // a triangular matrix is not mistaken for a symmetric one, and is not changed
   Columns lower = a.triangularView<Eigen::Lower>();
   const typename Solver<FT>::Matrix triangular = rounded<FT>(lower);
   BOOST_REQUIRE(solver.linear_solver(triangular, b, x, d));
@@ -401,7 +401,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pattern_analyzed_beforehand, FT, Number_types)
   }
 }
 
-// What preconditions must be definite, and nothing else is asked for.
+// A preconditioner must be definite. Nothing else is required.
 BOOST_AUTO_TEST_CASE_TEMPLATE(only_pivots_checked, FT, Number_types)
 {
   std::mt19937 random(9);
@@ -438,7 +438,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(only_pivots_checked, FT, Number_types)
   }
 }
 
-// More than SuperLU has counters and room for
+// More than SuperLU's counters and arrays allow
 BOOST_AUTO_TEST_CASE_TEMPLATE(widths, FT, Number_types)
 {
   std::mt19937 random(10);
@@ -545,7 +545,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bad_matrices, FT, Number_types)
   check_refused<FT>(deficient);
 }
 
-// The Laplacian without boundary conditions: singular, but for rounding errors
+// The Laplacian without boundary conditions: singular up to rounding errors
 BOOST_AUTO_TEST_CASE_TEMPLATE(numerically_singular, FT, Number_types)
 {
   for(int width : {2, 3, 5, 10, 30, 100, 300}) {
@@ -635,7 +635,7 @@ BOOST_AUTO_TEST_CASE(float_agrees_with_double)
   BOOST_CHECK_GT(difference, 0);
 }
 
-// Entries that are infinite as floats, or lost their digits or themselves
+// Entries that are infinite as floats, lose digits, or vanish
 BOOST_AUTO_TEST_CASE(out_of_range_of_float)
 {
   std::mt19937 random(14);
@@ -654,14 +654,14 @@ BOOST_AUTO_TEST_CASE(out_of_range_of_float)
   scale[21] = 1e-21;
   check_refused<float>(scale.asDiagonal() * good * scale.asDiagonal());
 
-  Columns tiny = good; // an entry that vanishes beside others of usual size is a rounding error
+  Columns tiny = good; // an entry that vanishes among others of normal size is a rounding error
   tiny.coeffRef(3, 30) = tiny.coeffRef(30, 3) = 1e-60;
   check_solver<float>(tiny, random, true);
-  // the norm and the right side of the trial are infinite, which scaling heals
+  // the norm and the right-hand side of the trial are infinite, which scaling repairs
   check_solver<float>(6e37 * grid_laplacian(6, 6, 1), random, false);
 }
 
-// Laplacians that are definite, by a weight at one vertex that rounding to floats outweighs
+// Laplacians that are definite by a weight at one vertex, which is smaller than the rounding errors of floats
 BOOST_AUTO_TEST_CASE(singular_as_float)
 {
   for(int width : {3, 10, 30, 100, 200}) {
@@ -694,7 +694,7 @@ BOOST_AUTO_TEST_CASE(too_little_memory)
   rlimit old_limit;
   BOOST_REQUIRE_EQUAL(getrlimit(RLIMIT_AS, &old_limit), 0);
   rlimit tight = old_limit;
-  tight.rlim_cur = 1; // mappings there are stay, no more are made
+  tight.rlim_cur = 1; // existing mappings stay, but no new ones are possible
   BOOST_REQUIRE_EQUAL(setrlimit(RLIMIT_AS, &tight), 0);
   const bool result = solver.factor(matrix, d);
   BOOST_REQUIRE_EQUAL(setrlimit(RLIMIT_AS, &old_limit), 0);
@@ -706,7 +706,7 @@ BOOST_AUTO_TEST_CASE(too_little_memory)
   check_solution(a, b, x);
 }
 
-// Two factorizations at once are not promised the same memory.
+// Two simultaneous factorizations do not get the same memory.
 BOOST_AUTO_TEST_CASE(memory_is_promised_once)
 {
   typedef CGAL::internal::SuperLU_memory Memory;
@@ -762,7 +762,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(normal_equation, FT, Number_types)
     BOOST_REQUIRE(solver.normal_equation_solver(rounded<FT>(a), b, x));
     BOOST_CHECK(solver.symmetric());
     BOOST_CHECK_LE((x.template cast<double>() - expected).norm(), tolerance * expected.norm());
-    BOOST_REQUIRE(solver.normal_equation_solver(b, x)); // once more, A being gone
+    BOOST_REQUIRE(solver.normal_equation_solver(b, x)); // again, after A was destroyed
     BOOST_CHECK_LE((x.template cast<double>() - expected).norm(), tolerance * expected.norm());
     BOOST_CHECK(!solver.normal_equation_solver(random_vector<FT>(rows + 1, random), x));
   }

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From target angles to planar angles: every stage by itself, on charts made by hand.
+// From target angles to planar angles: each stage alone, on handmade charts.
 
 #include <boost/test/unit_test.hpp>
 
@@ -20,7 +20,7 @@
 #include <limits>
 #include <utility>
 
-// Its factors precondition in double precision, too.
+// Its factors precondition in double precision too.
 namespace test_angles {
 struct Double_solver : CGAL::SuperLU_solver_traits<>
 {};
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(assemble_the_matrix_of_equation_16)
              1e-12 * equation_16.cwiseAbs().maxCoeff());
 }
 
-// Which makes the limit of size one that `int` can count to.
+// So `int` can count up to the size limit.
 BOOST_AUTO_TEST_CASE(have_at_most_14_numbers_for_each_triangle)
 {
   static_assert(14ll * abf::largest_number_of_triangles <= (std::numeric_limits<int>::max)());
@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(have_at_most_14_numbers_for_each_triangle)
     BOOST_TEST(entries <= 14. * chart.number_of_triangles());
     most = (std::max)(most, entries / chart.number_of_triangles());
   }
-  BOOST_TEST(most > 13); // so that no larger limit would do
+  BOOST_TEST(most > 13); // so no larger limit is possible
 }
 
 void check_step_against_dense_kkt(const Chart& chart, double barrier, bool curvature,
@@ -313,7 +313,7 @@ void check_step_against_dense_kkt(const Chart& chart, double barrier, bool curva
   kkt.topRightCorner(n_alpha, j.rows()) = j.transpose();
   kkt.bottomLeftCorner(j.rows(), n_alpha) = j;
   for(Eigen::Index row = 0; row < j.rows(); ++row)
-    if(j.row(row).isZero(0)) // a constraint that is not there: its multiplier stays 0
+    if(j.row(row).isZero(0)) // a missing constraint: its multiplier stays 0
       kkt(n_alpha + row, n_alpha + row) = 1;
   rhs.head(n_alpha) -= j.bottomRows(multipliers.size()).transpose() * multipliers;
   rhs.tail(residual.size()) = -residual;
@@ -475,7 +475,7 @@ double relative_residual(const abf::Block_matrix<1>& matrix, const Vector& x, co
   return (product(matrix, x) - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-// What solves systems for `Solver` where they only precondition
+// The solver that `Solver` uses for preconditioners
 abf::Preconditioning_system preconditioning_system()
 {
   return {Solver(), abf::Linear_solvers(Solver())->low_precision()};
@@ -692,7 +692,7 @@ void check_angle_sums(const Chart& chart, const std::vector<double>& alpha, doub
       BOOST_TEST(std::abs(sums[i] - chart.nodes[i].angle_sum) <= tolerance);
 }
 
-// The angles at the border are prescribed, but for one, which follows from the others.
+// The angles at the border are prescribed, except for one, which follows from the others.
 BOOST_AUTO_TEST_CASE(makes_a_rectangle_of_prescribed_border_angles)
 {
   const int n = 10;

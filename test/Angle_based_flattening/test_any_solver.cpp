@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// ABF++ with the solver that the user already has: with those of Eigen, with CHOLMOD, and with archetypes of CGAL's
-// concepts, which have what the concepts ask for and nothing else.
+// ABF++ with other solvers: those of Eigen, CHOLMOD, and archetypes of CGAL's concepts, which have only what the
+// concepts require.
 
 #include <boost/test/unit_test.hpp>
 
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(cholmod)
 }
 #endif
 
-// How exactly an iterative method solves is a setting of the traits object that the user passes.
+// The accuracy of an iterative method is a setting of the user's traits object.
 BOOST_AUTO_TEST_CASE(conjugate_gradient)
 {
   CGAL::Eigen_solver_traits<Eigen::ConjugateGradient<Columns>> traits;
@@ -137,8 +137,8 @@ BOOST_AUTO_TEST_CASE(bi_cg_stab)
 
 namespace {
 
-// Archetype of `SparseLinearAlgebraTraits_d::Vector`. None of the archetypes can be assigned, nor has a default
-// constructor that the concepts of every version of CGAL do not ask for. The number type is not `double`.
+// Archetype of `SparseLinearAlgebraTraits_d::Vector`. No archetype can be assigned, or has a default constructor
+// unless the concepts of all versions of CGAL require it. The number type is not `double`.
 class Archetype_vector
 {
 public:
@@ -248,7 +248,8 @@ struct Calls
 };
 
 // Archetype of `SparseLinearAlgebraTraits_d`. Parameterizers take their traits by value, hence the copy constructor.
-// Not part of the concept is what the test sets and reads: the denominator, and the calls of an object and its copies.
+// The test also sets the denominator, and counts the calls of an object and its copies. These are not part of the
+// concept.
 class Archetype_traits
 {
 public:
@@ -345,7 +346,7 @@ BOOST_AUTO_TEST_CASE(archetype_with_factor)
   BOOST_TEST(calls.factorizations > 0);
   BOOST_TEST(calls.solves >= calls.factorizations + 2);
 
-  // Without `factor()`, systems are solved one by one, and none is a preconditioner.
+  // Without `factor()`, each system is solved separately, and none is a preconditioner.
   const Calls one_by_one = check_archetype<Archetype_traits>(1);
   BOOST_TEST(one_by_one.factorizations == 0);
   BOOST_TEST(one_by_one.one_call_solves < calls.solves);

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The methods of angles that ABF++ is compared with find the same minimum.
+// The other angle-based methods, with which ABF++ is compared, find the same minimum.
 
 #include <boost/test/unit_test.hpp>
 
@@ -31,7 +31,7 @@ std::vector<Chart> charts()
           test_charts::bump(14, 2, 0.4)};
 }
 
-// ABF++ with the paper's energy, as exactly as doubles allow.
+// ABF++ with the paper's energy, as accurately as doubles allow.
 std::vector<double> our_angles(const Chart& chart)
 {
   SMP::ABF_plus_plus_options options;
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(all_methods_of_angles_find_the_same_minimum)
   }
 }
 
-// The paper stops at ||grad F|| <= 1. Once a step was taken, that costs next to nothing.
+// The paper stops at ||grad F|| <= 1. After at least one step, this costs almost nothing.
 BOOST_AUTO_TEST_CASE(paper_s_stopping_rule_costs_little_distortion)
 {
   for(const double height : {1., 1.5, 2.}) {
@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(paper_s_stopping_rule_costs_little_distortion)
   }
 }
 
-// But the rule depends on the number of triangles, and a gentle chart meets it before the first step: what comes out
-// then is the linear conformal map, as the paper says.
+// But the rule depends on the number of triangles. A nearly flat chart meets it before the first step. The result is
+// then the linear conformal map, as the paper says.
 BOOST_AUTO_TEST_CASE(paper_s_stopping_rule_may_hold_at_the_start)
 {
   const Chart chart = test_charts::bump(10, 10, 0.6);
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(paper_s_stopping_rule_may_hold_at_the_start)
   BOOST_TEST(angular_distortion(chart, uv) > 1.1 * least_distortion(chart));
 }
 
-// What linear ABF neglects is of second order in the curvature, and so of fourth order in the height.
+// The terms that linear ABF neglects are of second order in the curvature, hence of fourth order in the height.
 BOOST_AUTO_TEST_CASE(linear_abf_is_close_where_the_surface_is_nearly_flat)
 {
   const auto difference = [](double height) {

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The certificate, against maps whose faults are known, and against a search through all pairs.
+// The certificates, compared with known faults and with a search through all pairs.
 
 #include <boost/test/unit_test.hpp>
 
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_numbers)
       }
 }
 
-// All triangles are positive, but those around the centre go around it several times.
+// All triangles are positive, but wind around the centre several times.
 BOOST_AUTO_TEST_CASE(interior_vertex_with_several_turns)
 {
   for(int turns : {1, 2, 3, 5})
@@ -327,7 +327,7 @@ BOOST_AUTO_TEST_CASE(several_borders)
   }
 }
 
-// Components may lie in a hole, but not within one another; and each can be looked at alone.
+// Components may lie in a hole, but must not overlap. Each can be checked alone.
 BOOST_AUTO_TEST_CASE(several_components)
 {
   for(double shift : {0., 1.5, 5.}) {
@@ -560,7 +560,8 @@ BOOST_AUTO_TEST_CASE(not_triangles)
   BOOST_CHECK_THROW(SMP::is_injective(quads, uv), std::invalid_argument);
 }
 
-// Random polygons, on a grid as coarse as makes every kind of contact common, against all pairs and CGAL's sweep.
+// Random polygons, compared with all pairs and CGAL's sweep. The grid is so coarse that every kind of contact is
+// common.
 BOOST_AUTO_TEST_CASE(sweep_against_all_pairs)
 {
   std::mt19937 random(7);

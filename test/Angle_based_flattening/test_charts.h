@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-// Charts made by hand, for tests of single stages.
+// Handmade charts for tests of single stages.
 namespace test_charts {
 
 namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
@@ -46,7 +46,7 @@ inline Chart make_chart(const std::vector<Point_3>& points, const Triangles& tri
   return chart;
 }
 
-// A grid of (n + 1)^2 jittered vertices over the unit square, each cell cut along a diagonal drawn by lot.
+// A grid of (n + 1)^2 jittered vertices over the unit square, each cell cut along a random diagonal.
 inline Chart grid(int n, unsigned int seed, const std::function<double(double, double)>& height)
 {
   std::mt19937 random(seed);
@@ -84,7 +84,7 @@ inline Chart bump(int n, unsigned int seed, double height = 0.5)
   });
 }
 
-// A vertex at the origin's height `apex` over `n` others around it.
+// A vertex at height `apex` above the origin, with `n` others around it.
 inline Chart pyramid(int n, double apex)
 {
   std::vector<Point_3> points{Point_3(0, 0, apex)};
@@ -147,7 +147,7 @@ inline std::vector<double> planar_angles(const Chart& chart, const std::vector<P
   return alpha;
 }
 
-// Angles that sum to pi in every triangle, and else are anything.
+// Random angles that sum to pi in every triangle.
 inline std::vector<double> random_angles(std::size_t corners, unsigned int seed)
 {
   std::mt19937 random(seed);

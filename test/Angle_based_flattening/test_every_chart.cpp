@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every chart is either flattened, and its map passes the public certificate, or refused with an error that says what
-// is wrong and where, with the caller's map as it was. Charts that can be flattened are.
+// is wrong and where, and the caller's map is unchanged. Every chart that can be flattened is flattened.
 
 #include <boost/test/unit_test.hpp>
 
@@ -79,12 +79,12 @@ struct Run
     for(std::size_t v = 0; v < sweeps.size(); ++v)
       if(!on_border[v] && sweeps[v] != 1)
         return "OK with triangles that wind around an interior vertex more than once";
-    // The border may turn so far at a vertex that triangles overlap there; then it is not simple.
+    // The angle at a border vertex may be so large that triangles overlap there. Then the border is not simple.
     return parameterizer.report().border_is_simple ? "OK with a border that is said to be simple and is not"
                                                    : "";
   }
 
-  // What is wrong with what the parameterizer said and did; nothing if it is right.
+  // Errors in the report and the result of the parameterizer; empty if there are none.
   std::string contradiction() const
   {
     const SMP::ABF_plus_plus_report& report = parameterizer.report();
@@ -111,14 +111,14 @@ struct Run
   std::set<int> offenders;
 };
 
-// Runs a generator with all seeds; the seeds that fail are told in one line.
+// Runs a generator with all seeds; the seeds that fail are reported in one line.
 template <typename Generator, typename Judge>
 void check_all(const std::string& name, int runs, const Generator& generate, const Judge& judge)
 {
   std::ostringstream failures;
   int failed = 0;
   for(int seed = 1; seed <= runs; ++seed) {
-    BOOST_TEST_CHECKPOINT(name << ", seed " << seed); // told if a run crashes
+    BOOST_TEST_CHECKPOINT(name << ", seed " << seed); // reported if a run crashes
     std::mt19937 random(static_cast<unsigned>(seed));
     const std::string failure = judge(generate(random));
     if(!failure.empty() && ++failed <= 5)

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whatever the user brings along may fail, at any of its calls: the solver, with an error or with a wrong solution; and the
-// property maps, with an exception. Leaks are for the sanitizers to find.
+// The user's classes may fail at any call: the solver by an error or a wrong solution, property maps by an exception.
+// The sanitizers find leaks.
 
 #include <boost/test/unit_test.hpp>
 
@@ -36,7 +36,7 @@ typedef SMP::ABF_plus_plus_report Report;
 
 namespace {
 
-// Counts calls, and says when it is time to fail.
+// Counts calls, and decides which one fails.
 struct Countdown
 {
   int calls = 0, failing_call = 0;
@@ -55,7 +55,7 @@ enum Fault
   HUGE_NUMBERS
 };
 
-// Fails at a call of `factor()` or `linear_solver()`, or returns a wrong solution as a right one.
+// Fails at a call of `factor()` or `linear_solver()`, or returns a wrong solution without an error.
 class Faulty_traits : public CGAL::SuperLU_solver_traits<>
 {
   typedef CGAL::SuperLU_solver_traits<> Base;
@@ -100,7 +100,7 @@ private:
   Countdown* m_countdown;
 };
 
-// As a counterpart of lower precision, fails at any call of its own.
+// As a counterpart of lower precision, fails at any of its own calls.
 class Faulty_counterpart : public CGAL::SuperLU_solver_traits<float>
 {
   typedef CGAL::SuperLU_solver_traits<float> Base;
@@ -209,7 +209,7 @@ Options with_layout(Options::Layout_type layout)
 
 } // namespace
 
-// An error, at whichever call the result depends on.
+// An error at any call that the result depends on.
 BOOST_AUTO_TEST_CASE(solver_that_fails)
 {
   for(Options::Layout_type layout : {Options::EXACT_LAYOUT, Options::LEAST_SQUARES_LAYOUT}) {
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(solver_that_fails)
   }
 }
 
-// What the counterpart cannot do, the traits themselves do again; and that is reported.
+// If the counterpart fails, the traits themselves repeat the work, and this is reported.
 BOOST_AUTO_TEST_CASE(counterpart_that_fails)
 {
   bool failed = true;
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(counterpart_that_fails)
   BOOST_TEST(repeated_layouts > 1);
 }
 
-// A wrong solution leads to a valid map all the same, or to an error.
+// A wrong solution still leads to a valid map, or to an error.
 BOOST_AUTO_TEST_CASE(solver_that_lies)
 {
   for(Fault fault : {ZEROS, NOT_A_NUMBER, INFINITE, RANDOM_NUMBERS, HUGE_NUMBERS})
@@ -341,7 +341,7 @@ BOOST_AUTO_TEST_CASE(index_map_that_throws)
 
 namespace {
 
-// Ends the run at its n-th call, by an exception or by saying no.
+// Ends the run at its n-th call, by an exception or by returning `false`.
 struct Stopping_visitor : SMP::Flattening_visitor
 {
   int countdown;

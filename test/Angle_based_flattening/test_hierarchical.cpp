@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(positions)
 
-// In a planar chart a vertex belongs where it is: also at the border, which is what Eq. 22 is about.
+// In a planar chart, a vertex is inserted where it was, also at the border: that is the purpose of Eq. 22.
 BOOST_AUTO_TEST_CASE(reproduce_a_planar_chart)
 {
   Chart chart = flat_grid(8, 3);
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(reproduce_a_planar_chart)
   }
 }
 
-// A star polygon whose kernel is a small part of it, and one that has none.
+// A star polygon with a small kernel, and one without a kernel.
 abf::Planar_star star_of(const std::vector<Planar_point>& counterclockwise)
 {
   abf::Planar_star star;
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE(is_nearly_as_good_as_the_direct_method)
 #endif
 }
 
-// A coarse chart that overlaps itself at its border is no reason to refine from another one.
+// A coarse chart that overlaps itself at its border is refined, not replaced.
 BOOST_AUTO_TEST_CASE(more_than_a_full_turn_at_the_border)
 {
   const double pi = 3.14159265358979323846;
@@ -349,7 +349,8 @@ BOOST_AUTO_TEST_CASE(more_than_a_full_turn_at_the_border)
   BOOST_TEST(hierarchical.report().start == Report::COARSE_PARAMETERIZER);
 }
 
-// Corners at random points of a square: coarse charts overlap themselves, and angles at the border come near to full turns.
+// Corners at random points of a square: coarse charts overlap themselves, and angles at the border are nearly full
+// turns.
 BOOST_AUTO_TEST_CASE(flattens_disks_with_random_corners)
 {
   const unsigned int seeds = std::getenv("ABF_TEST_QUICK") ? 30 : 300;

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Both parameterizers, measures and certificates with every usual kernel, and with points of none.
+// Both parameterizers, measures and certificates with every usual kernel, and with points that belong to no kernel.
 
 #include <boost/test/unit_test.hpp>
 
@@ -39,7 +39,7 @@ typedef boost::mpl::list<CGAL::Simple_cartesian<double>, CGAL::Simple_cartesian<
                          CGAL::Exact_predicates_exact_constructions_kernel>
     Kernels;
 
-// A point of nobody's kernel.
+// A point that belongs to no kernel.
 struct Scanned_point
 {
   Scanned_point(double x = 0, double y = 0, double z = 0) : xyz{x, y, z} {}

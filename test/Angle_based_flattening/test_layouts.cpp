@@ -126,14 +126,14 @@ BOOST_AUTO_TEST_CASE(names_what_cannot)
 
 BOOST_AUTO_TEST_CASE(recognises_parallel_edges)
 {
-  // A vertex of degree two in the midst of the edge between 0 and 1: the two triangles beside it have different
-  // edges between the same vertices, which only the corner table can say.
+  // A vertex of degree two in the middle of the edge between 0 and 1. The two triangles beside it have different
+  // edges between the same vertices. Only the corner table can represent this.
   const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {.5, 0, 0}, {.5, 1, 0}, {.5, -1, 0}};
   Chart chart;
   chart.points = p;
   chart.vertex = {2, 0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0};
-  // Triangles (2,0,1) and (2,1,0) share their edges at vertex 2; the one's edge 01 is glued to triangle 3's, the
-  // other's to triangle 4's.
+  // Triangles (2,0,1) and (2,1,0) share their edges at vertex 2; the edge 01 of the first is glued to that of
+  // triangle 3, the edge 01 of the second to that of triangle 4.
   chart.opposite = {9, 4, 5 - 0, 6, 1, 2, 3, -1, -1, 0, -1, -1};
   chart.opposite[1] = 5;
   chart.opposite[5] = 1;
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(of_charts_without_interior_vertices)
   }
 }
 
-// As those of a surface whose coordinates are so large that squares overflow.
+// The angles of a surface whose coordinates are so large that squares overflow.
 BOOST_AUTO_TEST_CASE(of_angles_that_are_not_numbers)
 {
   const Chart chart = make_chart({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(counts_flips_exactly)
   std::vector<Point_2> uv = projected(chart);
   BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
 
-  // The last bit of a coordinate decides, which the determinant in doubles cannot see.
+  // The sign depends on the last bit of a coordinate, which the determinant in doubles loses.
   const Chart one = make_chart({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const double ulp = std::numeric_limits<double>::epsilon() / 2;
   BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5}, {12, 12}, {24, 24}}).size() == 1u);
@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
 
   Options options;
   options.fallbacks = false;
-  options.max_iterations = 0; // leaves the angles of a steep cone as they are, far from flat
+  options.max_iterations = 0; // keeps the angles of a steep cone, which is far from flat
   options.layout = Options::LEAST_SQUARES_LAYOUT;
   std::vector<Point_2> uv;
   const Report report = flatten(bump(20, 1, 20), options, uv);
@@ -342,7 +342,7 @@ BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
   BOOST_TEST(!report.message.empty());
 }
 
-// Without any Newton step, only the last strategy is left, and each one before it says why it failed.
+// Without any Newton step, only the last strategy is left, and each of the previous ones reports why it failed.
 BOOST_AUTO_TEST_CASE(fallback_strategies_are_tried_and_reported)
 {
   Options options;

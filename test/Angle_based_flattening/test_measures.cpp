@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The measures of a map: against closed forms where there are any, and else against other formulas in 50 digits.
+// The measures of a map, compared with closed forms where they exist, and otherwise with other formulas in 50 digits.
 
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -60,7 +60,7 @@ void check(double value, double expected)
                value << " is not " << expected);
 }
 
-// What does not depend on the direction of the axes.
+// The measures that do not depend on the direction of the axes.
 const std::vector<double Measures::*> invariants{&Measures::angular_distortion,
                                                  &Measures::l2_stretch,
                                                  &Measures::linf_stretch,
@@ -372,7 +372,7 @@ BOOST_AUTO_TEST_CASE(same_bits_whatever_the_number_of_threads)
   }
 }
 
-// By the caller's thread, whose property maps need not stand others.
+// The visitor is called by the caller's thread, because property maps need not be thread-safe.
 BOOST_AUTO_TEST_CASE(faces_are_visited_by_one_thread)
 {
   const Chart chart = bump(190, 7);
@@ -517,7 +517,7 @@ BOOST_AUTO_TEST_CASE(by_area_and_by_corner)
   }
 }
 
-// The energy compares with angles that sum to 2 pi: on a steep cone it is small whatever becomes of the angles.
+// The energy compares with angles that sum to 2 pi: on a steep cone it can be small although the angles change a lot.
 BOOST_AUTO_TEST_CASE(energy_does_not_tell_of_a_steep_cone)
 {
   const int n = 12;
@@ -557,7 +557,7 @@ void check_worst(const Face_measures& face)
     BOOST_TEST(value == 1);
 }
 
-// One triangle is as it was, and the other one, of the same area, has no area in the plane.
+// One triangle is unchanged. The other one has the same area on the surface, but none in the plane.
 void check_half_collapsed(const Measured& measured)
 {
   check(measured.faces[0].principal_shear, 0);
@@ -616,7 +616,7 @@ BOOST_AUTO_TEST_CASE(flipped)
   check(measured.map.l2_area_distortion, 0);
 }
 
-// The last bit of a coordinate decides, which the determinant in doubles cannot see.
+// The sign depends on the last bit of a coordinate, which the determinant in doubles loses.
 BOOST_AUTO_TEST_CASE(flips_are_exact)
 {
   const Chart one = make_chart({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
@@ -657,7 +657,7 @@ typedef Mesh::Face_index Face;
 
 } // namespace
 
-// A mesh that is constant, a map that is computed on the fly, and a component that is not the only one.
+// A constant mesh with several components, and a map that is computed on the fly.
 BOOST_AUTO_TEST_CASE(totals_are_those_of_the_faces)
 {
   Mesh with_triangle = test_meshes::bump<Mesh>(8);

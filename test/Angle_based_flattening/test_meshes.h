@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <random>
 
-// Meshes for tests of what works on meshes.
+// Meshes for tests of functions on meshes.
 namespace test_meshes {
 
 // A bump over n times n cells.

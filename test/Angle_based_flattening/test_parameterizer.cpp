@@ -7,7 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-// First, which shows that they need nothing before them.
+// Included first, to show that they are self-contained.
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
@@ -107,7 +107,7 @@ void check_valid(Mesh& mesh)
   BOOST_TEST(measures.l2_stretch >= 1);
 }
 
-// An error leaves the map as it was, and says what and where.
+// An error leaves the map unchanged, and says what is wrong and where.
 void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Error_code code,
                  Report::Diagnosis diagnosis)
 {
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(one_of_several_components)
   BOOST_TEST(flattening.uv.size() == 3u + 36u);
 }
 
-// Of the indices only that they are different matters. `SMP::parameterize()` would refuse the isolated vertex.
+// The indices only have to be different. `SMP::parameterize()` would refuse the isolated vertex.
 BOOST_AUTO_TEST_CASE(any_vertex_indices)
 {
   Surface_mesh mesh;
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(any_vertex_indices)
     BOOST_TEST(std::sqrt(CGAL::squared_distance(uv, b.uv[v])) < 1e-9);
 }
 
-// What is certified is what a map of floats can hold.
+// The certified coordinates are those that a map of floats stores.
 BOOST_AUTO_TEST_CASE(float_kernel)
 {
   typedef CGAL::Simple_cartesian<float> Float_kernel;
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(float_kernel)
              parameterizer.report().smallest_angle);
 }
 
-// Also where the compiler takes a conversion to floats and back for nothing.
+// Even if the compiler omits a conversion to float and back.
 BOOST_AUTO_TEST_CASE(rounding_to_floats)
 {
   typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;

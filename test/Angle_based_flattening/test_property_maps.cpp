@@ -50,7 +50,7 @@ std::vector<std::pair<double, double>> coordinates(const Mesh& mesh, UV_map uv)
   return result;
 }
 
-// A parameterizer on the same bump, with whatever maps there are.
+// A parameterizer on the same bump, with all kinds of maps.
 template <template <typename, typename> class Parameterizer>
 struct Bump
 {
@@ -121,7 +121,7 @@ void check_uv_maps()
   BOOST_TEST((bump.flatten_into(functions) == expected));
 }
 
-// Of the indices only that they are different matters, up to numbers that no `int` holds.
+// The indices only have to be different, and may exceed the range of `int`.
 template <template <typename, typename> class Parameterizer>
 void check_index_maps()
 {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Real meshes, against the values that an independent prototype found. They are not part of the repository: where
-// they are missing, so are the tests.
+// Real meshes, compared with the values of an independent prototype. They are not part of the repository. Without
+// them, these tests are skipped.
 
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -68,7 +68,7 @@ const std::vector<Reference> references = {
     {"ABF_DATA_DIR", "mannequin-devil.off", 25888, {{0, 5.4465e-3, 12.47}, {0.1, 5.4483e-3, 12.32}}},
 };
 
-// Returns `false`, and says so, if the mesh is not to be had.
+// Returns `false` with a message if the mesh is not available.
 bool read(const Reference& reference, Mesh& mesh)
 {
   const char* directory = std::getenv(reference.directory);

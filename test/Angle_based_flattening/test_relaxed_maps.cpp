@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The methods that minimize energies of maps: they lower them, find the minimum where it is known, and flip nothing.
+// The methods that minimize energies of maps decrease them, find the minimum where it is known, and flip no triangle.
 
 #include <boost/test/unit_test.hpp>
 
@@ -57,7 +57,7 @@ double surface_area(const Chart& chart)
 
 typedef boost::mpl::list<MIPS_energy, Stretch_energy> Map_energies;
 
-// What each energy of an isometric map is.
+// The value of each energy for an isometric map.
 double least_energy(const Chart& chart, MIPS_energy)
 {
   return 2. * chart.number_of_triangles();
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(map_energies_decrease_without_flips, Energy, Map_e
   }
 }
 
-// The energy minimizes over all scales of the map as well: then it is the stretch as it is measured.
+// The energy is minimal over all scales of the map, and then equals the measured stretch.
 BOOST_AUTO_TEST_CASE(stretch_energy_is_the_measured_stretch)
 {
   const Chart chart = test_charts::bump(14, 19, 1);

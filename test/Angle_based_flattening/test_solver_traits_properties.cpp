@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whichever solver is named does all the work, with the settings of the object given.
+// The given solver solves all systems, with the settings of the given object.
 
 #include <boost/test/unit_test.hpp>
 
@@ -92,7 +92,7 @@ CGAL::SuperLU_options unusual_options()
   return options;
 }
 
-// Copies own their factors: each factorization is a new object. Nothing else is known of it.
+// Copies own their factors: each factorization is a new object. Nothing else is known about it.
 class Own_solver
 {
 public:
@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(solver_of_ones_own_factors_two_matrices_at_once)
   BOOST_TEST(report.energy == expected.energy, boost::test_tools::tolerance(1e-6));
 }
 
-// Nobody steps in for a solver that refuses.
+// No other solver replaces one that refuses.
 BOOST_AUTO_TEST_CASE(nothing_replaces_the_traits_given)
 {
   typedef Logging_solver<double> Solver;

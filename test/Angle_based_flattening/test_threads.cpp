@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many charts flattened at once, by copies of one parameterizer.
+// Many charts are flattened at the same time by copies of one parameterizer.
 
 #include <boost/test/unit_test.hpp>
 
@@ -37,7 +37,7 @@ std::vector<Mesh> meshes_of_several_sizes()
   return meshes;
 }
 
-// What came out for each mesh
+// The result for each mesh
 template <typename Parameterizer>
 struct Run
 {
@@ -75,7 +75,7 @@ void check_copies(const Parameterizer& original)
     BOOST_TEST(report.smallest_angle == alone[i].parameterizer.report().smallest_angle);
     for(Mesh::Vertex_index v : meshes[i].vertices())
       BOOST_TEST((at_once[i].uv[v] == alone[i].uv[v]));
-    // A copy passes its report on; what ran last here is the mesh that was flattened alone.
+    // A copy passes its report to the original. The last run here is the mesh that was flattened alone.
     BOOST_TEST(original.report().triangles == report.triangles);
   }
 }

@@ -22,8 +22,8 @@
 
 namespace ABF_benchmark {
 
-// What a run found out: names and values, printed as an object of JSON in one line, with NaN and Infinity as Python
-// reads them. If there is a failure, with its reason, the rest may be missing.
+// The results of a run: names and values, printed as a JSON object in one line, with NaN and Infinity as Python reads
+// them. After a failure the object contains its reason, and other values may be missing.
 class Measurement
 {
 public:
@@ -45,7 +45,7 @@ public:
     std::replace_if(
         text.begin(), text.end(), [](const unsigned char c) { return c < ' '; }, ' ');
     std::ostringstream quoted;
-    quoted << std::quoted(text); // the same escapes as in JSON, but for control characters
+    quoted << std::quoted(text); // the same escapes as in JSON, except for control characters
     put(name, quoted.str());
   }
 
@@ -57,7 +57,7 @@ public:
 
   bool failed() const { return m_failed; }
 
-  // What libraries print goes to the same stream, perhaps without an end of line.
+  // Libraries may print to the same stream, perhaps without an end of line.
   friend std::ostream& operator<<(std::ostream& out, const Measurement& m)
   {
     return out << "\n{" << m.m_members << "}" << std::endl;
@@ -82,15 +82,15 @@ double seconds_of(const Function& function)
   return timer.time();
 }
 
-// The time since the object was made, and the largest memory that this process used since then, beyond what it used
-// then. Memory on Linux only.
+// The time since the object was constructed, and the largest increase of this process's memory since then. Memory on
+// Linux only.
 class Gauge
 {
 public:
   Gauge()
   {
-    malloc_trim(0);                                // what was freed before shall not be used again unseen
-    std::ofstream("/proc/self/clear_refs") << "5"; // the peak is what is used now
+    malloc_trim(0);                                // otherwise reuse of freed memory would not be counted
+    std::ofstream("/proc/self/clear_refs") << "5"; // resets the peak to the current use
     m_bytes_before = peak();
     m_timer.start();
   }

@@ -48,8 +48,8 @@ Surface read_surface(const std::string& file)
   return surface;
 }
 
-// The shear depends on the axes. For small distortions the root mean square over two pairs of axes at 45 degrees is
-// the one over all pairs, here the mean shear.
+// The shear depends on the axes. For small distortions, the root mean square over two pairs of axes at 45 degrees
+// equals that over all pairs. It is called the mean shear here.
 void measure_map(Surface& surface, Measurement& m)
 {
   const auto measure = [&] { return SMP::measure_flattening(surface.mesh, surface.border, surface.uv); };

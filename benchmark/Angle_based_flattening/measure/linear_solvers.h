@@ -32,7 +32,7 @@ namespace ABF_benchmark {
 
 typedef CGAL::Eigen_vector<double> Solution;
 
-// A square matrix that stores both triangles, and a right-hand side, in the types that CGAL's solvers take
+// A square matrix that stores both triangles, and a right-hand side, in the types of CGAL's solvers
 struct Linear_system
 {
   typedef Eigen::SparseMatrix<double> Columns;
@@ -76,7 +76,7 @@ public:
   bool order(const Linear_system& system)
   {
     this->analyzePattern(system.columns());
-    return true; // an error would come back in factor()
+    return true; // factor() would report an error
   }
   bool factor(const Linear_system& system)
   {
@@ -92,7 +92,7 @@ public:
   double seconds_of_order(const Linear_system&) { return 0; }
 };
 
-// It orders in every factorization, which is timed apart.
+// It orders in every factorization. The time of the ordering is measured separately.
 class Eigen_superlu : public Eigen_engine<Eigen::SuperLU<Linear_system::Columns>>
 {
 public:

@@ -23,7 +23,7 @@ namespace ABF_benchmark {
 
 namespace {
 
-typedef CGAL::Surface_mesh<CGAL::Epick::Point_3> Test_mesh; // simplification takes predicates
+typedef CGAL::Surface_mesh<CGAL::Epick::Point_3> Test_mesh; // simplification needs predicates
 
 // Stops a simplification at a number of faces.
 struct Face_count
@@ -37,7 +37,7 @@ struct Face_count
   }
 };
 
-// Simplifies until some number of subdivisions leads to that many triangles.
+// Simplifies to a size from which subdivisions lead to about that many triangles.
 void resize(Test_mesh& mesh, const std::size_t triangles)
 {
   int subdivisions = 0;
@@ -49,7 +49,7 @@ void resize(Test_mesh& mesh, const std::size_t triangles)
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(subdivisions));
 }
 
-// Moves every vertex by a tenth of its shortest edge, so that subdivided meshes do not have regular angles only.
+// Moves every vertex by a tenth of its shortest edge, so that subdivided meshes do not only have regular angles.
 void add_noise(Test_mesh& mesh)
 {
   boost::random::mt19937 generator; // the same noise in every run

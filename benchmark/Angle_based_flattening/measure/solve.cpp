@@ -26,7 +26,7 @@ namespace ABF_benchmark {
 
 namespace {
 
-constexpr double largest_residual = 1e-8; // a solution that is further off does not count
+constexpr double largest_residual = 1e-8; // a solution with a larger one is a failure
 
 // The linear system of the first Newton step: Eq. 16 at the angles where the solver starts.
 Linear_system first_newton_system(const abf::Chart& chart)
@@ -45,7 +45,7 @@ Linear_system first_newton_system(const abf::Chart& chart)
   return system;
 }
 
-// That of the planarity multipliers alone, which are those of even numbers
+// The block of the planarity multipliers, which have even indices
 Linear_system planarity_block(const Linear_system& full)
 {
   const int n = full.order() / 2;
@@ -59,7 +59,7 @@ Linear_system planarity_block(const Linear_system& full)
   return block;
 }
 
-// Changes the values of the matrix, by scaling some of its rows and the columns alike: it stays definite.
+// Changes the values of the matrix by scaling some rows and the same columns, so it stays definite.
 void change_values(Linear_system& system)
 {
   const Eigen::VectorXd scale = Eigen::VectorXd::NullaryExpr(
@@ -84,7 +84,7 @@ double seconds_of_step(const std::string& name, const Function& step)
   return seconds;
 }
 
-// Returns the seconds; the residual becomes the largest one so far.
+// Returns the seconds, and updates the largest residual so far.
 template <class Engine>
 double solve_once(Engine& engine, const Linear_system& system, double& residual)
 {
@@ -96,8 +96,8 @@ double solve_once(Engine& engine, const Linear_system& system, double& residual)
   return seconds;
 }
 
-// In seconds: order, factor, solve, and again and again_solve of a second factorization if that was measured. Nonzeros are
-// those of the factors, bytes the largest use of memory beyond the matrix.
+// The seconds of order, factor and solve, and those of a second factorization (again, again_solve) if it was
+// measured. The nonzeros of the factors, and the peak memory beyond that of the matrix.
 template <class Engine>
 void run_solver(Linear_system& system, Measurement& m)
 {
@@ -121,7 +121,7 @@ void run_solver(Linear_system& system, Measurement& m)
   m.add("residual", residual);
 }
 
-// The mesh is out of memory when this returns.
+// The mesh is freed before this returns.
 Linear_system make_system(const std::string& file, const std::string& matrix, Measurement& m)
 {
   Mesh mesh;
@@ -171,7 +171,7 @@ void describe_software(Measurement& m)
 #ifdef ABF_WITH_CHOLMOD
   m.add("CHOLMOD", version(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION));
 #endif
-  // OpenBLAS tells of itself; others do not.
+  // Only OpenBLAS reports its version.
   const auto get_config = reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_config"));
   m.add("BLAS", get_config != nullptr ? get_config() : "a BLAS that is not OpenBLAS");
 }

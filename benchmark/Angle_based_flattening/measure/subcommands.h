@@ -15,8 +15,8 @@
 
 namespace ABF_benchmark {
 
-// Reads a mesh, makes one of about that many triangles of it (unless that is 0), adds noise, writes it (if `output` is
-// not empty), and tells its triangles. Fails if it is no disk.
+// Reads a mesh, resizes it to about that many triangles (unless that is 0), adds noise, writes it (if `output` is not
+// empty), and reports the number of its triangles. Fails if it is not a disk.
 void make_mesh(const std::string& file, std::size_t triangles, bool noise, const std::string& output,
                Measurement& m);
 
@@ -27,15 +27,15 @@ void flatten(const std::string& method, const std::string& file,
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 
-// Lays out the same angles, solved up to a gradient of that norm, in three ways.
+// Solves the angles up to a gradient of that norm, and lays them out in three ways.
 void lay_out(const std::string& file, double tolerance, Measurement& m);
 
-// Flattens all components with a border, `direct`ly or `hierarchical`ly, but for the first runs, those with several
-// borders twice, the second time with holes allowed. Prints a measurement before each run, too: what it was at is known
-// if it crashes.
+// Flattens all components with a border by the `direct` or the `hierarchical` method, and those with several borders
+// a second time with holes allowed. Skips the first runs. Prints a measurement before each run too, so that a crash
+// can be attributed.
 void sweep(const std::string& file, const std::string& method, int first_run, Measurement& m);
 
-// What this program was made of
+// The versions of the compiler and the libraries
 void describe_software(Measurement& m);
 
 } // namespace ABF_benchmark

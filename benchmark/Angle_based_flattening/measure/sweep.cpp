@@ -39,10 +39,10 @@ typedef Mesh::Halfedge_index Halfedge;
 typedef CGAL::Epick::Point_2 Point_2;
 typedef Mesh::Property_map<Vertex, Point_2> UV_map;
 
-const Point_2 untouched(-17, 42); // no result: those are in the first quadrant
+const Point_2 untouched(-17, 42); // never a result: results are in the first quadrant
 
-// The number of interior vertices around which triangles wind more than once, by the sum of their angles. (At the border
-// they may take more than a turn: then the map is not injective, and the report says so.)
+// The number of interior vertices around which triangles wind more than once, by the sum of their angles. (At the
+// border they may exceed a full turn. Then the map is not injective, and the report says so.)
 int wound_vertices(const Mesh& mesh, const Halfedge border, const UV_map uv)
 {
   std::vector<Mesh::Face_index> component;
@@ -59,7 +59,7 @@ int wound_vertices(const Mesh& mesh, const Halfedge border, const UV_map uv)
   }));
 }
 
-// What contradicts the returned code in the map that was written, by exact predicates, or in the report
+// Contradictions between the returned code and the written map, by exact predicates, or the report
 std::string find_fault(const Mesh& mesh, const Halfedge border, const UV_map uv, const SMP::Error_code code,
                        const SMP::Flattening_report& report)
 {

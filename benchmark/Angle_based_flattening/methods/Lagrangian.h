@@ -24,11 +24,11 @@ namespace ABF_benchmark {
 typedef Eigen::VectorXd Vector;
 typedef Eigen::SparseMatrix<double> Matrix;
 
-// How the reconstruction constraint says that the two products of sines around a vertex are equal.
+// The form of the reconstruction constraint, by which the two products of sines around a vertex are equal.
 enum Reconstruction_form
 {
   PRODUCTS,  // their difference vanishes (Eq. 4)
-  LOGARITHMS // the difference of their logarithms does (Zayer et al.)
+  LOGARITHMS // the difference of their logarithms vanishes (Zayer et al.)
 };
 
 // The augmented objective F of Section 2.2, of all 4 n_f + 2 n_int unknowns x: the angles of all corners, then the
@@ -60,7 +60,7 @@ public:
     return x;
   }
 
-  // The diagonal of Eq. 6, which is all there is to the energy's second derivatives.
+  // The diagonal of Eq. 6. The energy has no other second derivatives.
   Vector energy_curvature() const { return 2 * m_beta.array().square().inverse(); }
 
   Vector constraints(const Vector& x) const
@@ -132,8 +132,8 @@ public:
 
   std::vector<double> angles(const Vector& x) const { return {x.data(), x.data() + number_of_angles()}; }
 
-  // The largest violated constraint, reconstruction in logarithms, so that all methods tell the same. Angles out of (0, pi)
-  // violate them without bound.
+  // The largest violation of a constraint. Reconstruction is measured in logarithms for all methods. Angles out of
+  // (0, pi) violate them without bound.
   double residual(const Vector& x) const
   {
     const auto alpha = x.head(number_of_angles());
@@ -144,8 +144,7 @@ public:
   }
 
 private:
-  // What an interior vertex sees: the sum of its angles, and the products of the sines of the next and the
-  // previous ones.
+  // The sum of the angles at an interior vertex, and the products of the sines of the next and the previous angles.
   struct Wheel
   {
     double sum = 0, next = 1, previous = 1;
@@ -160,7 +159,7 @@ private:
       }
     }
 
-    // What the cotangents are multiplied with in the derivatives.
+    // The factor of the cotangents in the derivatives.
     double next_weight() const { return form == PRODUCTS ? next : 1; }
     double previous_weight() const { return form == PRODUCTS ? previous : 1; }
   };

@@ -26,8 +26,8 @@ namespace ABF_benchmark {
 typedef Eigen::Matrix<double, 6, 1> Vector_6;
 typedef Eigen::Matrix<double, 6, 6> Matrix_6;
 
-// The energy of a triangle as a function of its Dirichlet energy D and its area A in the plane, in the first of
-// which it is linear, with its derivatives.
+// The energy of a triangle as a function of its Dirichlet energy D and its area A in the plane, with derivatives. It
+// is linear in D.
 struct Triangle_energy
 {
   double value, by_d, by_a, by_d_and_a, by_a_twice;
@@ -42,9 +42,9 @@ struct MIPS_energy
   }
 };
 
-// The squared L2 stretch of Sander et al. (2001), times the area s on the surface, plus the area in the plane. Of all
-// scalings of a map the best has this sum equal to 2 s times its L2 stretch as measured for equal areas, so that
-// stretch and scale are minimized together without a constraint.
+// The squared L2 stretch of Sander et al. (2001), times the area s on the surface, plus the area in the plane. For
+// the best scaling of a map, this sum is 2 s times the L2 stretch for equal areas. So stretch and scale are minimized
+// together without a constraint.
 struct Stretch_energy
 {
   static Triangle_energy at(double d, double a, double s)

@@ -17,7 +17,7 @@
 
 namespace ABF_benchmark {
 
-// Our ABF++, where relaxations start.
+// Our ABF++, the start of all relaxations.
 inline bool flatten_by_abf_plus_plus(const Chart& chart, std::vector<Point_2>& uv, Run_report& report)
 {
   const auto no_rounding = [](std::vector<Point_2>&) {};
@@ -26,8 +26,8 @@ inline bool flatten_by_abf_plus_plus(const Chart& chart, std::vector<Point_2>& u
   return start.succeeded() || fail(report, "no start: " + start.report.message);
 }
 
-// Minimizes an energy of the map, border and all, from a valid one: by Newton's method with line search, which lets no
-// triangle flip. The authors of these energies moved one vertex at a time; the minima are the same.
+// Minimizes an energy of the map, including its border, by Newton's method with a line search that lets no triangle
+// flip. Starts from a valid map. The authors of these energies moved one vertex at a time; the minima are the same.
 template <typename Energy>
 struct Relaxed_map
 {
@@ -76,7 +76,7 @@ private:
     return fail(report, "no convergence in " + std::to_string(max_iterations) + " steps");
   }
 
-  // Motions of the plane, and for some energies similarities, change nothing: they are held by a little weight.
+  // Motions of the plane, and similarities for some energies, do not change the energy. A small weight fixes them.
   static Eigen::SparseMatrix<double> definite(Eigen::SparseMatrix<double> hessian)
   {
     hessian.diagonal() *= 1 + 1e-9;

@@ -21,8 +21,8 @@
 
 namespace ABF_benchmark {
 
-// The part of a step that takes no angle further than nine tenths of its way to 0 or pi. The papers take the full
-// step, and leave open what happens to angles that it turns over.
+// The fraction of a step that takes no angle further than nine tenths of its way to 0 or pi. The papers take the full
+// step, and do not say what happens to angles that leave (0, pi).
 inline double length_within_range(const Vector& x, const Vector& step, int number_of_angles)
 {
   const auto alpha = x.head(number_of_angles).array(), change = step.head(number_of_angles).array();
@@ -101,7 +101,7 @@ private:
 // whose sparse matrix SuperLU factors with partial pivoting, then the greedy unfolding.
 struct Original_ABF
 {
-  double tolerance = 1e-6; // what the unfolding needs, by Section 4
+  double tolerance = 1e-6; // needed by the unfolding according to Section 4
   int max_iterations = 50;
 
   bool solve_angles(const Chart& chart, std::vector<double>& alpha, Run_report& report) const
@@ -207,7 +207,7 @@ private:
 
 // Zayer, Levy and Seidel (2007): the smallest relative change of the optimal angles that meets the constraints
 // linearized there, their reconstruction in logarithms. That is one step of sequential linearly constrained
-// programming. What the linearization misses, and angles that leave (0, pi), are left to the least squares layout.
+// programming. The least squares layout absorbs the error of the linearization, and angles outside of (0, pi).
 struct Linear_ABF
 {
   bool solve_angles(const Chart& chart, std::vector<double>& alpha, Run_report& report) const

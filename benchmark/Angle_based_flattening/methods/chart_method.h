@@ -30,8 +30,8 @@ typedef CGAL::SuperLU_solver_traits<double> Solver;
 
 struct Run_report
 {
-  int iterations = 0;  // of the outermost loop
-  double energy = 0;   // what the method minimizes, at the end
+  int iterations = 0;  // iterations of the outermost loop
+  double energy = 0;   // the final value of the minimized function
   double residual = 0; // largest violated constraint of the angles, or what another method stops by
   std::string failure; // a sentence; empty on success
 };
@@ -42,7 +42,7 @@ inline bool fail(Run_report& report, std::string sentence)
   return false;
 }
 
-// What every method does last.
+// The last step of every method.
 inline bool finish(const Chart& chart, std::vector<Point_2>& uv, Run_report& report)
 {
   for(const Point_2& p : uv)

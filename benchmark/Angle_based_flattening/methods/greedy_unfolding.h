@@ -18,7 +18,7 @@ namespace ABF_benchmark {
 
 typedef std::complex<double> Complex;
 
-// Eq. 19: where the vertex of corner `l` has to be, seen from the other two of its triangle.
+// Eq. 19: the position of the vertex of corner `l`, from the other two vertices of its triangle.
 inline Complex third_point(const std::vector<double>& alpha, int l, const Complex& next,
                            const Complex& previous)
 {
@@ -26,8 +26,8 @@ inline Complex third_point(const std::vector<double>& alpha, int l, const Comple
   return next + std::polar(std::sin(alpha[k]) / std::sin(alpha[l]), alpha[j]) * (previous - next);
 }
 
-// The unfolding of the original ABF (Sheffer and de Sturler 2001): lays out an edge, and then vertex after vertex in
-// the order of a front that starts there, each by the triangle through which the front first reaches it.
+// The unfolding of the original ABF (Sheffer and de Sturler 2001): lays out an edge, and then one vertex after the
+// other by an advancing front that starts there, each by the triangle through which the front first reaches it.
 inline std::vector<Point_2> unfold_greedily(const Chart& chart, const std::vector<double>& alpha)
 {
   std::vector<Complex> z(chart.points.size());

@@ -18,8 +18,8 @@ namespace ABF_benchmark {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-// A method of flattening, by default as it is by default; the options are for hierarchical ones. Adds seconds, bytes, and what
-// the method reports to the measurement, or the reason why there is no map.
+// A method of flattening with its default options; only hierarchical methods use the given ones. Adds the seconds,
+// the bytes and the report of the method to the measurement, or the reason why there is no map.
 typedef void (*Method)(Surface&, const SMP::Hierarchical_options&, Measurement&);
 typedef std::map<std::string, Method> Methods; // by their names on command lines
 

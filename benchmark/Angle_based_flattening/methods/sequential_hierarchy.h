@@ -74,7 +74,7 @@ inline void coarsen_sequentially(abf::Edge_collapses& mesh, const double extreme
   const auto rank = [&](const int v) { queue.update(handles[v], {cost.best(v), v}); };
   while(vertices > target && queue.top().candidate) {
     const Ranked_vertex next = queue.top();
-    // What is farther than its star can forbid a collapse, too.
+    // Changes outside of the star can forbid a collapse too.
     if(!cost.is_still_allowed(next.vertex, next.candidate.record)) {
       rank(next.vertex);
       continue;
@@ -88,8 +88,8 @@ inline void coarsen_sequentially(abf::Edge_collapses& mesh, const double extreme
   }
 }
 
-// Puts the vertices back one by one (Section 5.2), and counts those that go to the kernel. Returns `false` if a vertex
-// has no place in its star.
+// Inserts the vertices again, one by one (Section 5.2), and counts those that are placed in the kernel. Returns
+// `false` if a vertex has no place in its star.
 inline bool refine_sequentially(abf::Edge_collapses& mesh, std::vector<abf::Planar_point>& uv,
                                 int& kernel_insertions)
 {
@@ -129,7 +129,7 @@ inline bool solve_coarse_chart(const abf::Coarse_chart& coarse, const std::vecto
   return coarse_uv.has_value();
 }
 
-// The whole method, with the stages of the library's. A coarse chart that cannot be solved is an error.
+// The whole method, with the same stages as in the library. A coarse chart that cannot be solved is an error.
 inline void run_sequential_hierarchy(Surface& surface, const SMP::Hierarchical_options& options,
                                      Measurement& m)
 {

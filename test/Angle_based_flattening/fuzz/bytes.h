@@ -17,7 +17,7 @@ namespace fuzz {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 
-// What a fuzzer's bytes mean. They are read from the front, and are zeros behind their end.
+// Interprets the fuzzer's bytes. They are read from the front; zeros follow the end.
 class Bytes
 {
 public:
@@ -30,7 +30,7 @@ public:
   // In [0, n).
   int below(int n) { return byte() % n; }
 
-  // All coordinates are extreme at times if `extreme`.
+  // If `extreme`, sometimes all coordinates are extreme.
   double coordinate(bool extreme)
   {
     const double largest = (std::numeric_limits<double>::max)();

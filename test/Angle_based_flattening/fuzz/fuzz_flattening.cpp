@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A target of libFuzzer: makes a mesh of bytes and flattens it. Whatever the mesh is, the result must be a map that passes
-// the exact certificate, or an error that says why, with the map as it was.
+// A target of libFuzzer: makes a mesh of bytes and flattens it. For every mesh, the result must be a map that passes
+// the exact certificate, or an error with a reason and an unchanged map.
 
 #include "bytes.h"
 #include "meshes.h"
@@ -65,14 +65,14 @@ void require_consistent(const AnyReport& report, SMP::Error_code code)
           "OK, and a smallest angle below zero or not a number");
 }
 
-// With maps of the points of `MapKernel`.
+// Uses maps whose points are of `MapKernel`.
 template <typename MapKernel, typename Parameterizer>
 Report::Diagnosis flatten(Mesh& mesh, Halfedge border, Parameterizer parameterizer)
 {
   typedef typename MapKernel::Point_2 Point_2;
   const Point_2 untouched(-17, 42);
   auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", untouched).first;
-  const SMP::Error_code code = // not by the function of that name, which takes no mesh without faces
+  const SMP::Error_code code = // not by the free function, which refuses a mesh without faces
       parameterizer.parameterize(mesh, border, uv, get(boost::vertex_index, mesh), nullptr);
   require_consistent(parameterizer.report(), code);
   if(code == SMP::OK)
@@ -84,7 +84,7 @@ Report::Diagnosis flatten(Mesh& mesh, Halfedge border, Parameterizer parameteriz
   return parameterizer.report().diagnosis;
 }
 
-// Whether that was found before anything was computed, so that all methods must find it.
+// Whether this was found before any computation, so all methods must find it.
 bool is_about_input(Report::Diagnosis diagnosis)
 {
   return diagnosis != Report::NOTHING_WRONG && diagnosis != Report::LINEAR_SYSTEM_FAILED &&

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The solver allocates 150 MB before each factorization, only to know that they are there, and the address sanitizer takes
-// milliseconds to mark them. The linker puts these functions in the place of malloc() and free(): such an allocation
-// gets an address that nobody may use.
+// Before each factorization the solver allocates 150 MB, only to find out whether they are available. The address
+// sanitizer takes milliseconds to mark them. The linker replaces malloc() and free() by these functions, which return
+// an unusable address for such an allocation.
 
 #include <cstddef>
 

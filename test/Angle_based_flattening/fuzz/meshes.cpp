@@ -24,7 +24,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 typedef Mesh::Halfedge_index Halfedge;
 typedef std::array<std::size_t, 3> Triangle;
 
-const int largest = 60; // number of triangles or operations, so that the runs are fast
+const int largest = 60; // number of triangles or operations, for fast runs
 
 // At an edge of an earlier triangle, or between any three points.
 Triangle next_triangle(Bytes& bytes, const std::vector<Triangle>& triangles, int points)
@@ -38,7 +38,7 @@ Triangle next_triangle(Bytes& bytes, const std::vector<Triangle>& triangles, int
   return {neighbour[(kind + 1) % 3], neighbour[kind % 3], third};
 }
 
-// Each leaves a valid mesh with triangles, without loops, though maybe none that is a simplicial complex.
+// Each results in a valid triangle mesh without loops, which need not be a simplicial complex.
 class Operations
 {
 public:
@@ -93,7 +93,7 @@ private:
     return halfedge(target(to_v, m_mesh), target(to_w, m_mesh), m_mesh).second;
   }
 
-  // CGAL's test holds for simplicial complexes only.
+  // CGAL's test is valid for simplicial complexes only.
   void collapse(Halfedge h)
   {
     if(m_is_complex && Euler::does_satisfy_link_condition(edge(h, m_mesh), m_mesh))
@@ -118,7 +118,7 @@ private:
           point();
   }
 
-  // A triangle in the corner of a border, which can have two edges only afterwards.
+  // Fills a corner of a border with a triangle. The border may have only two edges afterwards.
   void close_corner(Halfedge h)
   {
     const Halfedge second = next(next(h, m_mesh), m_mesh);
@@ -128,7 +128,7 @@ private:
     Euler::add_face_to_border(h, second, m_mesh);
   }
 
-  // Within the surface, so that nothing gets pinched.
+  // Only in the interior, so that the surface is not pinched.
   void remove_face(Halfedge h)
   {
     if(is_border(h))

@@ -14,10 +14,10 @@ namespace fuzz {
 
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
-// Triangles between any points, made a mesh: with whatever components, handles and holes there are.
+// A mesh of triangles between any points, with any components, handles and holes.
 Mesh mesh_of_soup(Bytes& bytes);
 
-// A triangle, and what a sequence of Euler operations makes of it: also parallel edges, vertices of degree 2, holes.
+// A triangle after a sequence of Euler operations. It may have parallel edges, vertices of degree 2, and holes.
 Mesh mesh_of_operations(Bytes& bytes);
 
 } // namespace fuzz
