@@ -24,14 +24,14 @@ struct ABF_plus_plus_options : Flattening_options
   /// How the second derivatives of the constraints enter a step of the angle solver.
   enum Step_type
   {
-    NEWTON,                         ///< Kept: the Hessian stays diagonal, and convergence is quadratic.
-    SEQUENTIAL_LINEARLY_CONSTRAINED ///< Dropped, as in Section 3.1 of \cgalCite{cgal:slmb-abf-05}.
+    NEWTON, ///< They are kept. The Hessian stays diagonal, and convergence is quadratic.
+    SEQUENTIAL_LINEARLY_CONSTRAINED ///< They are dropped, as in Section 3.1 of \cgalCite{cgal:slmb-abf-05}.
   };
 
   /// How the linear system of a step (Equation 16 of \cgalCite{cgal:slmb-abf-05}) is solved.
   enum Linear_solver
   {
-    ITERATIVE, ///< By conjugate gradients, as exactly as the next step needs. The factors of two scalar matrices,
+    ITERATIVE, ///< By conjugate gradients, to the accuracy that the next step needs. The factors of two scalar matrices,
     ///< each a quarter of the system, precondition several steps. The counterpart of lower precision of the solver
     ///< traits (`Low_precision_solver_traits`) computes them if that suffices. If conjugate gradients are slow, the
     ///< system is factored. Traits without factorization solve each system as a whole.
@@ -41,14 +41,14 @@ struct ABF_plus_plus_options : Flattening_options
   /// How planar coordinates are computed from planar angles.
   enum Layout_type
   {
-    AUTOMATIC_LAYOUT,    ///< `EXACT_LAYOUT` if the angles fit together, else `LEAST_SQUARES_LAYOUT`.
+    AUTOMATIC_LAYOUT,    ///< `EXACT_LAYOUT` if the angles fit together, otherwise `LEAST_SQUARES_LAYOUT`.
     EXACT_LAYOUT,        ///< Walk along the border, then one Laplace equation. For charts with one border.
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
   /// Largest accepted violation of a constraint at a vertex, in radians; at least 1e-14. For the reconstruction
   /// constraint, the violation is the logarithm of a ratio of lengths. The layout closes the remaining gap. With the
-  /// default value, measures of distortion have four or more right digits.
+  /// default value, measures of distortion have at least four correct digits.
   double tolerance = 1e-5;
 
   /// The solver stops after a step that promised to lower the energy by less than this fraction of it; positive.

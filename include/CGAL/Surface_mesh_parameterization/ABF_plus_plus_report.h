@@ -52,16 +52,16 @@ struct ABF_plus_plus_report : Flattening_report
   /// A strategy that did not give a valid map.
   struct Failed_strategy
   {
-    Strategy strategy;   ///< Which one.
-    Diagnosis diagnosis; ///< What was wrong.
-    std::string message; ///< The same as a sentence.
+    Strategy strategy;   ///< The strategy.
+    Diagnosis diagnosis; ///< Why it failed.
+    std::string message; ///< The reason as a sentence.
     int iterations;      ///< Newton steps taken.
   };
 
-  /// Which of the layouts gave the coordinates.
+  /// The layout that gave the coordinates.
   enum Layout
   {
-    NO_LAYOUT,    ///< None: the run ended before.
+    NO_LAYOUT,    ///< None, because the run ended before.
     EXACT,        ///< `ABF_plus_plus_options::EXACT_LAYOUT`.
     LEAST_SQUARES ///< `ABF_plus_plus_options::LEAST_SQUARES_LAYOUT`.
   };
@@ -71,7 +71,7 @@ struct ABF_plus_plus_report : Flattening_report
 
   bool converged = false;                ///< Whether both tolerances were met.
   int iterations = 0;                    ///< Newton steps taken.
-  double energy = 0;                     ///< Energy of the planar angles, the barrier included.
+  double energy = 0;                     ///< Energy of the planar angles, including the barrier.
   double constraint_residual = 0;        ///< Largest violation of a constraint at a vertex, in radians.
   std::vector<ABF_plus_plus_step> steps; ///< All steps.
 

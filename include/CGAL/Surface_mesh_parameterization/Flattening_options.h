@@ -31,7 +31,7 @@ struct Flattening_options
 
   /// Whether charts with more than one border are flattened. The angles do not ensure that a hole closes, and the
   /// least squares layout spreads the gap. The result is checked as always. If this is `false`, such a chart is
-  /// refused with `ERROR_NO_TOPOLOGICAL_DISC`. A coarse parameterizer must accept such charts, too.
+  /// refused with `ERROR_NO_TOPOLOGICAL_DISC`. A coarse parameterizer must accept such charts too.
   bool allow_holes = false;
 
   /// If not null, this visitor follows the progress and may stop the computation. A coarse parameterizer and

@@ -39,8 +39,8 @@ struct Flattening_report
     LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
     NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
     WRONG_OPTION,      ///< An option is out of its range.
-    WRONG_LAYOUT,      ///< The exact layout was asked for and does not apply.
-    FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are right.
+    WRONG_LAYOUT,      ///< The exact layout was requested but does not apply.
+    FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are correct.
     PRECISION_EXCEEDED, ///< There is a valid map, but the number type of the coordinates cannot hold the one found.
     CANCELLED           ///< A visitor or an exception stopped the computation.
   };
@@ -48,16 +48,16 @@ struct Flattening_report
   /// Wall clock time of each stage, in seconds; 0 for those that the method does not have.
   struct Seconds
   {
-    double read = 0;         ///< From the mesh to flat arrays, and the check of the input.
+    double read = 0;         ///< Copying the mesh into arrays, and checking the input.
     double targets = 0;      ///< Target angles.
     double angles = 0;       ///< The nonlinear solver.
-    double layout = 0;       ///< From angles to coordinates.
+    double layout = 0;       ///< Computing coordinates from angles.
     double coarsen = 0;      ///< Collapses.
     double coarse_chart = 0; ///< The coarse parameterizer.
     double refine = 0;       ///< Insertion and relaxation.
-    double polish = 0;       ///< The direct solver on the fine chart, if asked for.
+    double polish = 0;       ///< The direct solver on the fine chart, if requested.
     double certify = 0;      ///< Exact check of the orientations.
-    double write = 0;        ///< Into the caller's property map.
+    double write = 0;        ///< Writing the caller's property map.
 
     /// adds the times of another run.
     Seconds& operator+=(const Seconds& other)
@@ -92,7 +92,7 @@ struct Flattening_report
   bool border_is_simple =
       false; ///< Whether the borders are simple, as `Flattening_measures::border_is_simple`: with no
              ///< flipped triangle, the map is injective if and only if they are.
-  double scale_range = 1;    ///< Longest edge of the layout over its shortest one.
+  double scale_range = 1;    ///< Ratio of the longest to the shortest edge of the layout.
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 

@@ -28,20 +28,20 @@ namespace Surface_mesh_parameterization {
 class Flattening_visitor
 {
 public:
-  /// What is about to be done. The same may be done again where the direct method tries another strategy; its
-  /// third one simplifies the chart and refines it, as the hierarchical method does.
+  /// The stage that begins. Stages are repeated if the direct method tries another strategy. Its third strategy
+  /// simplifies the chart and refines it, as the hierarchical method does.
   enum Stage
   {
-    READ,          ///< From the mesh to flat arrays, and the check of the input.
-    TARGET_ANGLES, ///< From the surface to target angles.
+    READ,          ///< Copying the mesh into arrays, and checking the input.
+    TARGET_ANGLES, ///< Computing the target angles.
     ANGLES,        ///< The nonlinear solver.
-    LAYOUT,        ///< From angles to coordinates.
+    LAYOUT,        ///< Computing coordinates from angles.
     COARSEN,       ///< Collapses of the hierarchical method.
     COARSE_CHART,  ///< The coarse parameterizer.
     REFINE,        ///< Insertion and relaxation.
     POLISH,        ///< The direct solver on the refined chart.
     CERTIFY,       ///< Exact check of the result.
-    WRITE          ///< Into the caller's property map.
+    WRITE          ///< Writing the caller's property map.
   };
 
   virtual ~Flattening_visitor() {}

@@ -22,19 +22,19 @@ struct Hierarchical_report : Flattening_report
   /// Where the refinement started.
   enum Start
   {
-    COARSE_PARAMETERIZER, ///< The coarse chart as the coarse parameterizer flattened it.
+    COARSE_PARAMETERIZER, ///< The coarse chart, flattened by the coarse parameterizer.
     PROGRESSIVE_EMBEDDING ///< A single triangle, because no coarse chart could be flattened or refined.
   };
 
   int levels = 0;                     ///< Levels of collapses above the coarse chart.
   int coarse_vertices = 0;            ///< Vertices of the coarse chart.
   int coarse_triangles = 0;           ///< Triangles of the coarse chart.
-  Start start = COARSE_PARAMETERIZER; ///< From where the refinement started.
+  Start start = COARSE_PARAMETERIZER; ///< Where the refinement started.
   int retries = 0;                    ///< Coarse charts that could not be flattened.
   int kernel_insertions =
       0;         ///< Vertices put into the centre of a kernel: their weights gave an invalid position.
   int moves = 0; ///< Vertices moved by relaxation.
-  int rejected_moves = 0; ///< Vertices that relaxation left where they were.
+  int rejected_moves = 0; ///< Vertices that relaxation did not move.
 
   bool polished = false;          ///< Whether the result is that of the direct solver.
   int polish_iterations = 0;      ///< Newton steps of the direct solver.
