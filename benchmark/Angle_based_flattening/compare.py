@@ -112,16 +112,16 @@ def parse_command_line() -> argparse.Namespace:
 
 def add_tables(report: Report, results: Results) -> None:
     for title, caption, table in (
-            ("Table I: run times", "In seconds, of meshes up to 60,000 faces.\n\n", times_table(results)),
+            ("Table I: run times", "In seconds, for meshes of up to 60,000 faces.\n\n", times_table(results)),
             ("Table II: small to large meshes", "Shear is that of Eq. 24, which depends on the direction of the "
-             "axes; principal shear does not. Stretch is that of the mirror image where a triangle is flipped, "
-             "and infinite where one has no area. Energy is the mean square relative change of the "
+             "axes; principal shear does not. Stretch is that of the mirror image if a triangle is flipped, "
+             "and infinite if a triangle has no area. Energy is the mean square relative change of the "
              "target angles (Eq. 1, per angle), which ABF++ minimizes.\n\n", distortions_table(results, 0, TABLE_2)),
             ("Table III: very large meshes", "", distortions_table(results, TABLE_2, float("inf"))),
-            ("Ratios to CGAL's LSCM", "Geometric means over the meshes that both methods could do, but for "
-             "developable ones; of stretch, those where it is finite.\n\n", ratios_table(results, "lscm")),
-            ("Growth", "Of the run time on one surface in several sizes.\n\n", growth_table(results)),
-            ("What the paper says", "Quotients on every mesh where both were measured, but for developable "
+            ("Ratios to CGAL's LSCM", "Geometric means over the meshes, except developable ones, that both "
+             "methods flattened; for stretch, those where it is finite.\n\n", ratios_table(results, "lscm")),
+            ("Growth", "Growth of the run time on one surface of several sizes.\n\n", growth_table(results)),
+            ("What the paper says", "Quotients on every mesh where both were measured, except developable "
              "ones.\n\n", relations_table(results))):
         report.add(f"\n## {title}\n\n{caption}{table}")
 
@@ -134,11 +134,11 @@ def main() -> None:
         raise SystemExit("there is no mesh; see --help")
     report = Report(options.output)
     report.add(head("Methods of flattening", measure) +
-               f"Medians of up to {options.repeat} runs, as many as fit into the limit of time, each in a "
-               f"process of its own. Cores: {options.threads}; the BLAS on one thread. Seconds and "
-               "memory (peak resident size) are those of the method alone, beyond the mesh in the form "
-               f"in which it takes it. Limits of a process: {options.timeout:g} s, {options.memory:g} GB "
-               "of memory. A method that was stopped by them twice was not tried on larger meshes.\n")
+               f"Medians of up to {options.repeat} runs, as many as the time limit allows, each in a separate "
+               f"process. Cores: {options.threads}; the BLAS used one thread. Seconds and memory (peak "
+               "resident size) are those of the method alone, without its input mesh. Limits of a process: "
+               f"{options.timeout:g} s, {options.memory:g} GB of memory. A method that exceeded them twice "
+               "was not tried on larger meshes.\n")
     runner = Runner(measure, options)
     rows: list[dict] = []
     for number, mesh in enumerate(meshes):

@@ -104,9 +104,9 @@ class Benchmark:
                 targets.add("CGAL's LSCM / hierarchical" + at, ".2f", by_lscm, least=15)
         titles = ["triangles", "direct ABF++ / hierarchical", "CGAL's LSCM / hierarchical",
                   "one thread / " + threads]
-        return ("The whole call of `parameterize()` on a mesh that is in memory, at the default rate, in "
-                "seconds, with its stages. Memory: peak resident size during the call beyond that before it. "
-                "Ratios are to the hierarchical method on one thread."
+        return ("Seconds of a whole call of `parameterize()` at the default rate, without reading the file, and "
+                "of its stages. Memory is the increase of the peak resident size during the call. Ratios are to "
+                "the hierarchical method on one thread."
                 f"\n\n{speeds}\n{table(titles, ratios, 0)}{targets}")
 
     def quality(self) -> str:
@@ -126,9 +126,9 @@ class Benchmark:
             meshes.add([file.stem], direct if "failure" in direct else m)
         targets.add("kernel insertions, % of the vertices of any mesh", ".4f", most_percent, most=0.02)
         targets.add("flips of all", ".0f", flips, most=0)
-        return ("Direct ABF++ and the hierarchical one at the default rate. The shear of Eq. 24 depends on "
-                "the direction of the axes; the rise is that of its root mean square over all directions, and "
-                "the shear as returned is the one along the axes of the coordinates."
+        return ("Direct ABF++ and hierarchical ABF++ at the default rate. The shear of Eq. 24 depends on the "
+                "direction of the axes. The rise is that of the root mean square over all directions. The shear "
+                "as returned is that along the axes of the coordinates."
                 f"\n\n{meshes}{targets}")
 
     def rates(self) -> str:
@@ -140,8 +140,8 @@ class Benchmark:
             add_comparison(m, direct)
             rates.add(["direct" if m is direct else f"{rate:g} %"], m)
         text = (f"The hierarchical method on {mesh.stem} with `Hierarchical_options::simplification_rate` "
-                "varied, and the direct one; the rises are to the latter. The paper has 0.004 of shear and "
-                f"0.025 of stretch at 95 %.\n\n{rates}")
+                "varied, and the direct method. Rises are relative to the direct method. The paper reports rises of "
+                f"0.004 for shear and 0.025 for stretch at 95 %.\n\n{rates}")
         if figure:
             points = [(rate, m["seconds"], m["mean_shear"], m["stretch"])
                       for rate, m in zip([0, *self.options.rates], [direct, *results]) if "failure" not in m]
@@ -164,10 +164,10 @@ class Benchmark:
 
     def sequential(self) -> str:
         columns = [TRIANGLES, COARSE, SECONDS, *STAGES[1:4], KERNEL, PERCENT, SHEAR, STRETCH, FLIPS]
-        return ("By levels is the library, on one thread. Sequential is the paper's Section 5: one vertex at a "
-                "time from a priority queue, and back in reverse order, with harmonic weights and one harmonic "
-                "smoothing of the vertex and its neighbours. Both use the same cost, vetoes, coarse solver and "
-                "number of coarse vertices." +
+        return ("*By levels* is the library, on one thread. *Sequential* is Section 5 of the paper: a priority "
+                "queue removes one vertex at a time, and the vertices are inserted in reverse order, with "
+                "harmonic weights and one harmonic smoothing of the vertex and its neighbours. Both use the same "
+                "cost, conditions, coarse solver and number of coarse vertices." +
                 self.variants("order", columns, {"by levels": ("habf++",), "sequential": ("sequential",)}, 2))
 
     def sweeps(self) -> str:
@@ -182,9 +182,9 @@ class Benchmark:
                    ("replaced", "polished", "yes")]
         variants = {"direct ABF++": ("abf++",), "hierarchical ABF++": ("habf++",),
                     "hierarchical ABF++, polished": ("habf++", "--polish")}
-        return ("Direct ABF++, the hierarchical one, and the latter as the start of the direct solver "
-                "(`Hierarchical_options::polish`). Replaced: whether the direct solver's result was valid, and "
-                "so was returned." + self.variants("method", columns, variants, 2))
+        return ("Direct ABF++, hierarchical ABF++, and the latter as the start of the direct solver "
+                "(`Hierarchical_options::polish`). Replaced: whether the direct solver's result was valid and "
+                "therefore returned." + self.variants("method", columns, variants, 2))
 
     def large(self) -> str:
         runs = Table(["triangles", "method", "threads"],
@@ -217,8 +217,8 @@ class Benchmark:
                     targets.add(f"bytes a triangle, {size} triangles{threads}", ".0f", m["triangle_bytes"], most=150)
         targets.add("flips of all", ".0f", flips, most=0)
         return (f"The counterpart of the paper's Table III: {self.options.mesh.stem}, simplified and subdivided "
-                "to the sizes there, each vertex then moved by a tenth of its shortest edge, at the default "
-                "rate. The paper's surfaces are others of the same sizes (605,846 triangles: hierarchical ABF++ "
+                "to the sizes there. Each vertex was then moved by a tenth of its shortest edge. The rate is the "
+                "default. The paper's surfaces have the same sizes, but are different (605,846 triangles: hierarchical ABF++ "
                 "107 s, hierarchical LSCM 305 s; 698,572: 50 s, 351 s; 4,241,328, at 98 %: 819 s, failed), on "
                 f"machines of 2004.\n\n{runs}{targets}")
 
@@ -237,7 +237,7 @@ class Benchmark:
                 m.update({stage + "_percent": 100 * m[stage] / m["seconds"] for stage in DIRECT_STAGES})
                 m.update({name + "_growth": m[name] / first[name] for name in growth})
                 sizes.add([m.get("triangles", size), task.threads], m)
-        return ("Direct ABF++: shares of its stages, and growth from the smallest size on, as quotients."
+        return ("Direct ABF++: percentages of its stages, and growth relative to the smallest size."
                 f"\n\n{sizes}")
 
 
@@ -283,9 +283,9 @@ def main() -> None:
     benchmark = Benchmark(options)
     report = Report(options.output)
     report.add(head("Hierarchical parameterization", benchmark.program) +
-               f"Medians of {options.repeat} runs, each in a process of its own that has as many cores as threads, "
-               "the BLAS on one thread. One thread where nothing else is said. A process was stopped after "
-               f"{options.timeout:g} s, and had {options.memory:g} GB of memory.\n")
+               f"Medians of {options.repeat} runs, each in a separate process with as many cores as threads. The BLAS "
+               "used one thread. Runs used one thread unless stated otherwise. Limits of a process: "
+               f"{options.timeout:g} s, {options.memory:g} GB of memory.\n")
     for part in options.parts:
         report.add(f"\n## {PARTS[part]}\n\n" + getattr(benchmark, part)())
 

@@ -20,21 +20,21 @@ COLUMNS = [("order of the matrix", "unknowns", ".0f"),
 RATIOS = ["matrix", "triangles", "`Eigen::SuperLU` / ours, total", "ours / CHOLMOD, total",
           "ours / CHOLMOD, factor", "ours, second / first factorization", "ordering reused"]
 
-CAPTION = """Medians of {options.repeat} runs, each in a process of its own and on one thread \
-(`OPENBLAS_NUM_THREADS=1`). S is the matrix of the first Newton step, its scalar block the one of the planarity \
-constraints, and the right-hand side is that of the step. Times are in seconds. Again: a second factorization, \
-other values in the same pattern. Nonzeros of the factors, in millions: L and U for SuperLU, L alone for the \
-others. Memory: peak resident size beyond that of the matrix, up to the first solution. Residual: |Ax - b| / |b|, \
-the larger one of both factorizations; more than 1e-08 counts as failed. `Eigen::SuperLU` orders in every \
-factorization: order was timed apart, with the functions that it calls, and factor is the rest. A process was \
-stopped after {options.timeout:g} s, and had {options.memory:g} GB of memory.
+CAPTION = """Medians of {options.repeat} runs, each in a separate process on one thread \
+(`OPENBLAS_NUM_THREADS=1`). S is the matrix of the first Newton step. Its scalar block is that of the planarity \
+constraints. The right-hand side is that of the step. Times are in seconds. Again: a second factorization, with \
+other values in the same pattern. Nonzeros of the factors are in millions: L and U for SuperLU, L alone for the \
+others. Memory: peak resident size up to the first solution, without the matrix. Residual: |Ax - b| / |b|, the \
+larger one of both factorizations; above 1e-08 the run counts as failed. `Eigen::SuperLU` orders in every \
+factorization. Its ordering was timed separately, with the functions that it calls; factor is the rest. Limits of \
+a process: {options.timeout:g} s, {options.memory:g} GB of memory.
 """
 RATIOS_CAPTION = """
 ## Ratios
 
 Ours is `CGAL::SuperLU_solver_traits`; total is order + factor + solve. Targets: `Eigen::SuperLU` / ours at least \
 2 from 100,000 triangles on; ours / CHOLMOD at most 2.2 on the scalar block at 1,500,000; a second factorization \
-with the same pattern does not order again.
+with the same pattern reuses the ordering.
 
 """
 
