@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "hard_charts.h"
 #include "test_charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -387,6 +388,47 @@ BOOST_AUTO_TEST_CASE(angle_sweeps_lower_the_angular_distortion)
   BOOST_TEST(distortions[2] < 0.99 * distortions[1]);
 }
 
+// Also where the noise has the effect of a stretch in one direction, as diagonals that are all parallel have.
+BOOST_AUTO_TEST_CASE(angle_sweeps_come_close_to_the_direct_method)
+{
+  std::mt19937 random(1);
+  const int n = 60;
+  Mesh mesh = mesh_of(patch(n, n, [&](int i, int j) {
+    return Point_3(i, j, std::uniform_real_distribution<double>(-0.7, 0.7)(random));
+  }));
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> direct;
+  flatten(mesh, direct);
+  Options options;
+  options.angle_sweeps = 50;
+  options.energy_tolerance = 0.01;
+  SMP::Hierarchical_parameterizer_3<Mesh> hierarchical(options);
+  flatten(mesh, hierarchical);
+  BOOST_TEST(hierarchical.report().angle_sweeps < 50);
+  BOOST_TEST(hierarchical.report().energy >= direct.report().energy);
+  BOOST_TEST(hierarchical.report().energy < 1.2 * direct.report().energy);
+}
+
+BOOST_AUTO_TEST_CASE(energy_after_angle_sweeps_and_polishing)
+{
+  Mesh mesh = bump_mesh(20);
+  Options options;
+  options.barrier = 0;
+  SMP::Hierarchical_parameterizer_3<Mesh> without(options);
+  flatten(mesh, without);
+  BOOST_TEST(std::isnan(without.report().energy));
+  BOOST_TEST(without.report().angle_sweeps == 0);
+  options.angle_sweeps = 4;
+  for(bool polish : {false, true}) {
+    options.polish = polish;
+    options.polish_options.barrier = 0;
+    SMP::Hierarchical_parameterizer_3<Mesh> hierarchical(options);
+    const double corners = 3. * mesh.number_of_faces();
+    const double energy = corners * flatten(mesh, hierarchical).angular_distortion;
+    BOOST_TEST(hierarchical.report().energy == energy, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(hierarchical.report().angle_sweeps == 4);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(polished_it_is_the_direct_method)
 {
   Mesh mesh = bump_mesh(30);
@@ -418,6 +460,7 @@ BOOST_AUTO_TEST_CASE(same_bits_whatever_the_number_of_threads)
   for(int threads : {1, 1, 2, 3, 0}) {
     Options options;
     options.threads = threads;
+    options.angle_sweeps = 2;
     SMP::Hierarchical_parameterizer_3<Mesh> hierarchical(options);
     flatten(mesh, hierarchical);
     const UV_map uv = mesh.add_property_map<Mesh::Vertex_index, UV_map::value_type>("v:uv").first;
@@ -450,6 +493,10 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);
   BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
   BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::WRONG_OPTION);
+  wrong = Options();
+  wrong.energy_tolerance = 1;
+  hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);
+  BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
   wrong = Options();
   wrong.sweeps = 1000000000;
   hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);

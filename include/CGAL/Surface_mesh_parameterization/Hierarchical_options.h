@@ -34,9 +34,12 @@ struct Hierarchical_options : Flattening_options
   /// sweep. More sweeps lower the distortion and take more time.
   int sweeps = 3;
 
-  /// Final sweeps over the finest level that lower the energy of the direct method, vertex by vertex; at most 1000.
-  /// They help if there are slivers.
+  /// Largest number of final sweeps over the finest level that lower the energy of the direct method, vertex by vertex;
+  /// at most 1000. They help if the surface is noisy or has slivers.
   int angle_sweeps = 0;
+
+  /// The final sweeps end with one that lowers the energy by less than this fraction of it; 0 for all sweeps, and below 1.
+  double energy_tolerance = 0;
 
   /// How often a coarse chart that cannot be flattened is replaced by a finer one. After that, the refinement starts
   /// from one triangle, without a solver.

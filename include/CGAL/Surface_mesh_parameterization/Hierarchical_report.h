@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 
+#include <limits>
+
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
@@ -35,6 +37,10 @@ struct Hierarchical_report : Flattening_report
       0;         ///< Vertices put into the centre of a kernel: their weights gave an invalid position.
   int moves = 0; ///< Vertices moved by relaxation.
   int rejected_moves = 0; ///< Vertices that relaxation did not move.
+  int angle_sweeps = 0;   ///< Final sweeps that were done.
+
+  /// Energy of the planar angles, the barrier included. It is NaN without final sweeps or polishing, as it is not needed then.
+  double energy = (std::numeric_limits<double>::quiet_NaN)();
 
   bool polished = false;          ///< Whether the result is that of the direct solver.
   int polish_iterations = 0;      ///< Newton steps of the direct solver.

@@ -9,18 +9,15 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -29,14 +26,11 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Refinement
 {
 public:
-  struct Counts
-  {
-    int kernel_insertions = 0, moves = 0, rejected_moves = 0;
-  };
+  Refinement(Coarsening& coarsening, std::vector<Planar_point>& uv, Relaxation& relaxation)
+      : m_coarsening(coarsening), m_uv(uv), m_relaxation(relaxation)
+  {}
 
-  Refinement(Coarsening& coarsening, std::vector<Planar_point>& uv) : m_coarsening(coarsening), m_uv(uv) {}
-
-  const Counts& counts() const { return m_counts; }
+  int kernel_insertions() const { return m_kernel_insertions; }
 
   // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no valid position in its
   // star.
@@ -55,26 +49,17 @@ public:
     return true;
   }
 
-  // Sweeps over the finest level that lower the energy of the direct method.
-  void lower_angle_energy(int sweeps, double barrier)
-  {
-    const std::vector<double> beta =
-        sweeps > 0 ? target_angles(m_coarsening.mesh().chart()) : std::vector<double>();
-    for(int i = 0; i < sweeps; ++i)
-      relax_all(Angle_star(beta, Angle_energy{barrier}));
-  }
-
 private:
   void sweep(int times)
   {
     for(int i = 0; i < times; ++i)
-      relax_all(MIPS_star());
+      m_relaxation.sweep(MIPS_star());
   }
 
-  // Counts of what happened to the vertices of a block
+  // What happened to the vertices of a block
   struct Block_result
   {
-    int moves = 0, rejected_moves = 0, kernel_insertions = 0;
+    int kernel_insertions = 0;
     bool complete = true;
     std::vector<int> deferred;
   };
@@ -83,12 +68,12 @@ private:
   bool insert(const std::vector<int>& vertices)
   {
     const int n = static_cast<int>(vertices.size());
-    const int blocks = number_of_blocks(n);
+    const int blocks = number_of_vertex_blocks(n);
     std::vector<Block_result> results(blocks);
     parallel_for(blocks, [&](int b) {
       Planar_star star;
-      const int end = begin_of_block(b + 1, blocks, n);
-      for(int i = begin_of_block(b, blocks, n); results[b].complete && i < end; ++i) {
+      const int end = begin_of_vertex_block(b + 1, blocks, n);
+      for(int i = begin_of_vertex_block(b, blocks, n); results[b].complete && i < end; ++i) {
         star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
         insert(star, vertices[i], results[b]);
         if(star.on_border)
@@ -102,7 +87,7 @@ private:
         star.gather(m_coarsening.mesh(), m_uv, result.deferred[i]);
         widen(star, result.deferred[i]);
       }
-      m_counts.kernel_insertions += result.kernel_insertions;
+      m_kernel_insertions += result.kernel_insertions;
       complete = complete && result.complete;
     }
     return complete;
@@ -139,13 +124,13 @@ private:
   void widen(const Planar_star& star, int v)
   {
     const Planar_point close = m_uv[v];
-    if(insert_vertex(star, m_uv[v]) != NOT_INSERTED && !border_overlaps(v, close))
+    if(insert_vertex(star, m_uv[v]) != NOT_INSERTED && !m_relaxation.border_overlaps(v, close))
       return;
     for(double distance : {0.5, 0.1, 0.01})
       for(const Planar_point& position : {tip_of_ear(star, distance), next_to_end(star, true, distance),
                                           next_to_end(star, false, distance)}) {
         m_uv[v] = position;
-        if(is_valid(star, position) && !border_overlaps(v, close))
+        if(is_valid(star, position) && !m_relaxation.border_overlaps(v, close))
           return;
       }
     m_uv[v] = close;
@@ -178,106 +163,10 @@ private:
            distance * nearest * Planar_point(c * along.x() - s * along.y(), s * along.x() + c * along.y());
   }
 
-  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, nearly take a full
-  // turn now, but did not take one with `v` at `before`. The chart could then overlap itself there although all
-  // triangles are positively oriented. A position is not refused where the chart overlaps itself anyway. The rest of
-  // the turn is for vertices that are still to be inserted.
-  bool border_overlaps(int v, const Planar_point& before)
-  {
-    const unsigned now = wide_angles(v, 2 * pi - 1e-2);
-    if(now == 0)
-      return false;
-    const Planar_point position = m_uv[v];
-    m_uv[v] = before;
-    const unsigned then = wide_angles(v, 2 * pi);
-    m_uv[v] = position;
-    return (now & ~then) != 0;
-  }
-
-  // One bit for border vertex `v` and one for each of its neighbours on the border
-  unsigned wide_angles(int v, double limit) const
-  {
-    const Edge_collapses& mesh = m_coarsening.mesh();
-    const int first = mesh.first_corner(v);
-    int last = first;
-    for(int c = first; c >= 0; c = mesh.chart().rotate(c))
-      last = c;
-    unsigned bits = 0;
-    for(int w : {v, mesh.chart().vertex[previous_corner(first)], mesh.chart().vertex[next_corner(last)]})
-      bits = 2 * bits + (turn(w) > limit);
-    return bits;
-  }
-
-  // The sum of the angles of all triangles around `v`
-  double turn(int v) const
-  {
-    const Chart& chart = m_coarsening.mesh().chart();
-    double result = 0;
-    m_coarsening.mesh().for_each_corner(v, [&](int c) {
-      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
-                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
-      result += std::atan2(cross(a, b), a.dot(b));
-    });
-    return result;
-  }
-
-  // Moves each vertex once. Blocks of consecutive vertices are processed in parallel. Border vertices and vertices
-  // with a neighbour in another block are deferred until all blocks are done, so the result does not depend on the
-  // number of threads.
-  template <typename Star>
-  void relax_all(const Star& empty)
-  {
-    const std::vector<int>& vertices = m_coarsening.alive();
-    const int n = static_cast<int>(vertices.size());
-    const int blocks = number_of_blocks(n);
-    std::vector<Block_result> results(blocks);
-    parallel_for(blocks, [&](int b) {
-      const int begin = begin_of_block(b, blocks, n), end = begin_of_block(b + 1, blocks, n);
-      Star star = empty;
-      for(int i = begin; i < end; ++i) {
-        const bool on_border = m_coarsening.mesh().chart().interior[vertices[i]] < 0;
-        if(!on_border)
-          star.gather(m_coarsening.mesh(), m_uv, vertices[i]);
-        if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
-          results[b].deferred.push_back(vertices[i]);
-        else
-          relax(star, vertices[i], results[b]);
-      }
-    });
-    Star star = empty;
-    for(Block_result& result : results) {
-      for(int v : result.deferred) {
-        star.gather(m_coarsening.mesh(), m_uv, v);
-        relax(star, v, result);
-      }
-      m_counts.moves += result.moves;
-      m_counts.rejected_moves += result.rejected_moves;
-    }
-  }
-
-  template <typename Star>
-  void relax(const Star& star, int v, Block_result& result)
-  {
-    const Planar_point position = m_uv[v];
-    bool moved = relax_vertex(star, m_uv[v]);
-    if(moved && star.on_border && border_overlaps(v, position)) {
-      m_uv[v] = position;
-      moved = false;
-    }
-    ++(moved ? result.moves : result.rejected_moves);
-  }
-
-  // In small blocks, many vertices have a neighbour in another block.
-  static int number_of_blocks(int n) { return (std::min)(1 + n / 4096, 16); }
-
-  static int begin_of_block(int b, int blocks, int n)
-  {
-    return static_cast<int>(std::int64_t(n) * b / blocks);
-  }
-
   Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
-  Counts m_counts;
+  Relaxation& m_relaxation;
+  int m_kernel_insertions = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

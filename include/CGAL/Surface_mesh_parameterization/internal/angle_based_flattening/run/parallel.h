@@ -18,7 +18,6 @@
 #endif
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -44,17 +43,20 @@ void parallel_for_blocks(int n, const Function& f)
 }
 
 // The sum of f(0) to f(n - 1), by blocks, so that rounding does not depend on the number of threads.
-template <typename Function>
-double parallel_sum(int n, const Function& f)
+template <typename Value = double, typename Function>
+Value parallel_sum(int n, const Function& f)
 {
-  std::vector<double> sums(n / block_size + 1, 0);
+  std::vector<Value> sums(n / block_size + 1);
   parallel_for_blocks(n, [&](int begin, int end) {
-    double sum = 0;
+    Value sum = Value();
     for(int i = begin; i < end; ++i)
       sum += f(i);
     sums[begin / block_size] = sum;
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.);
+  Value total = Value();
+  for(const Value& sum : sums)
+    total += sum;
+  return total;
 }
 
 // Calls `f`, which may use `threads` threads, but at most one per processor. 0 means one per processor.

@@ -24,6 +24,7 @@ struct Polished_map
 {
   std::vector<Chart::Point_2> uv; // empty if no better valid map was found
   int iterations = 0;
+  double energy = 0;
   double constraint_residual = 0;
 };
 
@@ -38,6 +39,7 @@ inline Polished_map polish(const Chart& chart, const std::vector<Chart::Point_2>
   Angle_solution solution = solve_angles(chart, beta, options, solvers, starting_angles(alpha));
   Polished_map result;
   result.iterations = solution.iterations;
+  result.energy = solution.energy;
   result.constraint_residual = solution.constraint_residual;
   const ABF_plus_plus_report::Layout kind = choose_layout(chart, options, solution.constraint_residual);
   if(!solution.is_solved || !solution.converged || kind == ABF_plus_plus_report::NO_LAYOUT)
@@ -57,8 +59,10 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, cons
   result.report.polish_iterations = map.iterations;
   result.report.constraint_residual = map.constraint_residual;
   result.report.polished = !map.uv.empty();
-  if(result.report.polished)
+  if(result.report.polished) {
     result.uv = std::move(map.uv);
+    result.report.energy = map.energy;
+  }
 }
 
 inline void certify(const Chart& chart, const Hierarchical_options& options, Rounding round,

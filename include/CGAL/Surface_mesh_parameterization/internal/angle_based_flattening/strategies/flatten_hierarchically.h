@@ -10,13 +10,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
 
@@ -83,14 +84,22 @@ private:
 
   bool undo_all_levels()
   {
-    Refinement refinement(m_coarsening, m_uv);
+    Relaxation relaxation(m_coarsening.mesh(), m_coarsening.alive(), m_uv);
+    Refinement refinement(m_coarsening, m_uv, relaxation);
     const bool is_refined = refinement.run(m_options.sweeps, m_options.visitor);
-    if(is_refined)
-      refinement.lower_angle_energy(m_options.angle_sweeps, m_options.barrier);
-    m_report.kernel_insertions += refinement.counts().kernel_insertions;
-    m_report.moves += refinement.counts().moves;
-    m_report.rejected_moves += refinement.counts().rejected_moves;
+    if(is_refined && m_options.angle_sweeps > 0)
+      lower_energy(relaxation);
+    m_report.kernel_insertions += refinement.kernel_insertions();
+    m_report.moves += relaxation.moves();
+    m_report.rejected_moves += relaxation.rejected_moves();
     return is_refined;
+  }
+
+  void lower_energy(Relaxation& relaxation)
+  {
+    Angle_descent descent(m_coarsening.mesh().chart(), m_options.barrier, m_uv);
+    m_report.angle_sweeps = descent.run(relaxation, m_options.angle_sweeps, m_options.energy_tolerance);
+    m_report.energy = descent.energy();
   }
 
   static void explain_failure(Hierarchical_report& report)

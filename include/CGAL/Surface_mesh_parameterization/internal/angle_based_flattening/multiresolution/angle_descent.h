@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_DESCENT_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_DESCENT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Lowers the energy of the direct method, as a function of the positions of the vertices of a valid map.
+class Angle_descent
+{
+public:
+  Angle_descent(const Chart& chart, double barrier, std::vector<Planar_point>& uv)
+      : m_chart(chart), m_energy{barrier}, m_beta(target_angles(chart)), m_uv(uv)
+  {}
+
+  double energy() const { return m_value; }
+
+  // Stretches the whole map and relaxes each vertex, in turn, until the energy falls by less than the fraction
+  // `tolerance` of it. Returns the number of sweeps over the vertices, which is at most `sweeps`.
+  int run(Relaxation& relaxation, int sweeps, double tolerance)
+  {
+    m_value = model(m_uv).energy;
+    int done = 0;
+    for(double fall = 1; done < sweeps && fall >= tolerance; ++done) {
+      const double before = m_value;
+      stretch();
+      relaxation.sweep(Angle_star(m_beta, m_energy));
+      m_value = model(m_uv).energy;
+      fall = before > 0 ? 1 - m_value / before : 0;
+    }
+    return done;
+  }
+
+private:
+  // The energy as a quadratic function (of Gauss and Newton) of a stretch of the whole map by I + (p, q; q, -p)
+  struct Model
+  {
+    double energy = 0;
+    bool is_valid = true;
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+
+    Model& operator+=(const Model& other)
+    {
+      energy += other.energy;
+      is_valid = is_valid && other.is_valid;
+      gradient += other.gradient;
+      hessian += other.hessian;
+      return *this;
+    }
+  };
+
+  // Noise on a regular grid acts like a stretch in one direction. A coarse chart does not have this noise, and moving
+  // one vertex after the other takes forever to stretch the whole map.
+  void stretch()
+  {
+    const Model here = model(m_uv);
+    const double determinant = here.hessian.determinant();
+    if(!(determinant > 0))
+      return;
+    Eigen::Vector2d step = -here.hessian.inverse() * here.gradient;
+    step /= (std::max)(1., 2 * step.norm()); // the map stays positively oriented for lengths below 1
+    Eigen::Matrix2d matrix;
+    matrix << 1 + step.x(), step.y(), step.y(), 1 - step.x();
+    std::vector<Planar_point> stretched(m_uv.size());
+    for(std::size_t v = 0; v < m_uv.size(); ++v)
+      stretched[v] = matrix * m_uv[v];
+    const Model there = model(stretched);
+    if(there.is_valid && there.energy < here.energy)
+      m_uv = std::move(stretched);
+  }
+
+  Model model(const std::vector<Planar_point>& uv) const
+  {
+    return parallel_sum<Model>(m_chart.number_of_triangles(), [&](int t) { return model(uv, t); });
+  }
+
+  Model model(const std::vector<Planar_point>& uv, int t) const
+  {
+    std::array<Planar_point, 3> edge, turn; // edge k is opposite to corner k
+    for(int k = 0; k < 3; ++k) {
+      edge[k] = uv[m_chart.vertex[3 * t + (k + 2) % 3]] - uv[m_chart.vertex[3 * t + (k + 1) % 3]];
+      // How (p, q) turns the edge: by -p sin 2a + q cos 2a, where a is its direction
+      turn[k] = Planar_point(-2 * edge[k].x() * edge[k].y(),
+                             edge[k].x() * edge[k].x() - edge[k].y() * edge[k].y()) /
+                edge[k].squaredNorm();
+    }
+    const double twice_area = cross(edge[0], edge[1]);
+    Model result;
+    result.is_valid = twice_area > 1e-12 * (std::max)({edge[0].squaredNorm(), edge[1].squaredNorm(),
+                                                       edge[2].squaredNorm()});
+    for(int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const double alpha = std::atan2(twice_area, -edge[i].dot(edge[j])), beta = m_beta[3 * t + k];
+      const Eigen::Vector2d row = turn[i] - turn[j];
+      result.energy += m_energy.value(alpha, beta);
+      result.gradient += m_energy.first_derivative(alpha, beta) * row;
+      result.hessian += m_energy.second_derivative(alpha, beta) * row * row.transpose();
+    }
+    return result;
+  }
+
+  const Chart& m_chart;
+  Angle_energy m_energy;
+  std::vector<double> m_beta;
+  std::vector<Planar_point>& m_uv;
+  double m_value = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_DESCENT_H
