@@ -177,9 +177,12 @@ Exit_status run(const Command_line& command)
   record.read_seconds = timer.time();
   progress.stage("read", record.read_seconds, std::to_string(record.triangles) + " triangles to flatten");
   look_at_area(surface, record, notes);
-  record.notes = notes.texts();
 
   record.flattening = flatten_chart(surface.mesh, surface.chart, command, progress);
+  if(!record.flattening.note.empty()) {
+    notes.add(record.flattening.note);
+  }
+  record.notes = notes.texts();
   if(record.flattening.report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
     record.flattening.place +=
         std::string("; the usual cause: ") + memory_text; // solvers only say that they failed

@@ -26,6 +26,7 @@
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -252,6 +253,23 @@ std::string off(const int vertices, const std::string& points, const std::vector
 std::string off(const Sheet& sheet)
 {
   return off(sheet.vertices(), sheet.points(), sheet.faces());
+}
+
+// Hills with noise in units of the edges, of 203,522 triangles: enough for `--method auto` to be hierarchical.
+std::string terrain(const double noise)
+{
+  Sheet grid;
+  grid.columns = 319;
+  grid.rows = 319;
+  std::mt19937 random(1);
+  std::ostringstream points;
+  for(int j = 0; j <= grid.rows; ++j) {
+    for(int i = 0; i <= grid.columns; ++i) {
+      const double chance = static_cast<double>(random()) / 2147483648. - 1;
+      points << i << ' ' << j << ' ' << 8 * std::sin(0.07 * i) * std::cos(0.05 * j) + noise * chance << '\n';
+    }
+  }
+  return off(grid.vertices(), points.str(), grid.faces());
 }
 
 // The vertices of the faces in an OBJ text, from 0, and whether all of them have texture coordinates.
@@ -710,6 +728,32 @@ BOOST_AUTO_TEST_CASE(names_with_blanks_and_quotes)
   flatten(input);
   check_success();
   BOOST_TEST(json().get<std::string>("input") == input);
+}
+
+// As --help says: at most 20 % above the energy of the direct method.
+BOOST_AUTO_TEST_CASE(auto_on_large_terrains)
+{
+  if(std::getenv("ABF_TEST_QUICK") != nullptr) {
+    return;
+  }
+  for(const double noise : {0., 0.3, 1.5}) {
+    BOOST_TEST_CONTEXT("noise of " << noise)
+    {
+      const std::string input = write("terrain.off", terrain(noise));
+      run(quoted(input) + " --method direct --json " + quoted(file("flat.json")));
+      const double least = json().get<double>("energy");
+      run(quoted(input) + " --json " + quoted(file("flat.json")));
+      BOOST_TEST(json().get<std::string>("method") == "hierarchical");
+      BOOST_TEST(json().get<double>("energy") >= 0.99 * least);
+      BOOST_TEST(json().get<double>("energy") <= 1.2 * least);
+      BOOST_TEST(json().get_child("notes").size() == 0u);
+    }
+  }
+  // What is too coarse is noticed.
+  run(quoted(file("terrain.off")) + " --angle-sweeps 1 --json " + quoted(file("flat.json")));
+  BOOST_TEST(json().get<std::string>("method") == "direct");
+  BOOST_TEST(json().get_child("notes").size() == 1u);
+  check_told("direct");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

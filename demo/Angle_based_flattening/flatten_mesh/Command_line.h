@@ -113,13 +113,15 @@ inline po::options_description method_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("method", name_option(command.method),
       "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
-      "large surfaces. auto: hierarchical for more than 200,000 triangles");
+      "large surfaces. auto: direct for up to 200,000 triangles. For more it is hierarchical, with a finer "
+      "coarse chart and final sweeps, if that comes close to the direct method: energy at most 20 % higher. "
+      "Else it is direct. An estimate decides");
   add("simplification-rate", number_option(command.hierarchical.simplification_rate, "PART"),
-      "part of the vertices that the hierarchical method removes");
+      "part of the vertices that the hierarchical method removes; auto: 0.85");
   add("sweeps", count_option(command.hierarchical.sweeps),
       "sweeps of relaxation on each level of the hierarchical method");
   add("angle-sweeps", count_option(command.hierarchical.angle_sweeps),
-      "sweeps of the hierarchical method that lower the energy of the direct one in the end");
+      "sweeps of the hierarchical method that lower the energy of the direct one in the end; auto: up to 20");
   add("polish", po::bool_switch(&command.hierarchical.polish),
       "bring the result of the hierarchical method down to the distortion of the direct one");
   add("barrier", number_option(abf.barrier, "KAPPA"),

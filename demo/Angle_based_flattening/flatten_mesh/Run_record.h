@@ -35,6 +35,7 @@ struct Flattening
   std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
   SMP::Flattening_measures measures;                  // only if it succeeded
   std::string place;                                  // the vertices and faces at fault, if it failed
+  std::string note;                                   // what else there is to say
   double parameterize_seconds = 0;
   double measure_seconds = 0;
 

@@ -93,6 +93,19 @@ inline void understand_names(Command_line& command)
   command.options.allow_holes = true;
 }
 
+// What is not given is chosen for a result close to that of the direct method.
+inline void refine_method(const boost::program_options::variables_map& values,
+                          SMP::Hierarchical_options& hierarchical)
+{
+  hierarchical.energy_tolerance = 0.01;
+  if(values["simplification-rate"].defaulted()) {
+    hierarchical.simplification_rate = 0.85;
+  }
+  if(values["angle-sweeps"].defaulted()) {
+    hierarchical.angle_sweeps = 20;
+  }
+}
+
 inline boost::program_options::variables_map values_of(const int argc, const char* const argv[],
                                                        Command_line& command)
 {
@@ -155,6 +168,9 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
     internal::check_files(command);
     internal::check_numbers(command);
     internal::understand_names(command);
+    if(command.method == "auto") {
+      internal::refine_method(values, command.hierarchical);
+    }
   }
 }
 
