@@ -101,7 +101,8 @@ inline Chart_defect find_bad_vertex(const Chart& chart)
       if(again)
         return {Flattening_report::PARALLEL_EDGES,
                 "two edges, or a loop, join the vertices at " + position_text(chart, v) + " and " +
-                    position_text(chart, w) + ": no planar triangulation has that",
+                    position_text(chart, w) +
+                    ": a planar triangulation has at most one edge between two vertices",
                 {v, w},
                 {c / 3}};
       c = next;

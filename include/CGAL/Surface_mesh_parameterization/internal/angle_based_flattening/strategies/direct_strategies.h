@@ -112,8 +112,7 @@ private:
       Direct_flattening result;
       result.report = report_of<Report>(m_chart);
       result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
-      fail(result.report, Report::PRECISION_EXCEEDED,
-           "double precision does not hold any valid map that was tried");
+      fail(result.report, Report::PRECISION_EXCEEDED, "no valid map was found in double precision");
       return result;
     }
     std::vector<double> alpha(m_beta.size());
@@ -154,7 +153,7 @@ private:
     take_certificate(certificate, result.report);
     if(!certificate.is_valid())
       fail(result.report, Report::PRECISION_EXCEEDED,
-           "there is a valid map, but rounded to the coordinates' number type it has " +
+           "the map is valid, but after rounding to the coordinates' number type it has " +
                describe_invalid(m_chart, certificate));
     result.invalid = std::move(certificate.invalid);
     result.uv = std::move(uv);

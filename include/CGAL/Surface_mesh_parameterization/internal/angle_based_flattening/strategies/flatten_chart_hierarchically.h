@@ -76,11 +76,11 @@ inline void certify(const Chart& chart, const Hierarchical_options& options, Rou
   take_certificate(certificate, result.report);
   if(!certificate.is_valid() && is_valid_map(chart, not_rounded))
     fail(result.report, Flattening_report::PRECISION_EXCEEDED,
-         "there is a valid map, but rounded to the coordinates' number type it has " +
+         "the map is valid, but after rounding to the coordinates' number type it has " +
              describe_invalid(chart, certificate));
   else if(!certificate.is_valid())
     fail(result.report, Flattening_report::FLIPPED_TRIANGLES,
-         "the map that refinement left has " + describe_invalid(chart, certificate));
+         "the refined map has " + describe_invalid(chart, certificate));
   result.invalid = std::move(certificate.invalid);
 }
 

@@ -96,7 +96,7 @@ inline std::vector<Chart::Point_2> find_coordinates(const Chart& chart, const AB
   report.layout = choose_layout(chart, options, report.constraint_residual);
   if(report.layout == ABF_plus_plus_report::NO_LAYOUT) {
     fail(report, Flattening_report::WRONG_LAYOUT,
-         "the exact layout needs a chart with one border; take the least squares layout");
+         "the exact layout needs a chart with one border; use the least squares layout");
     return {};
   }
   std::optional<Layout> layout = lay_out(chart, alpha, report.layout, solvers, std::move(scalar_solver));

@@ -108,8 +108,7 @@ private:
       fail(report, Flattening_report::NO_CONVERGENCE,
            "no coarse chart could be flattened, and with several borders there is no other start");
     else
-      fail(report, Flattening_report::PRECISION_EXCEEDED,
-           "double precision does not hold any valid map that was tried");
+      fail(report, Flattening_report::PRECISION_EXCEEDED, "no valid map was found in double precision");
   }
 
   // Solves the coarse chart, or finer ones where that fails.
