@@ -826,6 +826,17 @@ BOOST_AUTO_TEST_CASE(no_faces)
   check_refusal({"cloud.off", "faces"});
 }
 
+BOOST_AUTO_TEST_CASE(wrong_lines_of_gocad)
+{
+  const std::string begin = "GOCAD TSurf 1\nHEADER {\nname: sheet\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\n";
+  flatten(write("vertex.ts", begin + "VRTX 3 0 one 0\nTRGL 1 2 3\nEND\n"));
+  check_refusal({"line 8", "'one'", "coordinate"});
+  flatten(write("short.ts", begin + "VRTX 3 0 1\nTRGL 1 2 3\nEND\n"));
+  check_refusal({"line 8", "VRTX", "4 numbers"});
+  flatten(write("face.ts", begin + "VRTX 3 0 1 0\nTRGL 1 2 x\nEND\n"));
+  check_refusal({"line 9", "'x'", "vertex number"});
+}
+
 BOOST_AUTO_TEST_CASE(numbers_that_are_none)
 {
   const Sheet sheet;

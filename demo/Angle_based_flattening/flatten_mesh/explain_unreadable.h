@@ -72,6 +72,9 @@ public:
       if(what.empty() && (has_elements || is_stl_vertex())) {
         what = has_elements && m_vertices == m_all_vertices ? wrong_face() : wrong_vertex();
       }
+      if(what.empty() && m_format == "ts") {
+        what = wrong_ts_line();
+      }
       if(!what.empty()) {
         return "line " + std::to_string(m_number) + ": " + what;
       }
@@ -158,6 +161,26 @@ private:
     }
     m_words.erase(m_words.begin());
     return true;
+  }
+
+  // GOCAD: a keyword, the numbers of vertices, and of vertices themselves the coordinates
+  std::string wrong_ts_line() const
+  {
+    const bool is_vertex = m_words[0] == "VRTX" || m_words[0] == "PVRTX";
+    const std::size_t numbers = is_vertex ? 1 : m_words[0] == "TRGL" ? 3 : 0;
+    const std::size_t coordinates = is_vertex ? 3 : 0;
+    for(std::size_t i = 1; i <= numbers + coordinates; ++i) {
+      std::size_t number = 0;
+      if(i >= m_words.size()) {
+        return m_words[0] + " has fewer than " + std::to_string(numbers + coordinates) +
+               " numbers; export the mesh again";
+      }
+      if(!(i <= numbers ? read_number(m_words[i], number) : is_number(m_words[i]))) {
+        return "'" + m_words[i] + "' is not a " + (i <= numbers ? "vertex number" : "coordinate") +
+               "; export the mesh again";
+      }
+    }
+    return "";
   }
 
   std::string advice()
