@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -34,20 +35,20 @@ public:
       : m_chart(chart), m_energy{barrier}, m_beta(target_angles(chart)), m_uv(uv)
   {}
 
-  double energy() const { return m_value; }
+  double energy() const { return m_model.energy; }
 
   // Stretches the whole map and relaxes each vertex, in turn, until the energy falls by less than the fraction
   // `tolerance` of it. Returns the number of sweeps over the vertices, which is at most `sweeps`.
   int run(Relaxation& relaxation, int sweeps, double tolerance)
   {
-    m_value = model(m_uv).energy;
+    m_model = model(m_uv);
     int done = 0;
     for(double fall = 1; done < sweeps && fall >= tolerance; ++done) {
-      const double before = m_value;
+      const double before = m_model.energy;
       stretch();
       relaxation.sweep(Angle_star(m_beta, m_energy));
-      m_value = model(m_uv).energy;
-      fall = before > 0 ? 1 - m_value / before : 0;
+      m_model = model(m_uv);
+      fall = before > 0 ? 1 - m_model.energy / before : 0;
     }
     return done;
   }
@@ -75,11 +76,9 @@ private:
   // one vertex after the other takes forever to stretch the whole map.
   void stretch()
   {
-    const Model here = model(m_uv);
-    const double determinant = here.hessian.determinant();
-    if(!(determinant > 0))
+    if(!(m_model.hessian.determinant() > 0))
       return;
-    Eigen::Vector2d step = -here.hessian.inverse() * here.gradient;
+    Eigen::Vector2d step = -m_model.hessian.inverse() * m_model.gradient;
     step /= (std::max)(1., 2 * step.norm()); // the map stays positively oriented for lengths below 1
     Eigen::Matrix2d matrix;
     matrix << 1 + step.x(), step.y(), step.y(), 1 - step.x();
@@ -87,7 +86,7 @@ private:
     for(std::size_t v = 0; v < m_uv.size(); ++v)
       stretched[v] = matrix * m_uv[v];
     const Model there = model(stretched);
-    if(there.is_valid && there.energy < here.energy)
+    if(there.is_valid && there.energy < m_model.energy)
       m_uv = std::move(stretched);
   }
 
@@ -125,7 +124,7 @@ private:
   Angle_energy m_energy;
   std::vector<double> m_beta;
   std::vector<Planar_point>& m_uv;
-  double m_value = 0;
+  Model m_model; // at the present positions, once `run()` has begun
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
