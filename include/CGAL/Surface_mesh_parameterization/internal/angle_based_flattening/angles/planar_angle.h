@@ -19,6 +19,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+// Whether `p` lies in direction [0, pi) from `origin`, and not in [pi, 2 pi).
+template <typename Point>
+bool is_in_upper_half(const Point& p, const Point& origin)
+{
+  return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
+}
+
 // Sine and cosine of the angle at corner `c` in the plane, regardless of orientation, times the lengths of its edges
 inline std::pair<double, double> scaled_sine_and_cosine(const Chart& chart,
                                                         const std::vector<Chart::Point_2>& uv, int c)

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -108,13 +109,6 @@ std::vector<int> flipped_triangles(const std::vector<int>& vertex, const std::ve
 inline std::vector<int> flipped_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
   return flipped_triangles(chart.vertex, exact_points(uv));
-}
-
-// Whether `p` lies in direction [0, pi) from `origin`, and not in [pi, 2 pi).
-template <typename Point>
-bool is_in_upper_half(const Point& p, const Point& origin)
-{
-  return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
 }
 
 // How often the triangles around each vertex sweep over the direction of the x-axis. A triangle takes less than half

@@ -40,12 +40,6 @@ public:
     find_pattern(n);
   }
 
-  // The corners at vertices with block `j`, ascending
-  boost::iterator_range<const int*> corners(int j) const
-  {
-    return {m_corner.data() + m_first[j], m_corner.data() + m_first[j + 1]};
-  }
-
   // Sets the matrix to the sum of those of all triangles. `columns(c)` returns the columns that belong to corner `c` of
   // its triangle's matrix; it is called once for each corner, by one thread for all corners at a vertex, ascending.
   template <typename Columns>
@@ -67,6 +61,12 @@ public:
   typename Block_matrix<BlockSize>::Block& diagonal_block(int j) { return m_matrix.block[entry(j, j)]; }
 
 private:
+  // The corners at vertices with block `j`, ascending
+  boost::iterator_range<const int*> corners(int j) const
+  {
+    return {m_corner.data() + m_first[j], m_corner.data() + m_first[j + 1]};
+  }
+
   int unknown(int corner) const { return m_unknown[m_vertex[corner]]; }
 
   void add(int column, int corner, const Local_columns& local)

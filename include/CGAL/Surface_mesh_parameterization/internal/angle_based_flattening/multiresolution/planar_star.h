@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 
@@ -79,11 +80,8 @@ bool is_valid(const Star& star, const Planar_point& x)
 template <typename Star>
 int winding_number(const Star& star, const Planar_point& x)
 {
-  const auto is_in_upper_half = [&](const Planar_point& p) {
-    return p.y() == x.y() ? p.x() > x.x() : p.y() > x.y();
-  };
   return static_cast<int>(std::count_if(star.triangles.begin(), star.triangles.end(), [&](const auto& t) {
-    return !is_in_upper_half(t.p) && is_in_upper_half(t.q);
+    return !is_in_upper_half(t.p, x) && is_in_upper_half(t.q, x);
   }));
 }
 

@@ -49,21 +49,20 @@ public:
   template <typename Star>
   void sweep(const Star& empty)
   {
-    const std::vector<int>& vertices = m_vertices;
-    const int n = static_cast<int>(vertices.size());
+    const int n = static_cast<int>(m_vertices.size());
     const int blocks = number_of_vertex_blocks(n);
     std::vector<Block> results(blocks);
     parallel_for(blocks, [&](int b) {
       const int begin = begin_of_vertex_block(b, blocks, n), end = begin_of_vertex_block(b + 1, blocks, n);
       Star star = empty;
       for(int i = begin; i < end; ++i) {
-        const bool on_border = m_mesh.chart().interior[vertices[i]] < 0;
+        const bool on_border = m_mesh.chart().interior[m_vertices[i]] < 0;
         if(!on_border)
-          star.gather(m_mesh, m_uv, vertices[i]);
-        if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
-          results[b].deferred.push_back(vertices[i]);
+          star.gather(m_mesh, m_uv, m_vertices[i]);
+        if(on_border || star.first_neighbour < m_vertices[begin] || star.last_neighbour > m_vertices[end - 1])
+          results[b].deferred.push_back(m_vertices[i]);
         else
-          relax(star, vertices[i], results[b]);
+          relax(star, m_vertices[i], results[b]);
       }
     });
     Star star = empty;
@@ -115,13 +114,13 @@ private:
   // One bit for border vertex `v` and one for each of its neighbours on the border
   unsigned wide_angles(int v, double limit) const
   {
-    const Edge_collapses& mesh = m_mesh;
-    const int first = mesh.first_corner(v);
+    const Chart& chart = m_mesh.chart();
+    const int first = m_mesh.first_corner(v);
     int last = first;
-    for(int c = first; c >= 0; c = mesh.chart().rotate(c))
+    for(int c = first; c >= 0; c = chart.rotate(c))
       last = c;
     unsigned bits = 0;
-    for(int w : {v, mesh.chart().vertex[previous_corner(first)], mesh.chart().vertex[next_corner(last)]})
+    for(int w : {v, chart.vertex[previous_corner(first)], chart.vertex[next_corner(last)]})
       bits = 2 * bits + (turn(w) > limit);
     return bits;
   }
