@@ -119,7 +119,7 @@ inline bool is_close_to_direct(const SMP::Hierarchical_report& report,
          report.angle_sweeps < options.angle_sweeps && coarse.energy / coarse.triangles <= 9 * energy;
 }
 
-// Returns whether the result is good enough for `auto`.
+// Returns whether `auto` takes the result: if it comes close to the direct one, or if the direct method would fail too.
 template <class Solver_traits>
 bool flatten_hierarchically(Mesh& mesh, const Chart& chart, SMP::Hierarchical_options hierarchical,
                             const SMP::ABF_plus_plus_options& options, const UV_map& uv,
@@ -133,7 +133,10 @@ bool flatten_hierarchically(Mesh& mesh, const Chart& chart, SMP::Hierarchical_op
   hierarchical.threads = options.threads;
   SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(hierarchical, Coarse(options));
   run_parameterizer(mesh, chart, parameterizer, uv, flattening);
-  return flattening.succeeded() &&
+  if(!flattening.succeeded()) {
+    return !is_failure_of_computation(flattening.report);
+  }
+  return parameterizer.report().polished ||
          is_close_to_direct(parameterizer.report(), parameterizer.coarse_parameterizer().report(),
                             hierarchical);
 }
@@ -148,15 +151,20 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
   const bool is_large = chart.faces.size() > direct_is_slow;
   if(command.method == "direct" || (command.method == "auto" && !is_large)) {
     flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
-  } else if(!flatten_hierarchically<Solver_traits>(mesh, chart, command.hierarchical, options, uv,
-                                                   flattening) &&
-            command.method == "auto") {
-    const double seconds = flattening.parameterize_seconds;
-    flattening.note =
-        "the hierarchical method did not come close enough to the direct one, which replaced it";
-    flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
-    flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
+    return;
   }
+  const bool is_taken =
+      flatten_hierarchically<Solver_traits>(mesh, chart, command.hierarchical, options, uv, flattening);
+  if(is_taken || command.method != "auto") {
+    return;
+  }
+  flattening.note =
+      flattening.succeeded()
+          ? "the hierarchical method did not come close enough to the direct one, which replaced it"
+          : "the direct method replaced the hierarchical one, which failed: " + flattening.report.message;
+  const double seconds = flattening.parameterize_seconds;
+  flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+  flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
 }
 
 inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& command,
