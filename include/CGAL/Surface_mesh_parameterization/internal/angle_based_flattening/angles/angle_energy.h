@@ -43,6 +43,16 @@ struct Angle_energy
   {
     return parallel_sum(static_cast<int>(alpha.size()), [&](int c) { return value(alpha[c], beta[c]); });
   }
+
+  // With a weight for each triangle, or none
+  double value(const std::vector<double>& alpha, const std::vector<double>& beta,
+               const std::vector<double>& weight) const
+  {
+    if(weight.empty())
+      return value(alpha, beta);
+    return parallel_sum(static_cast<int>(alpha.size()),
+                        [&](int c) { return weight[c / 3] * value(alpha[c], beta[c]); });
+  }
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

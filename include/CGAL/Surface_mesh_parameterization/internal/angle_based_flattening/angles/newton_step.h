@@ -146,10 +146,11 @@ private:
     Local_system local;
     local.cotangents = cotangents(alpha, t);
     Eigen::Vector3d energy_gradient, energy_curvature, curvature;
+    const double weight = m_chart.weight_of_triangle(t);
     for(int k = 0; k < 3; ++k) {
       const int c = 3 * t + k;
-      energy_gradient[k] = m_energy.first_derivative(alpha[c], m_beta[c]);
-      energy_curvature[k] = curvature[k] = m_energy.second_derivative(alpha[c], m_beta[c]);
+      energy_gradient[k] = weight * m_energy.first_derivative(alpha[c], m_beta[c]);
+      energy_curvature[k] = curvature[k] = weight * m_energy.second_derivative(alpha[c], m_beta[c]);
       if(m_with_constraint_curvature)
         curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
     }

@@ -36,7 +36,7 @@ struct Angle_iterate
   void evaluate(const Chart& chart, const Angle_energy& angle_energy, const std::vector<double>& beta)
   {
     residual = constraint_residuals(chart, alpha);
-    energy = angle_energy.value(alpha, beta);
+    energy = angle_energy.value(alpha, beta, chart.weight);
   }
 
   double violation() const { return residual.cwiseAbs().sum(); }
@@ -71,11 +71,13 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
 {
   const double merit = iterate.merit(penalty), rounding = 1e-12 * merit;
   const int corners = chart.number_of_corners();
-  const double slope =
-      parallel_sum(
-          corners,
-          [&](int c) { return energy.first_derivative(iterate.alpha[c], beta[c]) * step.angles[c]; }) -
-      penalty * iterate.violation();
+  const double slope = parallel_sum(corners,
+                                    [&](int c) {
+                                      return chart.weight_of_triangle(c / 3) *
+                                             energy.first_derivative(iterate.alpha[c], beta[c]) *
+                                             step.angles[c];
+                                    }) -
+                       penalty * iterate.violation();
 
   Angle_iterate next;
   next.alpha.resize(beta.size());

@@ -55,6 +55,7 @@ struct Chart
   double scale = 1;            // a power of two, so that squares neither overflow nor vanish
   std::vector<int> vertex;     // of each corner
   std::vector<int> opposite;   // of each corner: the one that faces the same edge, -1 at the border
+  std::vector<double> weight;  // of each triangle in the energy; empty if all are 1
   std::vector<std::vector<int>>
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
@@ -67,6 +68,7 @@ struct Chart
   int number_of_triangles() const { return number_of_corners() / 3; }
   int number_of_nodes() const { return static_cast<int>(nodes.size()); }
   int node_of_corner(int c) const { return node[vertex[c]]; }
+  double weight_of_triangle(int t) const { return weight.empty() ? 1 : weight[t]; }
 
   // Rotates about the vertex of `c` into the neighbouring triangle, across the edge to the next corner's
   // vertex: clockwise, so that one gets around a border vertex from the border edge that enters it to the one that

@@ -28,6 +28,7 @@ struct Angle_star : Planar_star_base
   {
     Planar_point p, q;
     double beta_v, beta_p, beta_q;
+    double weight;
   };
 
   class Energy;
@@ -44,7 +45,8 @@ struct Angle_star : Planar_star_base
   {
     triangles.clear();
     gather_ring(mesh, uv, v, [&](int c, int p, int q) {
-      triangles.push_back({uv[p], uv[q], beta[c], beta[next_corner(c)], beta[previous_corner(c)]});
+      triangles.push_back({uv[p], uv[q], beta[c], beta[next_corner(c)], beta[previous_corner(c)],
+                           mesh.chart().weight_of_triangle(c / 3)});
     });
   }
 };
@@ -70,24 +72,25 @@ public:
       const double alpha_p = std::atan2(twice_area, -to_p.dot(pq));
       const double alpha_q = std::atan2(twice_area, to_q.dot(pq));
       const double alpha_v = std::atan2(twice_area, to_p.dot(to_q));
-      value += star.energy.value(alpha_v, t.beta_v) + star.energy.value(alpha_p, t.beta_p) +
-               star.energy.value(alpha_q, t.beta_q);
+      value += t.weight * (star.energy.value(alpha_v, t.beta_v) + star.energy.value(alpha_p, t.beta_p) +
+                           star.energy.value(alpha_q, t.beta_q));
       if(!with_derivatives)
         continue;
       // The angle at p changes if x moves across the edge to p, but not if it moves along the edge.
       const Planar_point along_p = Planar_point(to_p.y(), -to_p.x()) / to_p.squaredNorm();
       const Planar_point along_q = Planar_point(-to_q.y(), to_q.x()) / to_q.squaredNorm();
-      add(star.energy, alpha_p, t.beta_p, along_p);
-      add(star.energy, alpha_q, t.beta_q, along_q);
-      add(star.energy, alpha_v, t.beta_v, -along_p - along_q);
+      add(star.energy, t.weight, alpha_p, t.beta_p, along_p);
+      add(star.energy, t.weight, alpha_q, t.beta_q, along_q);
+      add(star.energy, t.weight, alpha_v, t.beta_v, -along_p - along_q);
     }
   }
 
 private:
-  void add(const Angle_energy& energy, double alpha, double beta, const Planar_point& angle_gradient)
+  void add(const Angle_energy& energy, double weight, double alpha, double beta,
+           const Planar_point& angle_gradient)
   {
-    gradient += energy.first_derivative(alpha, beta) * angle_gradient;
-    hessian += energy.second_derivative(alpha, beta) * angle_gradient * angle_gradient.transpose();
+    gradient += weight * energy.first_derivative(alpha, beta) * angle_gradient;
+    hessian += weight * energy.second_derivative(alpha, beta) * angle_gradient * angle_gradient.transpose();
   }
 };
 
