@@ -43,14 +43,15 @@ struct MIPS_star : Planar_star_base
     triangles.clear();
     Chart::Kernel::Vector_3 b;
     double bb = 0;
-    gather_ring(mesh, uv, v, [&](int, int p, int q) {
+    gather_ring(mesh, uv, v, [&](int c, int p, int q) {
       if(triangles.empty()) {
         b = points[q] - origin;
         bb = b.squared_length();
       }
       const Chart::Kernel::Vector_3 a = points[p] - origin;
       const double aa = a.squared_length(), ab = a * b;
-      triangles.push_back({uv[p], uv[q], ab, aa - ab, bb - ab});
+      const double weight = mesh.chart().weight_of_triangle(c / 3);
+      triangles.push_back({uv[p], uv[q], weight * ab, weight * (aa - ab), weight * (bb - ab)});
       b = a;
       bb = aa;
     });
