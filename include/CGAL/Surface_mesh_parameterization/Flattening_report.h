@@ -33,12 +33,13 @@ struct Flattening_report
     NON_FINITE_POINT,    ///< A coordinate is infinite or not a number.
     TOO_LARGE,           ///< More than 153 million triangles.
     NON_MANIFOLD_VERTEX, ///< The surface is not a manifold at a vertex.
-    SEVERAL_BORDERS,     ///< The chart has holes, and `Flattening_options::allow_holes` is `false`.
-    NONZERO_GENUS,       ///< The chart has handles, so it is not a disk.
-    PARALLEL_EDGES, ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
+    SEVERAL_BORDERS, ///< The chart has holes, and `Flattening_options::allow_holes` is `false`.
+    NONZERO_GENUS,   ///< The chart has handles, so it is not a disk.
+    PARALLEL_EDGES,  ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
     LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
     NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
     WRONG_OPTION,      ///< An option is out of its range.
+    WRONG_IMPORTANCE,  ///< The importance of a face is out of its range, or not a number.
     WRONG_LAYOUT,      ///< The exact layout was requested but does not apply.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are correct.
     PRECISION_EXCEEDED, ///< There is a valid map, but the number type of the coordinates cannot hold the one found.
@@ -138,6 +139,8 @@ inline std::string to_string(Flattening_report::Diagnosis diagnosis)
     return "NO_CONVERGENCE";
   case Flattening_report::WRONG_OPTION:
     return "WRONG_OPTION";
+  case Flattening_report::WRONG_IMPORTANCE:
+    return "WRONG_IMPORTANCE";
   case Flattening_report::WRONG_LAYOUT:
     return "WRONG_LAYOUT";
   case Flattening_report::FLIPPED_TRIANGLES:
@@ -176,6 +179,7 @@ inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
   case Flattening_report::NON_FINITE_POINT:
   case Flattening_report::TOO_LARGE:
   case Flattening_report::WRONG_OPTION:
+  case Flattening_report::WRONG_IMPORTANCE:
   case Flattening_report::WRONG_LAYOUT:
     return ERROR_WRONG_PARAMETER;
   case Flattening_report::PARALLEL_EDGES:

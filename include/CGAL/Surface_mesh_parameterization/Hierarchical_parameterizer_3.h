@@ -159,6 +159,19 @@ public:
         m_linear_algebra(std::move(sparse_la))
   {}
 
+  /// sets how much the angles of each face matter, from the next call of `parameterize()` on; see
+  /// `ABF_plus_plus_parameterizer_3::set_importance()`.
+  ///
+  /// The coarse parameterizer gets the importance of the faces of the coarse chart if it has such a member function
+  /// too: where faces are merged, the mean of their importance, weighted by area. (`LSCM_parameterizer_3` has no such
+  /// function, and flattens all coarse faces alike.) Relaxation and polishing know the importance
+  /// of every face.
+  template <typename FaceImportanceMap>
+  void set_importance(FaceImportanceMap fimap)
+  {
+    m_importance = internal::ABF::face_importance<Triangle_mesh>(fimap);
+  }
+
   /// flattens the connected component of `bhd`.
   ///
   /// The result has the area of the surface and positive orientation. Its bounding box starts at the origin. On any
@@ -176,7 +189,8 @@ public:
   {
     m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
-        mesh, bhd, uvmap, vimap, m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+        mesh, bhd, uvmap, vimap, m_importance, m_options,
+        [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
           return internal::ABF::flatten_chart_hierarchically(chart, m_options, flatten_coarse,
                                                              m_linear_algebra, round);
@@ -221,6 +235,7 @@ private:
   Hierarchical_options m_options;
   Coarse_parameterizer m_coarse_parameterizer;
   Solver_traits m_linear_algebra;
+  internal::ABF::Face_importance<Triangle_mesh> m_importance;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 

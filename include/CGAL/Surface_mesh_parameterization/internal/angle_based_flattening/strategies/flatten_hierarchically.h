@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
@@ -38,7 +39,7 @@ class Hierarchical_flattening
 
 public:
   Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
-      : m_coarsening(chart), m_options(options), m_solve(solve),
+      : m_weights(chart), m_coarsening(chart), m_options(options), m_solve(solve),
         m_report(report_of<Hierarchical_report>(chart)), m_uv(chart.points.size(), Planar_point(0, 0))
   {}
 
@@ -116,7 +117,8 @@ private:
   {
     const Stage stage(m_options.visitor, Flattening_visitor::COARSE_CHART, m_report.seconds.coarse_chart);
     for(int attempt = 0;; ++attempt) {
-      const Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
+      Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
+      m_weights.apply(m_coarsening.mesh(), coarse);
       m_report.levels = m_coarsening.number_of_levels();
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
       m_report.coarse_triangles = coarse.chart.number_of_triangles();
@@ -166,6 +168,7 @@ private:
           Planar_point((uv[v].x() - box.xmin()) / size, (uv[v].y() - box.ymin()) / size);
   }
 
+  Merged_weights m_weights;
   Coarsening m_coarsening;
   const Hierarchical_options& m_options;
   const Coarse_flattening& m_solve;

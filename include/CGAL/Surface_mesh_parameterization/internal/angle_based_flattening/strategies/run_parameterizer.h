@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -107,8 +108,10 @@ class Parameterizer_run
 
 public:
   Parameterizer_run(const TriangleMesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
-                    VertexIndexMap vimap, const Flattening_options& options, const Flatten& flatten)
-      : m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap), m_options(options), m_flatten(flatten)
+                    VertexIndexMap vimap, const Face_importance<TriangleMesh>& importance,
+                    const Flattening_options& options, const Flatten& flatten)
+      : m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap), m_importance(importance),
+        m_options(options), m_flatten(flatten)
   {}
 
   Outcome<TriangleMesh, Report> run()
@@ -133,6 +136,8 @@ private:
     Chart_defect defect = m_reader.read(m_border, m_vimap);
     if(!defect)
       defect = diagnose(m_reader.chart, m_options.allow_holes);
+    if(!defect)
+      defect = read_importance(m_reader.face_descriptors, m_importance, m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
     report.triangles = static_cast<int>(m_reader.face_descriptors.size());
     report.borders = static_cast<int>(m_reader.chart.borders.size());
@@ -162,6 +167,7 @@ private:
   halfedge_descriptor m_border;
   VertexUVmap m_uvmap;
   VertexIndexMap m_vimap;
+  const Face_importance<TriangleMesh>& m_importance;
   const Flattening_options& m_options;
   const Flatten& m_flatten;
   Outcome<TriangleMesh, Report> m_outcome;
@@ -173,7 +179,8 @@ template <typename Report, typename TriangleMesh, typename VertexUVmap, typename
 Outcome<TriangleMesh, Report>
 run_parameterizer(const TriangleMesh& mesh,
                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
-                  VertexIndexMap vimap, const Options& options, const Flatten& flatten)
+                  VertexIndexMap vimap, const Face_importance<TriangleMesh>& importance,
+                  const Options& options, const Flatten& flatten)
 {
   const std::string wrong = wrong_option(options);
   if(!wrong.empty()) {
@@ -182,7 +189,7 @@ run_parameterizer(const TriangleMesh& mesh,
     return outcome;
   }
   return Parameterizer_run<Report, TriangleMesh, VertexUVmap, VertexIndexMap, Flatten>(
-             mesh, bhd, uvmap, vimap, options, flatten)
+             mesh, bhd, uvmap, vimap, importance, options, flatten)
       .run();
 }
 
