@@ -35,6 +35,8 @@ inline double surface_angle(const Chart& chart, int c)
 // the sum 2 pi that the plane demands, and around any other node to its sum.
 inline std::vector<double> target_angles(const Chart& chart)
 {
+  if(!chart.targets.empty())
+    return chart.targets;
   std::vector<double> beta(chart.vertex.size());
   parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
     for(int c = begin; c < end; ++c)

@@ -56,6 +56,7 @@ struct Chart
   std::vector<int> vertex;     // of each corner
   std::vector<int> opposite;   // of each corner: the one that faces the same edge, -1 at the border
   std::vector<double> weight;  // of each triangle in the energy; empty if all are 1
+  std::vector<double> targets; // of each corner, unless they are the angles of the surface
   std::vector<std::vector<int>>
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
