@@ -42,9 +42,10 @@ class Direct_strategies
   typedef ABF_plus_plus_report Report;
 
 public:
-  Direct_strategies(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-                    Rounding round)
-      : m_chart(chart), m_options(options), m_solvers(solvers), m_round(round)
+  // The map is that of `part`, the chart itself or its first vertices and triangles.
+  Direct_strategies(const Chart& chart, const Chart& part, const ABF_plus_plus_options& options,
+                    const Linear_solvers& solvers, Rounding round)
+      : m_chart(chart), m_part(part), m_options(options), m_solvers(solvers), m_round(round)
   {}
 
   Flattening<Report> run()
@@ -62,12 +63,17 @@ public:
         result = start_from_embedding();
       }
     }
+    return finished(std::move(result));
+  }
+
+protected:
+  Flattening<Report> finished(Direct_flattening result)
+  {
     result.report.failed_strategies = std::move(m_failed);
     result.report.seconds = m_seconds;
     return Flattening<Report>(std::move(result));
   }
 
-private:
   // Where the solver itself fails, or is asked for something impossible, other angles do not help.
   static bool can_fallbacks_help(const Direct_flattening& result)
   {
@@ -84,7 +90,7 @@ private:
   Direct_flattening flatten(const ABF_plus_plus_options& options, std::vector<double> start)
   {
     Direct_flattening result =
-        flatten_from_angles(m_chart, options, m_solvers, m_round, m_beta, std::move(start));
+        flatten_from_angles(m_chart, m_part, options, m_solvers, m_round, m_beta, std::move(start));
     m_seconds += result.report.seconds;
     return result;
   }
@@ -107,10 +113,10 @@ private:
 
   Direct_flattening start_from_embedding()
   {
-    const std::optional<std::vector<Chart::Point_2>> embedding = progressive_embedding(m_chart, m_options);
+    std::optional<std::vector<Chart::Point_2>> embedding = progressive_embedding(m_chart, m_options);
     if(!embedding) {
       Direct_flattening result;
-      result.report = report_of<Report>(m_chart);
+      result.report = report_of<Report>(m_part);
       result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
       fail(result.report, Report::PRECISION_EXCEEDED, "no valid map was found in double precision");
       return result;
@@ -125,6 +131,7 @@ private:
     if(result.succeeded())
       fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
     note_failure(result);
+    embedding->resize(m_part.points.size());
     return take_embedding(*embedding);
   }
 
@@ -132,11 +139,11 @@ private:
   Direct_flattening take_embedding(const std::vector<Chart::Point_2>& embedding)
   {
     std::vector<Chart::Point_2> uv = embedding;
-    scale_to_surface_area(m_chart, uv);
+    scale_to_surface_area(m_part, uv);
     Direct_flattening result = certified(std::move(uv));
     if(result.succeeded())
       return result;
-    const double factor = power_of_two(scale_to_surface(m_chart, embedding));
+    const double factor = power_of_two(scale_to_surface(m_part, embedding));
     uv = embedding;
     for(Chart::Point_2& p : uv)
       p = CGAL::ORIGIN + (p - CGAL::ORIGIN) * factor;
@@ -146,21 +153,22 @@ private:
   Direct_flattening certified(std::vector<Chart::Point_2> uv)
   {
     Direct_flattening result;
-    result.report = report_of<Report>(m_chart);
+    result.report = report_of<Report>(m_part);
     result.report.strategy = Report::PROGRESSIVE_EMBEDDING;
     m_round(uv);
-    Certificate certificate = certify(m_chart, uv);
+    Certificate certificate = certify(m_part, uv);
     take_certificate(certificate, result.report);
     if(!certificate.is_valid())
       fail(result.report, Report::PRECISION_EXCEEDED,
            "the map is valid, but after rounding to the coordinates' number type it has " +
-               describe_invalid(m_chart, certificate));
+               describe_invalid(m_part, certificate));
     result.invalid = std::move(certificate.invalid);
     result.uv = std::move(uv);
     return result;
   }
 
   const Chart& m_chart;
+  const Chart& m_part;
   const ABF_plus_plus_options& m_options;
   const Linear_solvers& m_solvers;
   const Rounding m_round;
@@ -173,7 +181,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
               Rounding round)
 {
-  return Direct_strategies(chart, options, solvers, round).run();
+  return Direct_strategies(chart, chart, options, solvers, round).run();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

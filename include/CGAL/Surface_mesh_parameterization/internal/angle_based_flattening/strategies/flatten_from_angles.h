@@ -85,12 +85,11 @@ inline Angle_solution find_angles(const Chart& chart, const ABF_plus_plus_option
   return solution;
 }
 
-// The coordinates, scaled to the surface's area, and rounded to what the caller can store.
-inline std::vector<Chart::Point_2> find_coordinates(const Chart& chart, const ABF_plus_plus_options& options,
-                                                    const Linear_solvers& solvers, Rounding round,
-                                                    const std::vector<double>& alpha,
-                                                    std::unique_ptr<Linear_solver> scalar_solver,
-                                                    ABF_plus_plus_report& report)
+// The coordinates of `part`, scaled to its area, and rounded to what the caller can store.
+inline std::vector<Chart::Point_2>
+find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_options& options,
+                 const Linear_solvers& solvers, Rounding round, const std::vector<double>& alpha,
+                 std::unique_ptr<Linear_solver> scalar_solver, ABF_plus_plus_report& report)
 {
   const Stage stage(options.visitor, Flattening_visitor::LAYOUT, report.seconds.layout);
   report.layout = choose_layout(chart, options, report.constraint_residual);
@@ -107,24 +106,27 @@ inline std::vector<Chart::Point_2> find_coordinates(const Chart& chart, const AB
   }
   report.closure = layout->closure;
   report.layout_repeated = layout->is_repeated;
-  scale_to_surface_area(chart, layout->uv);
+  layout->uv.resize(part.points.size());
+  scale_to_surface_area(part, layout->uv);
   round(layout->uv);
   return std::move(layout->uv);
 }
 
-// From angles `start`, near to the solution, to a certified map: the first and the third strategy, and most of the second.
-inline Direct_flattening flatten_from_angles(const Chart& chart, const ABF_plus_plus_options& options,
+// From angles `start`, near to the solution, to a certified map: most of every strategy but the last one. The map is that of
+// `part`, the chart itself or its first vertices and triangles.
+inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& part,
+                                             const ABF_plus_plus_options& options,
                                              const Linear_solvers& solvers, Rounding round,
                                              const std::vector<double>& beta, std::vector<double> start)
 {
   Direct_flattening result;
-  ABF_plus_plus_report& report = result.report = report_of<ABF_plus_plus_report>(chart);
+  ABF_plus_plus_report& report = result.report = report_of<ABF_plus_plus_report>(part);
   Angle_solution solution = find_angles(chart, options, solvers, beta, std::move(start), report);
   result.alpha = std::move(solution.alpha);
   if(!result.succeeded())
     return result;
 
-  result.uv = find_coordinates(chart, options, solvers, round, result.alpha,
+  result.uv = find_coordinates(chart, part, options, solvers, round, result.alpha,
                                std::move(solution.scalar_solver), report);
   if(!result.succeeded())
     return result;
@@ -132,16 +134,16 @@ inline Direct_flattening flatten_from_angles(const Chart& chart, const ABF_plus_
   Certificate certificate;
   {
     const Stage stage(options.visitor, Flattening_visitor::CERTIFY, report.seconds.certify);
-    certificate = certify(chart, result.uv);
+    certificate = certify(part, result.uv);
   }
   take_certificate(certificate, report);
   if(!certificate.is_valid()) {
     if(report.converged)
       fail(report, Flattening_report::FLIPPED_TRIANGLES,
-           "the angles were found, but their layout has " + describe_invalid(chart, certificate));
+           "the angles were found, but their layout has " + describe_invalid(part, certificate));
     else
       fail(report, Flattening_report::NO_CONVERGENCE,
-           "the angles did not converge, and their layout has " + describe_invalid(chart, certificate));
+           "the angles did not converge, and their layout has " + describe_invalid(part, certificate));
     result.invalid = std::move(certificate.invalid);
   }
   return result;
