@@ -558,12 +558,16 @@ BOOST_AUTO_TEST_CASE(holes)
   flatten(input);
   check_success();
   BOOST_TEST(json().get<int>("borders") == 3);
-  BOOST_TEST(json().get<std::string>("layout") == "exact"); // the holes were closed on the way
+  BOOST_TEST(json().get<std::string>("layout") == "exact"); // the holes were filled on the way
   flatten(input, "--border 2");
   check_success();
-  flatten(input, "--holes open");
+  flatten(input, "--holes fill --method hierarchical");
+  check_success();
+  flatten(input, "--holes solve");
   check_success();
   BOOST_TEST(json().get<std::string>("layout") == "least-squares");
+  flatten(input, "--holes refuse");
+  BOOST_TEST(json().get<std::string>("status") == "SEVERAL_BORDERS");
 }
 
 BOOST_AUTO_TEST_CASE(all_options)

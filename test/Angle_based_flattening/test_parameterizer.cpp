@@ -463,7 +463,7 @@ BOOST_AUTO_TEST_CASE(wrong_topology)
   check_error(punctured, bhd, SMP::ERROR_NO_TOPOLOGICAL_DISC, Report::SEVERAL_BORDERS);
 
   Options options;
-  options.allow_holes = true;
+  options.holes = Options::SOLVE;
   Flattening<Surface_mesh> flattening(options);
   BOOST_TEST(flattening.run(punctured, bhd) == SMP::OK);
   BOOST_TEST(flattening.parameterizer.report().layout == Report::LEAST_SQUARES);

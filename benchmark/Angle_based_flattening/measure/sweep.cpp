@@ -103,15 +103,16 @@ Measurement flatten(Mesh& mesh, const Halfedge border, Parameterizer parameteriz
   return m;
 }
 
-Measurement flatten(Mesh& mesh, const Halfedge border, const std::string& method, const bool allow_holes)
+Measurement flatten(Mesh& mesh, const Halfedge border, const std::string& method,
+                    const SMP::Flattening_options::Holes holes)
 {
   SMP::ABF_plus_plus_options direct;
-  direct.allow_holes = allow_holes;
+  direct.holes = holes;
   if(method == "direct")
     return flatten(mesh, border, SMP::ABF_plus_plus_parameterizer_3<Mesh>(direct));
   typedef SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh> Parameterizer;
   SMP::Hierarchical_options options;
-  options.allow_holes = allow_holes;
+  options.holes = holes;
   return flatten(mesh, border, Parameterizer(options, Parameterizer::Coarse_parameterizer(direct)));
 }
 
@@ -140,19 +141,20 @@ void sweep(const std::string& file, const std::string& method, const int first_r
     return PMP::face_border_length(g, mesh) < PMP::face_border_length(h, mesh);
   };
 
+  typedef SMP::Flattening_options Holes;
   int run = 0;
   for(std::size_t i = 0; i < borders.size(); ++i)
-    for(const bool allow_holes : {false, true}) {
-      if(borders[i].size() <= std::size_t(allow_holes) || run++ < first_run)
+    for(const bool with_holes : {false, true}) {
+      if(borders[i].size() <= std::size_t(with_holes) || run++ < first_run)
         continue;
       Measurement begin;
       begin.add("component", i);
       begin.add("triangles", triangles[i]);
       begin.add("borders", borders[i].size());
-      begin.add("holes", allow_holes);
+      begin.add("holes", with_holes);
       const Halfedge longest = *std::max_element(borders[i].begin(), borders[i].end(), is_shorter);
       std::cout << begin;
-      std::cout << flatten(mesh, longest, method, allow_holes);
+      std::cout << flatten(mesh, longest, method, with_holes ? Holes::SOLVE : Holes::REFUSE);
     }
   m.add("closed", std::count(borders.begin(), borders.end(), std::vector<Halfedge>()));
 }

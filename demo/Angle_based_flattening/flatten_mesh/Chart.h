@@ -12,8 +12,6 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/centroid.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -112,25 +110,6 @@ inline Chart choose_chart(Mesh& mesh, const std::size_t component, const std::si
   }
   chart.border = chart.borders[border];
   return chart;
-}
-
-// Closes every border of the chart but the outer one, by a fan of triangles around the centre of its vertices. The
-// vertices, faces and halfedges of the mesh keep their numbers. A disk has an exact layout. With a hole, the angles
-// alone do not ensure that the layout closes around the hole.
-inline void close_holes(Mesh& mesh, const Chart& chart)
-{
-  for(const Halfedge hole : chart.borders) {
-    if(hole == chart.border) {
-      continue;
-    }
-    std::vector<Kernel::Point_3> points;
-    for(const Vertex v : mesh.vertices_around_face(hole)) {
-      points.push_back(mesh.point(v));
-    }
-    CGAL::Euler::fill_hole(hole, mesh);
-    const Halfedge spoke = CGAL::Euler::add_center_vertex(hole, mesh);
-    mesh.point(mesh.target(spoke)) = CGAL::centroid(points.begin(), points.end());
-  }
 }
 
 } // namespace flatten_mesh

@@ -72,6 +72,10 @@ inline std::string strategy_name(const SMP::ABF_plus_plus_report::Strategy strat
     return "from target angles";
   case Report::RAISED_BARRIER:
     return "raised barrier";
+  case Report::SOFT_PATCHES:
+    return "soft patches over holes";
+  case Report::STIFF_PATCHES:
+    return "stiff patches over holes";
   case Report::FROM_PROGRESSIVE_EMBEDDING:
     return "from a progressive embedding";
   default:

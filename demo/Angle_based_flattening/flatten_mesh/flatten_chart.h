@@ -127,7 +127,7 @@ bool flatten_hierarchically(Mesh& mesh, const Chart& chart, SMP::Hierarchical_op
 {
   using Coarse = SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Solver_traits>;
   flattening.method = "hierarchical";
-  hierarchical.allow_holes = options.allow_holes;
+  hierarchical.holes = options.holes;
   hierarchical.polish_options = options;
   hierarchical.barrier = options.barrier;
   hierarchical.threads = options.threads;
@@ -184,19 +184,6 @@ inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& co
   }
 }
 
-// Flattens a copy of the mesh whose holes are closed, and keeps the part that is the chart.
-inline void flatten_without_holes(const Mesh& mesh, const Chart& chart, const Command_line& command,
-                                  const SMP::ABF_plus_plus_options& options, Flattening& flattening)
-{
-  Mesh closed(mesh);
-  close_holes(closed, chart);
-  const UV_map uv = closed.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_closed_uv").first;
-  choose_solver(closed, chart, command, options, uv, flattening);
-  for(const Vertex v : mesh.vertices()) {
-    flattening.uv[v] = uv[v];
-  }
-}
-
 } // namespace internal
 
 inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command,
@@ -207,11 +194,7 @@ inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_li
   flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
   SMP::ABF_plus_plus_options options = command.options;
   options.visitor = &progress;
-  if(command.holes == "close" && chart.borders.size() > 1) {
-    internal::flatten_without_holes(mesh, chart, command, options, flattening);
-  } else {
-    internal::choose_solver(mesh, chart, command, options, flattening.uv, flattening);
-  }
+  internal::choose_solver(mesh, chart, command, options, flattening.uv, flattening);
   if(flattening.succeeded()) {
     CGAL::Real_timer timer;
     timer.start();

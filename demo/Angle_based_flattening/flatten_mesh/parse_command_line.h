@@ -74,7 +74,7 @@ inline void understand_names(Command_line& command)
     }
   };
   check("method", command.method, {"direct", "hierarchical", "auto"});
-  check("holes", command.holes, {"close", "open"});
+  check("holes", command.holes, {"solve", "fill", "refuse"});
   check("repair", command.repair, {"on", "off"});
   check("solver", command.solver, {"superlu", "eigen", "cholmod"});
   check("layout", command.layout, {"auto", "exact", "least-squares"});
@@ -90,7 +90,9 @@ inline void understand_names(Command_line& command)
                                                                : Options::AUTOMATIC_LAYOUT;
   command.options.linear_solver = command.linear_solver == "direct" ? Options::DIRECT : Options::ITERATIVE;
   command.options.step = command.step == "sqp" ? Options::SEQUENTIAL_LINEARLY_CONSTRAINED : Options::NEWTON;
-  command.options.allow_holes = true;
+  command.options.holes = command.holes == "solve"  ? Options::SOLVE
+                          : command.holes == "fill" ? Options::FILL
+                                                    : Options::REFUSE;
 }
 
 // What is not given is chosen for a result close to that of the direct method.

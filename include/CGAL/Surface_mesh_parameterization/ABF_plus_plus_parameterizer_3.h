@@ -146,7 +146,7 @@ public:
   /// - `ERROR_EMPTY_MESH`: there is no face at `bhd`;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border and
-  /// `Flattening_options::allow_holes` is not set;
+  /// `Flattening_options::holes` is `Flattening_options::REFUSE`;
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a visitor
   ///    stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;

@@ -19,6 +19,17 @@ class Flattening_visitor;
 /// The options that `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have in common.
 struct Flattening_options
 {
+  /// What is done with the holes of a chart: with all its borders but the given one.
+  enum Holes
+  {
+    SOLVE, ///< They take any shape. The angles do not ensure that a hole closes, and the least squares layout spreads the
+    ///< gap. A coarse parameterizer must accept charts with holes too.
+    FILL, ///< Each hole is filled during the flattening, by triangles of a tenth of the weight of those around it. The
+    ///< angles bend to the filling a little, but the holes close, and like any disk the chart has a valid map. If the
+    ///< outer border comes out simple, so do those of the holes. A coarse parameterizer gets disks.
+    REFUSE ///< The chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`.
+  };
+
   /// Weight \f$\kappa\f$ of the barrier that keeps angles away from zero; `0` is exactly the energy of the
   /// paper. The barrier and the energy have their minimum at the same place, so ordinary charts hardly change. The
   /// weight has no unit and must not be negative. The hierarchical method uses it in the energy of
@@ -29,10 +40,9 @@ struct Flattening_options
   /// with `CGAL::TBB_support`. It never changes the result.
   int threads = 0;
 
-  /// Whether charts with more than one border are flattened. The angles do not ensure that a hole closes, and the
-  /// least squares layout spreads the gap. The result is checked as always. If this is `false`, such a chart is
-  /// refused with `ERROR_NO_TOPOLOGICAL_DISC`. A coarse parameterizer must accept such charts too.
-  bool allow_holes = false;
+  /// What is done with a chart that has more than one border. Other charts are flattened in the same way whatever
+  /// this is. The result is checked as always.
+  Holes holes = REFUSE;
 
   /// If not null, this visitor follows the progress and may stop the computation. A coarse parameterizer and
   /// `Hierarchical_options::polish_options` have visitors of their own.

@@ -33,7 +33,7 @@ struct Flattening_report
     NON_FINITE_POINT,    ///< A coordinate is infinite or not a number.
     TOO_LARGE,           ///< More than 153 million triangles.
     NON_MANIFOLD_VERTEX, ///< The surface is not a manifold at a vertex.
-    SEVERAL_BORDERS, ///< The chart has holes, and `Flattening_options::allow_holes` is `false`.
+    SEVERAL_BORDERS, ///< The chart has holes, and `Flattening_options::holes` is `Flattening_options::REFUSE`.
     NONZERO_GENUS,   ///< The chart has handles, so it is not a disk.
     PARALLEL_EDGES,  ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
     LINEAR_SYSTEM_FAILED, ///< The solver traits failed.

@@ -118,7 +118,7 @@ struct Options
   {
     typedef SMP::ABF_plus_plus_options Direct;
     const int bits = bytes.byte(), more_bits = bytes.byte();
-    direct.allow_holes = hierarchical.allow_holes = bits & 1;
+    direct.holes = hierarchical.holes = Direct::Holes((more_bits >> 5) % 3);
     direct.linear_solver = bits & 2 ? Direct::DIRECT : Direct::ITERATIVE;
     direct.step = bits & 4 ? Direct::SEQUENTIAL_LINEARLY_CONSTRAINED : Direct::NEWTON;
     direct.layout = Direct::Layout_type((bits >> 3) % 3);

@@ -122,7 +122,7 @@ inline Chart_defect find_bad_vertex(const Chart& chart)
 }
 
 // A connected chart is a disk with holes exactly if its Euler characteristic is two less the number of borders.
-inline Chart_defect find_wrong_topology(const Chart& chart, bool allow_holes)
+inline Chart_defect find_wrong_topology(const Chart& chart, bool with_holes)
 {
   int border_edges = 0;
   for(const std::vector<int>& border : chart.borders)
@@ -135,11 +135,11 @@ inline Chart_defect find_wrong_topology(const Chart& chart, bool allow_holes)
             "the surface has " + std::to_string(twice_genus / 2) + " handle(s): cut it open to a disk first",
             {},
             {}};
-  if(borders > 1 && !allow_holes) {
+  if(borders > 1 && !with_holes) {
     const int v = chart.edge_source(chart.borders[1].front());
     return {Flattening_report::SEVERAL_BORDERS,
             "the surface has " + std::to_string(borders) + " borders, a second one at the vertex at " +
-                position_text(chart, v) + ": fill the holes, or allow them",
+                position_text(chart, v) + ", and holes are refused",
             {v},
             {}};
   }
@@ -147,13 +147,13 @@ inline Chart_defect find_wrong_topology(const Chart& chart, bool allow_holes)
 }
 
 // Finds what makes a chart impossible to flatten, in linear time.
-inline Chart_defect diagnose(const Chart& chart, bool allow_holes)
+inline Chart_defect diagnose(const Chart& chart, bool with_holes)
 {
   if(Chart_defect defect = find_non_finite_point(chart))
     return defect;
   if(Chart_defect defect = find_bad_vertex(chart))
     return defect;
-  return find_wrong_topology(chart, allow_holes);
+  return find_wrong_topology(chart, with_holes);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

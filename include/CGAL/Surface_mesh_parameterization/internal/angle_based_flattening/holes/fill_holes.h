@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/patch.h>
@@ -27,6 +28,11 @@ inline constexpr double soft_patch_weight = 0.1;
 
 // The targets of patches are at least this large where the surface leaves them nothing of the full turn.
 inline constexpr double least_patch_angle = 0.02;
+
+inline bool are_holes_filled(const Chart& chart, const Flattening_options& options)
+{
+  return options.holes == Flattening_options::FILL && chart.borders.size() > 1;
+}
 
 // Makes a disk of a chart with holes, by patches over all borders but the first one.
 class Hole_filler

@@ -28,6 +28,9 @@ inline std::string wrong_option(const Flattening_options& options)
 {
   if(!std::isfinite(options.barrier) || options.barrier < 0)
     return "the barrier must be finite and not negative";
+  if(options.holes != Flattening_options::SOLVE && options.holes != Flattening_options::FILL &&
+     options.holes != Flattening_options::REFUSE)
+    return "unknown treatment of holes";
   if(options.threads < 0)
     return "the number of threads must not be negative";
   return std::string();

@@ -177,13 +177,6 @@ protected:
   Report::Seconds m_seconds;
 };
 
-CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
-flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-              Rounding round)
-{
-  return Direct_strategies(chart, chart, options, solvers, round).run();
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H

@@ -32,7 +32,7 @@ flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
 #endif
 

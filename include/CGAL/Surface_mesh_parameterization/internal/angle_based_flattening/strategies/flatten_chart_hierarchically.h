@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
@@ -84,14 +85,47 @@ inline void certify(const Chart& chart, const Hierarchical_options& options, Rou
   result.invalid = std::move(certificate.invalid);
 }
 
+// The map before it is certified
+inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchical_options& options,
+                                                   const Coarse_flattening& flatten_coarse,
+                                                   const Linear_solvers& solvers)
+{
+  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_coarse);
+  if(result.succeeded() && options.polish)
+    polish(chart, options, solvers, result);
+  return result;
+}
+
+// The same with the holes filled meanwhile
+inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
+                                                             const Hierarchical_options& options,
+                                                             const Coarse_flattening& flatten_coarse,
+                                                             const Linear_solvers& solvers)
+{
+  Chart filled;
+  double seconds = 0;
+  {
+    const Stage stage(nullptr, Flattening_visitor::COARSEN, seconds);
+    filled = fill_holes(chart);
+  }
+  Flattening<Hierarchical_report> result = refined_map(filled, options, flatten_coarse, solvers);
+  result.report.seconds.coarsen += seconds;
+  result.uv.resize(chart.points.size());
+  const Hierarchical_report sizes = report_of<Hierarchical_report>(chart);
+  result.report.vertices = sizes.vertices;
+  result.report.triangles = sizes.triangles;
+  result.report.borders = sizes.borders;
+  return result;
+}
+
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
                              Rounding round)
 {
-  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_coarse);
-  if(result.succeeded() && options.polish)
-    polish(chart, options, solvers, result);
+  Flattening<Hierarchical_report> result =
+      are_holes_filled(chart, options) ? refined_map_of_filled(chart, options, flatten_coarse, solvers)
+                                       : refined_map(chart, options, flatten_coarse, solvers);
   if(result.succeeded())
     certify(chart, options, round, result);
   return result;

@@ -135,7 +135,7 @@ private:
     const Stage stage(m_options.visitor, Flattening_visitor::READ, report.seconds.read);
     Chart_defect defect = m_reader.read(m_border, m_vimap);
     if(!defect)
-      defect = diagnose(m_reader.chart, m_options.allow_holes);
+      defect = diagnose(m_reader.chart, m_options.holes != Flattening_options::REFUSE);
     if(!defect)
       defect = read_importance(m_reader.face_descriptors, m_importance, m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
