@@ -26,7 +26,9 @@ struct Flattening_options
     ///< gap. A coarse parameterizer must accept charts with holes too.
     FILL, ///< Each hole is filled during the flattening, by triangles of a tenth of the weight of those around it. The
     ///< angles bend to the filling a little, but the holes close, and like any disk the chart has a valid map. If the
-    ///< outer border comes out simple, so do those of the holes. A coarse parameterizer gets disks.
+    ///< angles converge and the outer border comes out simple, so do those of the holes. A hole of up to 1000 vertices is
+    ///< triangulated (`Polygon_mesh_processing::triangulate_hole_polyline()`), in 0.3 s at most. A larger one, or one
+    ///< without a triangulation, gets a fan around a new vertex. A coarse parameterizer gets disks.
     REFUSE ///< The chart is refused with `ERROR_NO_TOPOLOGICAL_DISC`.
   };
 
