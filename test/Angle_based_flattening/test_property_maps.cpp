@@ -144,6 +144,38 @@ void check_index_maps()
   BOOST_TEST((bump.flatten_by(boost::make_function_property_map<Vertex>(large)) == expected));
 }
 
+// Values may be of any type that is convertible to `double`.
+template <template <typename, typename> class Parameterizer>
+void check_importance_maps()
+{
+  typedef Mesh::Face_index Face;
+  Mesh mesh = test_meshes::bump<Mesh>(12);
+  const auto flatten = [&](auto importance) {
+    std::map<Vertex, Point_2> uv;
+    Parameterizer<Mesh, CGAL::Default> parameterizer;
+    parameterizer.set_importance(importance);
+    const auto parameterized = boost::make_constant_property<Vertex>(false);
+    BOOST_TEST(parameterizer.parameterize(mesh, test_meshes::border(mesh), boost::make_assoc_property_map(uv),
+                                          get(boost::vertex_index, mesh), parameterized) == SMP::OK);
+    return coordinates(mesh, boost::make_assoc_property_map(uv));
+  };
+  const auto value = [](Face f) { return 1 + static_cast<int>(f.idx()) % 4; };
+  const auto expected = flatten(boost::make_function_property_map<Face>(value));
+
+  const auto internal = mesh.add_property_map<Face, float>("f:importance").first;
+  const auto dynamic = get(CGAL::dynamic_face_property_t<double>(), mesh);
+  std::map<Face, int> tree;
+  for(Face f : faces(mesh)) {
+    internal[f] = static_cast<float>(value(f));
+    put(dynamic, f, value(f));
+    tree[f] = value(f);
+  }
+  BOOST_TEST((flatten(internal) == expected));
+  BOOST_TEST((flatten(dynamic) == expected));
+  BOOST_TEST((flatten(boost::make_assoc_property_map(tree)) == expected));
+  BOOST_TEST((flatten(boost::make_constant_property<Face>(1.)) != expected));
+}
+
 template <typename T, typename S = CGAL::Default>
 using Direct = SMP::ABF_plus_plus_parameterizer_3<T, S>;
 
@@ -162,6 +194,12 @@ BOOST_AUTO_TEST_CASE(vertex_index_maps)
 {
   check_index_maps<Direct>();
   check_index_maps<Hierarchical>();
+}
+
+BOOST_AUTO_TEST_CASE(face_importance_maps)
+{
+  check_importance_maps<Direct>();
+  check_importance_maps<Hierarchical>();
 }
 
 BOOST_AUTO_TEST_SUITE_END()
