@@ -106,6 +106,7 @@ private:
                 edge[k].squaredNorm();
     }
     const double twice_area = cross(edge[0], edge[1]);
+    const double weight = m_chart.weight_of_triangle(t);
     Model result;
     result.is_valid = twice_area > 1e-12 * (std::max)({edge[0].squaredNorm(), edge[1].squaredNorm(),
                                                        edge[2].squaredNorm()});
@@ -113,9 +114,9 @@ private:
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       const double alpha = std::atan2(twice_area, -edge[i].dot(edge[j])), beta = m_beta[3 * t + k];
       const Eigen::Vector2d row = turn[i] - turn[j];
-      result.energy += m_energy.value(alpha, beta);
-      result.gradient += m_energy.first_derivative(alpha, beta) * row;
-      result.hessian += m_energy.second_derivative(alpha, beta) * row * row.transpose();
+      result.energy += weight * m_energy.value(alpha, beta);
+      result.gradient += weight * m_energy.first_derivative(alpha, beta) * row;
+      result.hessian += weight * m_energy.second_derivative(alpha, beta) * row * row.transpose();
     }
     return result;
   }

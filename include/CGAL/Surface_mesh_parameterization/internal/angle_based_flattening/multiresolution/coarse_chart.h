@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -21,7 +22,10 @@ struct Coarse_chart
   Chart chart;
   std::vector<int> vertices; // of each vertex of the coarse chart: its number in the fine one
 
-  Coarse_chart(const Edge_collapses& mesh, const std::vector<int>& alive) : vertices(alive)
+  // The first border is the one with vertices of `outer_border`, which is sorted, and may be empty if there is only one.
+  Coarse_chart(const Edge_collapses& mesh, const std::vector<int>& alive,
+               const std::vector<int>& outer_border = {})
+      : vertices(alive)
   {
     const Chart& fine = mesh.chart();
     std::vector<int> rank(fine.points.size(), -1);
@@ -39,10 +43,20 @@ struct Coarse_chart
         chart.vertex.push_back(rank[fine.vertex[c]]);
         chart.opposite.push_back(across < 0 ? -1 : 3 * triangle_rank[across / 3] + across % 3);
       }
-    find_borders(chart);
+    find_borders(chart, corner_at_border(outer_border));
   }
 
 private:
+  // A corner that faces a border edge from one of these vertices, or -1
+  int corner_at_border(const std::vector<int>& border) const
+  {
+    for(int c = 0; c < chart.number_of_corners() && !border.empty(); ++c)
+      if(chart.opposite[c] < 0 &&
+         std::binary_search(border.begin(), border.end(), vertices[chart.edge_source(c)]))
+        return c;
+    return -1;
+  }
+
   static std::vector<int> triangles_of(const Edge_collapses& mesh, const std::vector<int>& alive)
   {
     std::vector<char> is_there(mesh.chart().number_of_triangles(), false);

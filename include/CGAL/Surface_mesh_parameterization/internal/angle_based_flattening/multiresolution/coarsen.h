@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -31,7 +32,14 @@ public:
   {
     for(int v = 0; v < chart.number_of_vertices(); ++v)
       m_alive.push_back(v);
+    if(chart.borders.size() > 1)
+      for(int c : chart.borders.front())
+        m_outer_border.push_back(chart.edge_source(c));
+    std::sort(m_outer_border.begin(), m_outer_border.end());
   }
+
+  // What is left of the chart, with the same outer border
+  Coarse_chart coarse_chart() const { return Coarse_chart(m_mesh, m_alive, m_outer_border); }
 
   const Edge_collapses& mesh() const { return m_mesh; }
   Edge_collapses& mesh() { return m_mesh; }
@@ -130,8 +138,9 @@ private:
   }
 
   Edge_collapses m_mesh;
-  std::vector<int> m_level_begin; // first record of each level
-  std::vector<int> m_alive;       // the remaining vertices, sorted
+  std::vector<int> m_level_begin;  // first record of each level
+  std::vector<int> m_alive;        // the remaining vertices, sorted
+  std::vector<int> m_outer_border; // its vertices before all collapses, sorted, if there are other borders
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

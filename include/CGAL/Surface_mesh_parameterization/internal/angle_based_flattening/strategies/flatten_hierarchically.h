@@ -117,7 +117,7 @@ private:
   {
     const Stage stage(m_options.visitor, Flattening_visitor::COARSE_CHART, m_report.seconds.coarse_chart);
     for(int attempt = 0;; ++attempt) {
-      Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
+      Coarse_chart coarse = m_coarsening.coarse_chart();
       m_weights.apply(m_coarsening.mesh(), coarse);
       m_report.levels = m_coarsening.number_of_levels();
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
@@ -141,7 +141,7 @@ private:
   bool start_without_solver()
   {
     m_coarsening.coarsen(3, 0, m_options.visitor);
-    const Coarse_chart coarse(m_coarsening.mesh(), m_coarsening.alive());
+    const Coarse_chart coarse = m_coarsening.coarse_chart();
     m_report.start = Hierarchical_report::PROGRESSIVE_EMBEDDING;
     m_report.levels = m_coarsening.number_of_levels();
     m_report.coarse_vertices = coarse.chart.number_of_vertices();
