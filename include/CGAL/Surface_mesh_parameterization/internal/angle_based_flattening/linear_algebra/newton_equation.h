@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/near_preconditioner.h>
 
 #include <Eigen/Core>
 
@@ -28,16 +29,23 @@ class Newton_equation
   static constexpr int steps_too_many = 20; // about as long as it takes to factor the preconditioner
 
 public:
-  Newton_equation(const Linear_solvers& solvers, bool iteratively)
-      : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors)
+  // Of the matrix of a chart with holes, the last blocks belong to them, as `Bound_matrix` has them.
+  Newton_equation(const Linear_solvers& solvers, bool iteratively, int holes = 0)
+      : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors), m_holes(holes)
   {}
+
+  Newton_equation(const Newton_equation&) = delete; // one preconditioner refers to the other
+  Newton_equation& operator=(const Newton_equation&) = delete;
 
   // Does what the first solution can do before there are values: then it takes less time.
   void analyze_pattern(const Block_matrix<2>& matrix)
   {
     if(m_iteratively && !m_preconditioner && matrix.size() > 0) {
       m_preconditioner.emplace(m_solvers);
-      m_preconditioner->analyze_pattern(matrix);
+      if(m_holes > 0)
+        m_near_preconditioner.emplace(m_solvers, *m_preconditioner, m_holes, matrix);
+      else
+        m_preconditioner->analyze_pattern(matrix);
     }
   }
 
@@ -60,6 +68,7 @@ public:
         return false;
     }
     m_iteratively = false;
+    m_near_preconditioner.reset();
     m_preconditioner.reset();
     ++m_factorizations;
     if(!m_whole_system)
@@ -73,7 +82,7 @@ public:
   int factorizations() const { return m_factorizations; }
   int repeated_factorizations() const { return m_repeated; }
 
-  // A solver that may know the pattern of the one-rings of the interior vertices already
+  // A solver that may know the pattern of the one-rings of the interior vertices, and the holes, already
   std::unique_ptr<Linear_solver> scalar_solver() const
   {
     return m_preconditioner ? m_preconditioner->low_precision_solver() : m_solvers->low_precision();
@@ -84,12 +93,17 @@ private:
                                                const Eigen::VectorXd& right_hand_side,
                                                Eigen::VectorXd& solution)
   {
+    if(m_near_preconditioner && !factor_near_preconditioner(matrix))
+      return Iterative_solution::FAILED;
+    const auto solve = [&](auto& preconditioner) {
+      return conjugate_gradients(matrix, right_hand_side, preconditioner, m_accuracy, max_steps, solution);
+    };
     bool fresh = m_preconditioner_is_stale;
     if(fresh && !factor_preconditioner(matrix))
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
       const Iterative_solution result =
-          conjugate_gradients(matrix, right_hand_side, *m_preconditioner, m_accuracy, max_steps, solution);
+          m_near_preconditioner ? solve(*m_near_preconditioner) : solve(*m_preconditioner);
       m_steps += result.steps;
       m_preconditioner_is_stale = result.steps > steps_too_many;
       if(result.status != Iterative_solution::NOT_SOLVED || fresh)
@@ -102,15 +116,27 @@ private:
   bool factor_preconditioner(const Block_matrix<2>& matrix)
   {
     m_factorizations += 2;
-    const bool done = m_preconditioner->set_matrix(matrix);
+    const bool done = m_near_preconditioner ? m_near_preconditioner->set_global_matrix(matrix)
+                                            : m_preconditioner->set_matrix(matrix);
     m_repeated += m_preconditioner->repeated_factorizations();
+    return done;
+  }
+
+  // Its matrix is small, and changes the most from step to step.
+  bool factor_near_preconditioner(const Block_matrix<2>& matrix)
+  {
+    ++m_factorizations;
+    const bool done = m_near_preconditioner->set_near_matrix(matrix);
+    m_repeated += m_near_preconditioner->is_repeated();
     return done;
   }
 
   Linear_solvers m_solvers;
   bool m_iteratively;
+  int m_holes;
   std::optional<Block_preconditioner> m_preconditioner;
-  bool m_preconditioner_is_stale = true; // or not there yet
+  std::optional<Near_preconditioner> m_near_preconditioner; // of a chart with holes
+  bool m_preconditioner_is_stale = true;                    // or not there yet
   std::unique_ptr<Linear_solver> m_whole_system;
   Iterative_accuracy m_accuracy;
   int m_steps = 0, m_factorizations = 0, m_repeated = 0;
