@@ -8,20 +8,41 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/hole_equations.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The constraints of node number i are numbers 2i (planarity) and 2i + 1 (reconstruction). Those of the triangles
-// (Eq. 2) hold at the start and are kept by every step.
+// The constraints of free node number i are numbers 2i (planarity) and 2i + 1 (reconstruction). With n free nodes and h holes,
+// those of hole number k are 2 (n + k) (rotation), the next one (scale), 2 (n + h + k) and the next one (translation).
+// Those of the triangles (Eq. 2) hold at the start and are kept by every step.
 typedef Eigen::VectorXd Constraint_vector;
+
+inline int number_of_constraints(const Chart& chart)
+{
+  return 2 * (chart.number_of_free_nodes() + 2 * chart.number_of_holes());
+}
+
+// Replaces what bound nodes have by the equations of their holes.
+inline void set_hole_residuals(const Chart& chart, const std::vector<double>& alpha,
+                               Constraint_vector& residual)
+{
+  const int n = chart.number_of_free_nodes(), h = chart.number_of_holes();
+  residual.conservativeResize(number_of_constraints(chart));
+  const std::vector<Hole_equations> holes = hole_equations(chart, alpha);
+  for(int k = 0; k < h; ++k) {
+    residual.segment<2>(2 * (n + k)) << holes[k].rotation, holes[k].scale;
+    residual.segment<2>(2 * (n + h + k)) << holes[k].gap.real(), holes[k].gap.imag();
+  }
+}
 
 // Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi, those at any other node to what it says.
 // Reconstruction (Eq. 4), as the logarithm of the ratio of its two products:
@@ -54,7 +75,20 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
     if(!chart.nodes[i].has_reconstruction)
       residual[2 * i + 1] = 0;
   }
+  if(chart.number_of_holes() > 0)
+    set_hole_residuals(chart, alpha, residual);
   return residual;
+}
+
+// The largest violation of a constraint. The gaps of holes count tenfold, so that a layout which closes them bends little
+// even where the tolerance is large.
+inline double largest_violation(const Chart& chart, const Constraint_vector& residual)
+{
+  const Eigen::Index gaps = 2 * chart.number_of_holes(), others = residual.size() - gaps;
+  double largest = others > 0 ? residual.head(others).cwiseAbs().maxCoeff() : 0;
+  for(Eigen::Index i = others; i < residual.size(); i += 2)
+    largest = (std::max)(largest, 10 * residual.segment<2>(i).norm());
+  return largest;
 }
 
 inline Eigen::Vector3d cotangents(const std::vector<double>& alpha, int triangle)
@@ -65,7 +99,7 @@ inline Eigen::Vector3d cotangents(const std::vector<double>& alpha, int triangle
   return result;
 }
 
-// The second derivative of the sum of all constraints times their multipliers with respect to the angle at
+// The second derivative of the sum of all nodes' constraints times their multipliers with respect to the angle at
 // corner `c`; derivatives with respect to two different angles vanish.
 inline double constraint_curvature(const Chart& chart, const Constraint_vector& multipliers, int c,
                                    double cotangent)

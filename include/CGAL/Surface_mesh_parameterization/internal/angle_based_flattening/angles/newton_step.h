@@ -12,12 +12,14 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/reduced_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/bound_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/newton_equation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -33,7 +35,7 @@ struct Newton_step
 // Computes steps by solving Eq. 16, whose matrix is a sum over triangles:
 //   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
 // with P = T (T' H T)^-1 T', as `reduced_hessian_inverse()` says, and r minus the gradient of the Lagrangian. This S is positive
-// definite.
+// definite. With holes, Z' S Z takes its place: see `Bound_matrix`.
 class Newton_system
 {
 public:
@@ -42,8 +44,10 @@ public:
       : m_chart(chart), m_beta(beta), m_energy(energy),
         m_with_constraint_curvature(with_constraint_curvature),
         m_assembly(chart.vertex, chart.node, chart.number_of_nodes()), m_local(chart.number_of_triangles()),
-        m_equation(solvers, iteratively)
+        m_equation(solvers, iteratively, chart.number_of_holes())
   {
+    if(chart.number_of_holes() > 0)
+      m_binding.emplace(holes_of_bound_nodes(chart), chart.number_of_holes(), m_assembly.matrix());
     for(int i = 0; i < chart.number_of_nodes(); ++i)
       if(!chart.nodes[i].is_complete())
         m_incomplete_nodes.push_back(i);
@@ -58,11 +62,11 @@ public:
     Eigen::VectorXd right_hand_side;
     parallel_for(2, [&](int k) {
       if(k == 0)
-        m_equation.analyze_pattern(m_assembly.matrix());
+        m_equation.analyze_pattern(matrix());
       else
         right_hand_side = assemble(alpha, multipliers, residual);
     });
-    if(!m_equation.solve(m_assembly.matrix(), right_hand_side, accuracy, step.multipliers))
+    if(!m_equation.solve(matrix(), right_hand_side, accuracy, step.multipliers))
       return false;
     substitute_back(step);
     return true;
@@ -71,6 +75,50 @@ public:
   // Eq. 16: sets the matrix and returns the right-hand side.
   Eigen::VectorXd assemble(const std::vector<double>& alpha, const Constraint_vector& multipliers,
                            const Constraint_vector& residual)
+  {
+    if(!m_binding)
+      return assemble_nodes(alpha, multipliers, residual);
+    set_positions(alpha);
+    const Constraint_vector zero = Constraint_vector::Zero(2 * m_chart.number_of_nodes());
+    const Eigen::VectorXd sums = m_binding->bind(assemble_nodes(alpha, m_binding->expand(multipliers), zero));
+    m_binding->bind(m_assembly.matrix());
+    return residual + sums;
+  }
+
+  const Block_matrix<2>& matrix() const { return m_binding ? m_binding->matrix() : m_assembly.matrix(); }
+  const Newton_equation& equation() const { return m_equation; }
+
+private:
+  typedef Eigen::Matrix<double, 6, 1> Local_constraints;
+  typedef Eigen::Matrix<double, 6, 2> Plane_jacobian;
+
+  // All that the assembly and the substitution need of a triangle
+  struct Local_system
+  {
+    Eigen::Vector3d cotangents;
+    Eigen::Matrix<double, 2, 2, Eigen::DontAlign> inverse; // (T' H T)^-1
+    Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
+  };
+
+  static std::vector<int> holes_of_bound_nodes(const Chart& chart)
+  {
+    std::vector<int> result;
+    for(int k = 0; k < chart.number_of_holes(); ++k)
+      result.insert(result.end(), chart.hole(k).size(), k);
+    return result;
+  }
+
+  void set_positions(const std::vector<double>& alpha)
+  {
+    int i = 0;
+    for(const Hole_equations& hole : hole_equations(m_chart, alpha))
+      for(const auto& position : hole.positions)
+        m_binding->set_position(i++, position);
+  }
+
+  // Eq. 16 for the multipliers of all nodes
+  Eigen::VectorXd assemble_nodes(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                                 const Constraint_vector& residual)
   {
     parallel_for_blocks(m_chart.number_of_triangles(), [&](int begin, int end) {
       for(int t = begin; t < end; ++t)
@@ -87,21 +135,6 @@ public:
     complete_diagonal();
     return right_hand_side;
   }
-
-  const Block_matrix<2>& matrix() const { return m_assembly.matrix(); }
-  const Newton_equation& equation() const { return m_equation; }
-
-private:
-  typedef Eigen::Matrix<double, 6, 1> Local_constraints;
-  typedef Eigen::Matrix<double, 6, 2> Plane_jacobian;
-
-  // All that the assembly and the substitution need of a triangle
-  struct Local_system
-  {
-    Eigen::Vector3d cotangents;
-    Eigen::Matrix<double, 2, 2, Eigen::DontAlign> inverse; // (T' H T)^-1
-    Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
-  };
 
   // B T: rows 2k and 2k + 1 are those of the node of corner k, also where there is none, which nobody asks for.
   Plane_jacobian plane_jacobian(int t, const Eigen::Vector3d& cotangents) const
@@ -164,10 +197,12 @@ private:
   void substitute_back(Newton_step& step) const
   {
     step.angles.resize(m_beta.size());
+    const Constraint_vector expanded = m_binding ? m_binding->expand(step.multipliers) : Constraint_vector();
+    const Constraint_vector& multipliers = m_binding ? expanded : step.multipliers;
     step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const Local_system& local = m_local[t];
       const Eigen::Vector2d force =
-          local.force - plane_jacobian(t, local.cotangents).transpose() * gather(t, step.multipliers);
+          local.force - plane_jacobian(t, local.cotangents).transpose() * gather(t, multipliers);
       const Eigen::Vector2d d = local.inverse * force;
       Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
       return d.dot(force) / 2;
@@ -193,6 +228,7 @@ private:
   Triangle_assembly<2> m_assembly;
   std::vector<Local_system> m_local; // of each triangle
   std::vector<int> m_incomplete_nodes;
+  std::optional<Bound_matrix> m_binding; // of a chart with holes
   Newton_equation m_equation;
 };
 

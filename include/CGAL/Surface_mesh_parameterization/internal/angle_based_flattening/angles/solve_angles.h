@@ -32,15 +32,16 @@ struct Angle_iterate
   Constraint_vector multipliers;
   Constraint_vector residual;
   double energy = 0;
+  double largest_residual = 0;
 
   void evaluate(const Chart& chart, const Angle_energy& angle_energy, const std::vector<double>& beta)
   {
     residual = constraint_residuals(chart, alpha);
     energy = angle_energy.value(alpha, beta, chart.weight);
+    largest_residual = largest_violation(chart, residual);
   }
 
   double violation() const { return residual.cwiseAbs().sum(); }
-  double largest_residual() const { return residual.size() > 0 ? residual.cwiseAbs().maxCoeff() : 0; }
 
   // The exact penalty function that steps must lower.
   double merit(double penalty) const { return energy + penalty * violation(); }
@@ -165,7 +166,7 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
   Newton_step step;
   Angle_iterate iterate;
   iterate.alpha = std::move(start);
-  iterate.multipliers = Constraint_vector::Zero(2 * chart.number_of_nodes());
+  iterate.multipliers = Constraint_vector::Zero(number_of_constraints(chart));
   iterate.evaluate(chart, energy, beta);
 
   Angle_solution result;
@@ -173,7 +174,7 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
   double penalty = 0;
   while(!result.converged && result.iterations < options.max_iterations) {
     result.is_solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step,
-                                      forcing_terms.next(iterate.largest_residual()));
+                                      forcing_terms.next(iterate.largest_residual));
     if(!result.is_solved)
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
@@ -182,14 +183,14 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
       continue; // a more exact step may lower the merit function where this one did not
     if(length == 0)
       break;
-    result.steps.push_back({++result.iterations, iterate.energy, iterate.largest_residual(),
+    result.steps.push_back({++result.iterations, iterate.energy, iterate.largest_residual,
                             step.predicted_decrease, length, system.equation().steps(),
                             system.equation().factorizations(), system.equation().repeated_factorizations()});
     visit_step(options.visitor, result.steps.back());
     result.converged = has_converged(options, result.steps.back(), beta.size());
   }
   result.energy = iterate.energy;
-  result.constraint_residual = iterate.largest_residual();
+  result.constraint_residual = iterate.largest_residual;
   result.alpha = std::move(iterate.alpha);
   result.scalar_solver = system.equation().scalar_solver();
   return result;

@@ -61,13 +61,18 @@ struct Chart
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
   int number_of_interior_vertices = 0;
-  std::vector<int> node;              // of each vertex: the one with its equations, or -1
-  std::vector<Constraint_node> nodes; // all interior vertices, unless someone wants others
+  std::vector<int> node; // of each vertex: the one with its equations, or -1
+  // All interior vertices, unless someone wants others; and at the end all vertices of holes, in the order of `borders`.
+  std::vector<Constraint_node> nodes;
+  int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
 
   int number_of_vertices() const { return static_cast<int>(points.size()); }
   int number_of_corners() const { return static_cast<int>(vertex.size()); }
   int number_of_triangles() const { return number_of_corners() / 3; }
   int number_of_nodes() const { return static_cast<int>(nodes.size()); }
+  int number_of_free_nodes() const { return number_of_nodes() - number_of_bound_nodes; }
+  int number_of_holes() const { return borders.empty() ? 0 : static_cast<int>(borders.size()) - 1; }
+  const std::vector<int>& hole(int k) const { return borders[k + 1]; }
   int node_of_corner(int c) const { return node[vertex[c]]; }
   double weight_of_triangle(int t) const { return weight.empty() ? 1 : weight[t]; }
 
@@ -103,8 +108,20 @@ inline int next_on_border(const Chart& chart, int c)
   return previous_corner(corner);
 }
 
-// Finds `borders`, `interior` and `number_of_interior_vertices` from `vertex` and `opposite`, and makes the interior vertices
-// the constraint nodes. The first border cycle is the one with the edge that `first_border` faces, if that is not negative.
+// Makes the interior vertices the constraint nodes, and those of the holes.
+inline void find_nodes(Chart& chart)
+{
+  chart.node = chart.interior;
+  int n = chart.number_of_interior_vertices;
+  for(int k = 0; k < chart.number_of_holes(); ++k)
+    for(int c : chart.hole(k))
+      chart.node[chart.edge_source(c)] = n++;
+  chart.number_of_bound_nodes = n - chart.number_of_interior_vertices;
+  chart.nodes.assign(n, Constraint_node());
+}
+
+// Finds `borders`, `interior`, `number_of_interior_vertices` and the constraint nodes from `vertex` and `opposite`. The
+// first border cycle is the one with the edge that `first_border` faces, if that is not negative; the others are holes.
 inline void find_borders(Chart& chart, int first_border = -1)
 {
   std::vector<char> found(chart.vertex.size(), false);
@@ -130,8 +147,7 @@ inline void find_borders(Chart& chart, int first_border = -1)
   chart.interior.resize(chart.points.size());
   for(std::size_t v = 0; v < chart.points.size(); ++v)
     chart.interior[v] = on_border[v] ? -1 : chart.number_of_interior_vertices++;
-  chart.node = chart.interior;
-  chart.nodes.assign(chart.number_of_interior_vertices, Constraint_node());
+  find_nodes(chart);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
