@@ -309,18 +309,6 @@ BOOST_AUTO_TEST_CASE(steep_charts_come_out_valid)
     }
 }
 
-BOOST_AUTO_TEST_CASE(exact_layout_refuses_holes)
-{
-  Options options;
-  options.holes = Options::SOLVE;
-  std::vector<Point_2> uv;
-  BOOST_TEST(flatten(annulus(9), options, uv).diagnosis == Report::NOTHING_WRONG);
-  options.layout = Options::EXACT_LAYOUT;
-  const Report report = flatten(annulus(9), options, uv);
-  BOOST_TEST(error_code(report.diagnosis) == SMP::ERROR_WRONG_PARAMETER);
-  BOOST_TEST(report.diagnosis == Report::WRONG_LAYOUT);
-}
-
 BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {

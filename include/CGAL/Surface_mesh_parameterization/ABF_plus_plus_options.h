@@ -42,12 +42,13 @@ struct ABF_plus_plus_options : Flattening_options
   enum Layout_type
   {
     AUTOMATIC_LAYOUT,    ///< `EXACT_LAYOUT` if the angles fit together, otherwise `LEAST_SQUARES_LAYOUT`.
-    EXACT_LAYOUT,        ///< Walk along the border, then one Laplace equation. For charts with one border.
+    EXACT_LAYOUT,        ///< Walk along the borders, then one Laplace equation.
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
   /// Largest accepted violation of a constraint at a vertex, in radians; at least 1e-14. For the reconstruction
-  /// constraint, the violation is the logarithm of a ratio of lengths. The layout closes the remaining gap. With the
+  /// constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap relative
+  /// to its circumference. The layout closes the remaining gap. With the
   /// default value, measures of distortion have at least four correct digits.
   double tolerance = 1e-5;
 

@@ -28,7 +28,9 @@ struct ABF_plus_plus_step
   double predicted_decrease = 0;  ///< Decrease of the energy that the step's quadratic model promised.
   double step_length = 0;         ///< Fraction of the full step that was taken, in (0, 1].
   int linear_iterations = 0;      ///< Steps of conjugate gradients.
-  int factorizations = 0; ///< Matrices factored: two by the iterative solver at first, one by the direct one.
+  int factorizations =
+      0; ///< Matrices factored: two by the iterative solver at first, one by the direct one. Near holes,
+  ///< the iterative solver factors another one, which is small, in each step.
   int repeated_factorizations = 0; ///< Of these, those that the counterpart of lower precision
   ///< (`Low_precision_solver_traits`) refused, and that the solver traits themselves repeated.
 };
@@ -80,7 +82,8 @@ struct ABF_plus_plus_report : Flattening_report
   Layout layout =
       NO_LAYOUT; ///< The layout that gave the coordinates; none if they are those of an embedding.
   bool layout_repeated = false; ///< Whether low precision was not enough for the exact layout.
-  double closure = 0;           ///< Gap that the exact layout closed, relative to the border's length.
+  double closure =
+      0; ///< Largest gap in a border that the exact layout closed, relative to the border's length.
 };
 
 } // namespace Surface_mesh_parameterization

@@ -9,8 +9,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/hole_equations.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/dual_tree.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -28,51 +30,62 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 struct Layout
 {
   std::vector<Chart::Point_2> uv;
-  double closure = 0;       // gap at the end of the border walk, relative to its length
+  double closure = 0; // largest gap at the end of a walk along a border, relative to the border's length
   bool is_repeated = false; // whether low precision was not enough for the linear system
 };
 
-// The directed edges of the planar border, that the angles alone determine up to a similarity: at a vertex the
-// border turns by pi less the angles there, and its edges' lengths are related by the sine rule through the fan.
-inline std::vector<Chart::Kernel::Vector_2> border_edges(const Chart& chart, const std::vector<double>& alpha,
-                                                         const std::vector<int>& border)
+// Sets the coordinates of a border's vertices to those along a walk, relative to the first one, in the unit whose logarithm is
+// `log_unit`. Spreads the gap that is left over all edges, and returns it relative to the border's length.
+inline double lay_out_border(const Chart& chart, const std::vector<int>& border, const Border_walk& walk,
+                             double log_unit, std::vector<Chart::Point_2>& uv)
 {
-  std::vector<double> direction(border.size()), log_length(border.size());
-  direction[0] = log_length[0] = 0;
-  for(std::size_t i = 0; i + 1 < border.size(); ++i) {
-    direction[i + 1] = direction[i] + pi;
-    log_length[i + 1] = log_length[i];
-    for(int c = previous_corner(border[i]); c >= 0; c = chart.rotate(c)) {
-      direction[i + 1] -= alpha[c];
-      log_length[i + 1] += std::log(std::sin(alpha[previous_corner(c)]) / std::sin(alpha[next_corner(c)]));
-    }
-  }
-  const double longest = *std::max_element(log_length.begin(), log_length.end());
   std::vector<Chart::Kernel::Vector_2> edges;
-  for(std::size_t i = 0; i < border.size(); ++i) {
-    const double length = std::exp(log_length[i] - longest);
-    edges.emplace_back(length * std::cos(direction[i]), length * std::sin(direction[i]));
-  }
-  return edges;
-}
-
-// Sets the coordinates of the border's vertices. The gap that rounding leaves is spread over all edges.
-inline void lay_out_border(const Chart& chart, const std::vector<double>& alpha, Layout& layout)
-{
-  const std::vector<int>& border = chart.borders.front();
-  const auto edges = border_edges(chart, alpha, border);
   Chart::Kernel::Vector_2 gap(0, 0);
   double perimeter = 0;
-  for(const auto& edge : edges) {
-    gap = gap + edge;
-    perimeter += std::sqrt(edge.squared_length());
+  for(std::size_t i = 0; i < border.size(); ++i) {
+    const double length = std::exp(walk[i].log_length - log_unit);
+    edges.emplace_back(length * std::cos(walk[i].direction), length * std::sin(walk[i].direction));
+    gap = gap + edges.back();
+    perimeter += std::sqrt(edges.back().squared_length());
   }
-  layout.closure = std::sqrt(gap.squared_length()) / perimeter;
   Chart::Point_2 position(0, 0);
   for(std::size_t i = 0; i < border.size(); ++i) {
-    layout.uv[chart.edge_source(border[i])] = position;
+    uv[chart.edge_source(border[i])] = position;
     position = position + edges[i] - gap * (std::sqrt(edges[i].squared_length()) / perimeter);
   }
+  return std::sqrt(gap.squared_length()) / perimeter;
+}
+
+// Lays out the outer border, and each hole in its direction and size, but anywhere.
+inline void lay_out_borders(const Chart& chart, const std::vector<double>& alpha, Layout& layout)
+{
+  const std::vector<int>& outer = chart.borders.front();
+  const Border_walk walk = walk_along_border(chart, alpha, outer);
+  const double longest =
+      std::max_element(walk.begin(), walk.end() - 1, [](const Planar_edge& a, const Planar_edge& b) {
+        return a.log_length < b.log_length;
+      })->log_length;
+  layout.closure = lay_out_border(chart, outer, walk, longest, layout.uv);
+  if(chart.number_of_holes() == 0)
+    return;
+  const std::vector<Planar_edge> first_edges = first_edges_of_holes(chart, alpha);
+  for(int k = 0; k < chart.number_of_holes(); ++k) {
+    const std::vector<int>& hole = chart.hole(k);
+    Hole_equations equations;
+    const Border_walk around =
+        walk_around_hole(chart, alpha, hole, hole_edges(chart, hole), equations, first_edges[k]);
+    layout.closure = (std::max)(layout.closure, lay_out_border(chart, hole, around, longest, layout.uv));
+  }
+}
+
+// The unknown translation of each vertex: its own if it is an interior one, that of its hole, or none (-1) at the outer border.
+inline std::vector<int> unknown_translations(const Chart& chart)
+{
+  std::vector<int> unknown = chart.interior;
+  for(int k = 0; k < chart.number_of_holes(); ++k)
+    for(int c : chart.hole(k))
+      unknown[chart.edge_source(c)] = chart.number_of_interior_vertices + k;
+  return unknown;
 }
 
 inline std::vector<double> cotangents(const std::vector<double>& alpha)
@@ -85,38 +98,45 @@ inline std::vector<double> cotangents(const std::vector<double>& alpha)
   return result;
 }
 
-// The right-hand sides, of both coordinates: what the border vertices contribute to the Laplacian
+// The right-hand sides, of both coordinates: minus the Laplacian of `uv`, where that is known
 inline Two_vectors boundary_right_hand_side(const Chart& chart, const std::vector<double>& weights,
-                                            const Layout& layout)
+                                            const std::vector<int>& unknown, int n,
+                                            const std::vector<Chart::Point_2>& uv)
 {
-  const int n = chart.number_of_interior_vertices;
   Two_vectors sum = {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
   for(int c = 0; c < chart.number_of_corners(); ++c) {
     if(chart.interior[chart.vertex[c]] >= 0)
       continue;
-    const Chart::Point_2& border = layout.uv[chart.vertex[c]];
-    const auto add = [&](int neighbour, int facing) {
-      if(const int i = chart.interior[chart.vertex[neighbour]]; i >= 0) {
-        sum[0][i] += weights[facing] * border.x();
-        sum[1][i] += weights[facing] * border.y();
+    const Chart::Point_2& border = uv[chart.vertex[c]];
+    const auto add = [&](int i, double weight) {
+      if(i >= 0) {
+        sum[0][i] += weight * border.x();
+        sum[1][i] += weight * border.y();
       }
     };
-    add(next_corner(c), previous_corner(c));
-    add(previous_corner(c), next_corner(c));
+    const auto add_edge = [&](int neighbour, int facing) {
+      add(unknown[chart.vertex[neighbour]], weights[facing]);
+      add(unknown[chart.vertex[c]], -weights[facing]);
+    };
+    add_edge(next_corner(c), previous_corner(c));
+    add_edge(previous_corner(c), next_corner(c));
   }
   return sum;
 }
 
-// Sets the coordinates of the interior vertices: the cotangent Laplacian with the planar angles' own cotangents
-// vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
+// Sets the coordinates of the interior vertices, and puts the holes into place: the cotangent Laplacian with the planar angles' own
+// cotangents vanishes on the planar triangulation that has these angles, so that one solve reproduces it. At a hole's
+// vertices its natural boundary values do not vanish, but as they are half the edges around, turned by a right
+// angle, their sum does.
 inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha,
                              const Linear_solvers& solvers, std::unique_ptr<Linear_solver> scalar_solver,
                              Layout& layout)
 {
-  const int n = chart.number_of_interior_vertices;
+  const int n = chart.number_of_interior_vertices + chart.number_of_holes();
   if(n == 0)
     return true;
-  Triangle_assembly<1> laplacian(chart.vertex, chart.interior, n);
+  const std::vector<int> unknown = unknown_translations(chart);
+  Triangle_assembly<1> laplacian(chart.vertex, unknown, n);
   Two_vectors right_hand_sides, positions;
   {
     const std::vector<double> weights = cotangents(alpha);
@@ -127,27 +147,27 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
       column[previous_corner(c) % 3] = -weights[next_corner(c)];
       return column;
     });
-    right_hand_sides = boundary_right_hand_side(chart, weights, layout);
+    right_hand_sides = boundary_right_hand_side(chart, weights, unknown, n, layout.uv);
   }
   Definite_system system(solvers, std::move(scalar_solver));
   if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
     return false;
   layout.is_repeated = system.is_repeated();
   for(int w = 0; w < chart.number_of_vertices(); ++w)
-    if(const int i = chart.interior[w]; i >= 0)
-      layout.uv[w] = Chart::Point_2(positions[0][i], positions[1][i]);
+    if(const int i = unknown[w]; i >= 0)
+      layout.uv[w] = layout.uv[w] + Chart::Kernel::Vector_2(positions[0][i], positions[1][i]);
   return true;
 }
 
-// The layout of a chart with one border whose angles fulfil the constraints. `scalar_solver` may know the pattern of the
-// one-rings of the interior vertices. Returns nothing if the linear solver fails.
+// The layout of a chart whose angles fulfil the constraints. `scalar_solver` may know the pattern of the one-rings of the
+// interior vertices and the holes. Returns nothing if the linear solver fails.
 inline std::optional<Layout> exact_layout(const Chart& chart, const std::vector<double>& alpha,
                                           const Linear_solvers& solvers,
                                           std::unique_ptr<Linear_solver> scalar_solver)
 {
   Layout layout;
   layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
-  lay_out_border(chart, alpha, layout);
+  lay_out_borders(chart, alpha, layout);
   if(!lay_out_interior(chart, alpha, solvers, std::move(scalar_solver), layout))
     return std::nullopt;
   return layout;

@@ -35,19 +35,18 @@ struct Direct_flattening : Flattening<ABF_plus_plus_report>
   std::vector<double> alpha;
 };
 
-// The layout asked for, or none if that does not apply. The exact one reproduces angles that fit together so well.
-inline ABF_plus_plus_report::Layout choose_layout(const Chart& chart, const ABF_plus_plus_options& options,
+// The layout asked for. The exact one reproduces angles that fit together so well.
+inline ABF_plus_plus_report::Layout choose_layout(const ABF_plus_plus_options& options,
                                                   double constraint_residual)
 {
   typedef ABF_plus_plus_options Options;
   typedef ABF_plus_plus_report Report;
-  const bool has_one_border = chart.borders.size() == 1;
   const double largest_residual = 1e-4;
   switch(options.layout) {
   case Options::EXACT_LAYOUT:
-    return has_one_border ? Report::EXACT : Report::NO_LAYOUT;
+    return Report::EXACT;
   case Options::AUTOMATIC_LAYOUT:
-    return has_one_border && constraint_residual <= largest_residual ? Report::EXACT : Report::LEAST_SQUARES;
+    return constraint_residual <= largest_residual ? Report::EXACT : Report::LEAST_SQUARES;
   case Options::LEAST_SQUARES_LAYOUT:
     break;
   }
@@ -92,12 +91,7 @@ find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_opti
                  std::unique_ptr<Linear_solver> scalar_solver, ABF_plus_plus_report& report)
 {
   const Stage stage(options.visitor, Flattening_visitor::LAYOUT, report.seconds.layout);
-  report.layout = choose_layout(chart, options, report.constraint_residual);
-  if(report.layout == ABF_plus_plus_report::NO_LAYOUT) {
-    fail(report, Flattening_report::WRONG_LAYOUT,
-         "the exact layout needs a chart with one border; use the least squares layout");
-    return {};
-  }
+  report.layout = choose_layout(options, report.constraint_residual);
   std::optional<Layout> layout = lay_out(chart, alpha, report.layout, solvers, std::move(scalar_solver));
   if(!layout) {
     fail(report, Flattening_report::LINEAR_SYSTEM_FAILED,
