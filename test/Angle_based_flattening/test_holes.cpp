@@ -3,333 +3,323 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Charts with holes: how they are filled, and flattened with fillings.
+// Charts with several borders: the four equations of a hole, alone and in the solver, and the layout that closes the holes.
 
 #include <boost/test/unit_test.hpp>
 
-#include "mesh_of_chart.h"
-#include "test_charts.h"
+#include "charts_with_holes.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/centroid.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <optional>
-#include <vector>
+#include <complex>
 
 BOOST_AUTO_TEST_SUITE(test_holes)
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-typedef SMP::ABF_plus_plus_options Options;
 typedef SMP::ABF_plus_plus_report Report;
+typedef SMP::ABF_plus_plus_options Options;
+typedef CGAL::SuperLU_solver_traits<> Solver;
+typedef Eigen::MatrixXd Matrix;
+typedef Eigen::VectorXd Vector;
+typedef std::complex<double> Complex;
 
 namespace {
 
-// The chart without the triangles where `is_hole` is true of all three vertices, in the plane.
-Chart punched(const Chart& chart, const std::function<bool(double, double)>& is_hole)
+Chart flat_chart_with_holes(int holes, unsigned int seed)
 {
-  std::vector<int> rank(chart.points.size(), -1);
-  std::vector<Point_3> points;
-  Triangles triangles;
-  for(int t = 0; t < chart.number_of_triangles(); ++t) {
-    bool is_inside = true;
-    for(int c = 3 * t; c < 3 * t + 3; ++c) {
-      const Point_3& p = chart.points[chart.vertex[c]];
-      is_inside = is_inside && is_hole(p.x(), p.y());
-    }
-    if(is_inside)
-      continue;
-    triangles.emplace_back();
-    for(int k = 0; k < 3; ++k) {
-      int& v = rank[chart.vertex[3 * t + k]];
-      if(v < 0) {
-        v = static_cast<int>(points.size());
-        points.push_back(chart.points[chart.vertex[3 * t + k]]);
+  std::mt19937 random(seed);
+  return punched(flat_grid(20, seed), holes, 1, random);
+}
+
+Chart hilly_chart_with_holes(int holes, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  return punched(bump(20, seed), holes, 1, random);
+}
+
+SMP::internal::ABF::Flattening<Report> flatten(const Chart& chart, const Options& options = Options())
+{
+  return abf::flatten_chart(chart, options, Solver(), [](std::vector<Point_2>&) {});
+}
+
+void check_valid(const Chart& chart, const Options& options = Options())
+{
+  const auto result = flatten(chart, options);
+  const Report& report = result.report;
+  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(report.converged);
+  BOOST_TEST(report.flipped_triangles == 0);
+  BOOST_TEST(report.constraint_residual <= options.tolerance);
+  BOOST_TEST(report.layout == Report::EXACT);
+  BOOST_TEST(report.closure <= 1e-6);
+}
+
+// The derivatives of the sums in Eqs. 3 and 4 at each vertex of a hole, in pairs of rows: plan and len
+Matrix vertex_derivatives(const Chart& chart, const std::vector<double>& alpha, const std::vector<int>& hole)
+{
+  Matrix rows = Matrix::Zero(2 * hole.size(), alpha.size());
+  for(std::size_t i = 0; i < hole.size(); ++i)
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      if(chart.vertex[c] == chart.edge_source(hole[i])) {
+        rows(2 * i, c) += 1;
+        rows(2 * i + 1, abf::next_corner(c)) += 1 / std::tan(alpha[abf::next_corner(c)]);
+        rows(2 * i + 1, abf::previous_corner(c)) -= 1 / std::tan(alpha[abf::previous_corner(c)]);
       }
-      triangles.back()[k] = v;
-    }
+  return rows;
+}
+
+// What the solver takes for the derivatives of the four equations
+Matrix hole_derivatives(const Chart& chart, const std::vector<double>& alpha, const std::vector<int>& hole)
+{
+  const Matrix rows = vertex_derivatives(chart, alpha, hole);
+  const abf::Hole_equations equations = abf::hole_equations(chart, alpha, hole);
+  Matrix result = Matrix::Zero(4, alpha.size());
+  for(std::size_t i = 0; i < hole.size(); ++i) {
+    const auto plan = rows.row(2 * i), len = rows.row(2 * i + 1);
+    const Complex q = equations.positions[i];
+    result.row(0) += plan;
+    result.row(1) += len;
+    result.row(2) += q.real() * len - q.imag() * plan;
+    result.row(3) += q.imag() * len + q.real() * plan;
   }
-  Chart result = make_chart(points, triangles);
-  std::sort(result.borders.begin(), result.borders.end(), [&](const auto& a, const auto& b) {
-    const auto is_outer = [&](const std::vector<int>& border) {
-      return std::any_of(border.begin(), border.end(), [&](int c) {
-        const Point_3& p = result.points[result.edge_source(c)];
-        return std::abs(p.x() - 0.5) > 0.49 || std::abs(p.y() - 0.5) > 0.49;
-      });
-    };
-    return is_outer(a) > is_outer(b);
-  });
   return result;
 }
 
-bool is_near(double x, double y, double cx, double cy, double radius)
+// The four equations of a hole, the gap in the unit of the plane in which the first edge has length 1
+Eigen::Vector4d absolute_equations(const Chart& chart, const std::vector<double>& alpha,
+                                   const std::vector<int>& hole)
 {
-  return std::hypot(x - cx, y - cy) < radius;
-}
-
-std::vector<Chart> punched_disks()
-{
-  const auto one = [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.2); };
-  const auto three = [](double x, double y) {
-    return is_near(x, y, 0.3, 0.3, 0.13) || is_near(x, y, 0.7, 0.35, 0.1) || is_near(x, y, 0.5, 0.7, 0.16);
-  };
-  const auto slot = [](double x, double y) { return std::abs(x - 0.5) < 0.3 && std::abs(y - 0.5) < 0.06; };
-  const auto almost_all = [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.4); };
-  std::vector<Chart> charts;
-  for(const auto& is_hole :
-      {std::function<bool(double, double)>(one), std::function<bool(double, double)>(three),
-       std::function<bool(double, double)>(slot), std::function<bool(double, double)>(almost_all)}) {
-    charts.push_back(punched(bump(30, 1, 0.5), is_hole));
-    charts.push_back(punched(flat_grid(25, 2), is_hole));
-  }
-  return charts;
-}
-
-abf::Flattening<Report> flatten(const Chart& chart, Options options = Options())
-{
-  options.holes = Options::FILL;
-  return abf::flatten_chart(chart, options, CGAL::SuperLU_solver_traits<>(), [](std::vector<Point_2>&) {});
-}
-
-// What fans of ordinary triangles make of the chart
-Chart with_fans(const Chart& chart)
-{
-  std::vector<Point_3> points = chart.points;
-  Triangles triangles;
-  for(int t = 0; t < chart.number_of_triangles(); ++t)
-    triangles.push_back({chart.vertex[3 * t], chart.vertex[3 * t + 1], chart.vertex[3 * t + 2]});
-  for(std::size_t i = 1; i < chart.borders.size(); ++i) {
-    std::vector<Point_3> ring;
-    for(int c : chart.borders[i]) {
-      triangles.push_back({chart.edge_target(c), chart.edge_source(c), static_cast<int>(points.size())});
-      ring.push_back(chart.points[chart.edge_source(c)]);
-    }
-    points.push_back(CGAL::centroid(ring.begin(), ring.end()));
-  }
-  return make_chart(points, triangles);
-}
-
-double angular_distortion(const Chart& chart, const std::vector<Point_2>& uv)
-{
-  const std::vector<double> beta = abf::target_angles(chart);
-  double sum = 0;
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    sum += abf::Angle_energy{0}.value(abf::planar_angle(chart, uv, c), beta[c]);
-  return sum / chart.number_of_corners();
-}
-
-// The sum of the targets at each vertex
-std::vector<double> target_sums(const Chart& chart)
-{
-  const std::vector<double> beta = abf::target_angles(chart);
-  std::vector<double> sum(chart.points.size(), 0.);
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    sum[chart.vertex[c]] += beta[c];
-  return sum;
-}
-
-void check_filled(const Chart& chart, const Chart& filled)
-{
-  BOOST_TEST(filled.borders.size() == 1);
-  BOOST_TEST(filled.borders.front().size() == chart.borders.front().size());
-  BOOST_TEST(!abf::diagnose(filled, false));
-  BOOST_TEST(std::equal(chart.vertex.begin(), chart.vertex.end(), filled.vertex.begin()));
-  for(int c = 0; c < filled.number_of_corners(); ++c)
-    if(const int across = filled.opposite[c]; across >= 0) {
-      BOOST_TEST(filled.opposite[across] == c);
-      BOOST_TEST(filled.edge_source(across) == filled.edge_target(c));
-    }
-  const std::vector<double> beta = abf::target_angles(chart);
-  BOOST_TEST(std::equal(beta.begin(), beta.end(), filled.targets.begin()));
+  const abf::Hole_edges surface = abf::hole_edges(chart, hole);
+  abf::Hole_equations equations;
+  const abf::Border_walk walk = abf::walk_around_hole(chart, alpha, hole, surface, equations);
+  const Complex gap =
+      abf::hole_equations(chart, alpha, hole).gap * std::exp(abf::log_circumference(walk, surface));
+  return {equations.rotation, equations.scale, gap.real(), gap.imag()};
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(filled_charts_are_disks)
-{
-  for(const Chart& chart : punched_disks()) {
-    BOOST_TEST_REQUIRE(!abf::diagnose(chart, true));
-    const Chart filled = abf::fill_holes(chart, 0.25);
-    check_filled(chart, filled);
-    for(int t = 0; t < filled.number_of_triangles(); ++t)
-      BOOST_TEST(filled.weight[t] == (t < chart.number_of_triangles() ? 1 : 0.25));
-    const std::vector<double> sum = target_sums(filled);
-    for(int v = 0; v < filled.number_of_vertices(); ++v)
-      if(filled.interior[v] >= 0)
-        BOOST_TEST(std::abs(sum[v] - 2 * CGAL_PI) < 0.2);
-  }
-}
+BOOST_AUTO_TEST_SUITE(four_equations)
 
-BOOST_AUTO_TEST_CASE(patches_weigh_as_much_as_their_surroundings)
+BOOST_AUTO_TEST_CASE(hold_in_the_plane)
 {
-  Chart chart = punched(bump(20, 1), [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.2); });
-  chart.weight.assign(chart.number_of_triangles(), 4.);
-  Chart filled = abf::fill_holes(chart, 0.1);
-  BOOST_TEST(filled.weight.front() == 4);
-  BOOST_TEST(filled.weight.back() == 0.4, boost::test_tools::tolerance(1e-12));
-  abf::stiffen_patches(chart, 10, filled);
-  BOOST_TEST(filled.weight.front() == 4);
-  BOOST_TEST(filled.weight.back() == 4, boost::test_tools::tolerance(1e-12));
-}
-
-// Collinear vertices have no triangles, and too many take too long.
-BOOST_AUTO_TEST_CASE(fans_are_the_way_out)
-{
-  Chart slit = punched(flat_grid(10, 1), [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.2); });
-  for(int c : slit.borders[1]) {
-    Point_3& p = slit.points[slit.edge_source(c)];
-    p = Point_3(p.x(), 0.5, 0);
-  }
-  for(const Chart& chart : {slit, annulus(abf::largest_patch + 1)}) {
-    const Chart filled = abf::fill_holes(chart);
-    check_filled(chart, filled);
-    BOOST_TEST(filled.number_of_vertices() == chart.number_of_vertices() + 1);
-    BOOST_TEST(flatten(chart).succeeded());
-  }
-  const Chart ring = annulus(20);
-  BOOST_TEST(abf::fill_holes(ring).number_of_vertices() == ring.number_of_vertices());
-}
-
-// A square hole, one of whose diagonals is an edge of the surface around it
-BOOST_AUTO_TEST_CASE(edges_of_the_surface_are_not_repeated)
-{
-  const std::vector<Point_3> points{{1, 0, 0},   {0, 1, 0},    {-1, 0, 0},    {0, -1, 0},
-                                    {3, 3, 0.5}, {-3, 3, 0.5}, {-3, -3, 0.5}, {3, -3, 0.5}};
-  // Triangle (0, 2, 1) covers a corner of the hole.
-  const Triangles triangles{{0, 2, 1}, {0, 4, 2}};
-  Triangles all = triangles;
-  for(const auto& t : Triangles{{4, 5, 2}, {5, 6, 2}, {6, 3, 2}, {6, 7, 3}, {7, 0, 3}, {7, 4, 0}})
-    all.push_back(t);
-  Chart chart = make_chart(points, all);
-  BOOST_TEST_REQUIRE(chart.borders.size() == 2);
-  if(chart.borders[0].size() > chart.borders[1].size())
-    std::swap(chart.borders[0], chart.borders[1]);
-  std::swap(chart.borders[0], chart.borders[1]);
-  BOOST_TEST_REQUIRE(!abf::diagnose(chart, true));
-  const Chart filled = abf::fill_holes(chart);
-  check_filled(chart, filled);
-}
-
-BOOST_AUTO_TEST_CASE(filled_charts_come_out_injective)
-{
-  for(const Chart& chart : punched_disks()) {
-    const auto result = flatten(chart);
-    BOOST_TEST(result.succeeded());
-    BOOST_TEST(result.report.strategy == Report::SOFT_PATCHES);
-    BOOST_TEST(result.report.failed_strategies.empty());
-    BOOST_TEST(result.report.converged);
-    BOOST_TEST(result.report.layout == Report::EXACT);
-    BOOST_TEST(result.report.border_is_simple);
-    BOOST_TEST(result.report.borders == static_cast<int>(chart.borders.size()));
-    BOOST_TEST(result.report.triangles == chart.number_of_triangles());
-    BOOST_TEST(result.uv.size() == chart.points.size());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(soft_patches_bend_less_than_fans)
-{
-  for(const Chart& chart : punched_disks()) {
-    const auto soft = flatten(chart), stiff = flatten(with_fans(chart));
-    std::vector<Point_2> uv = stiff.uv;
-    uv.resize(chart.points.size());
-    const double e = angular_distortion(chart, soft.uv), f = angular_distortion(chart, uv);
-    BOOST_TEST_MESSAGE("E of the surface: " << e << " with soft patches, " << f << " with fans");
-    BOOST_TEST(e < (std::max)(0.85 * f, 1e-12));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(hierarchically_too)
-{
-  for(const Chart& punched_disk : punched_disks()) {
-    Chart chart = punched_disk;
-    SMP::Hierarchical_options options;
-    options.holes = SMP::Hierarchical_options::FILL;
-    const auto flatten_coarse = [](const Chart& coarse) -> std::optional<std::vector<Point_2>> {
-      BOOST_TEST(coarse.borders.size() == 1);
-      return flatten(coarse).uv;
+  const Chart chart = flat_chart_with_holes(4, 3);
+  BOOST_REQUIRE_EQUAL(chart.number_of_holes(), 4);
+  const std::vector<double> alpha = planar_angles(chart, projected(chart));
+  BOOST_TEST(abf::constraint_residuals(chart, alpha).cwiseAbs().maxCoeff() < 1e-12);
+  for(int k = 0; k < chart.number_of_holes(); ++k) {
+    // Up to a similarity, the positions are those of the vertices.
+    const std::vector<int>& hole = chart.hole(k);
+    const abf::Hole_equations equations = abf::hole_equations(chart, alpha, hole);
+    const auto point = [&](std::size_t i) {
+      const Point_3& p = chart.points[chart.edge_source(hole[i])];
+      return Complex(p.x(), p.y());
     };
-    for(const bool polish : {false, true}) {
-      options.polish = polish;
-      const auto result = abf::flatten_chart_hierarchically(
-          chart, options, flatten_coarse, CGAL::SuperLU_solver_traits<>(), [](std::vector<Point_2>&) {});
-      BOOST_TEST(result.succeeded());
-      BOOST_TEST(result.report.border_is_simple);
-      BOOST_TEST(result.report.borders == static_cast<int>(chart.borders.size()));
-      BOOST_TEST(result.report.vertices == chart.number_of_vertices());
-      BOOST_TEST(result.uv.size() == chart.points.size());
-      BOOST_TEST(chart.vertex == punched_disk.vertex);
-      if(polish) {
-        const double direct = angular_distortion(chart, flatten(chart).uv);
-        BOOST_TEST(std::abs(angular_distortion(chart, result.uv) - direct) < 1e-3 * direct + 1e-12);
+    const auto& q = equations.positions;
+    const Complex factor = (q[1] - q[0]) / (point(1) - point(0));
+    for(std::size_t i = 0; i < hole.size(); ++i)
+      BOOST_TEST(std::abs(q[i] - q[0] - factor * (point(i) - point(0))) < 1e-12);
+  }
+}
+
+// Also far from the solution, where the hole does not close at all
+BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
+{
+  const Chart chart = hilly_chart_with_holes(2, 5);
+  const std::vector<double> target = abf::starting_angles(abf::target_angles(chart)),
+                            random = random_angles(chart.vertex.size(), 4);
+  for(const std::vector<double>& alpha : {target, random})
+    for(int k = 0; k < chart.number_of_holes(); ++k) {
+      const std::vector<int>& hole = chart.hole(k);
+      const abf::Hole_edges surface = abf::hole_edges(chart, hole);
+      abf::Hole_equations ignored;
+      const double unit = std::exp(
+          abf::log_circumference(abf::walk_around_hole(chart, alpha, hole, surface, ignored), surface));
+      Matrix derivatives = hole_derivatives(chart, alpha, hole);
+      derivatives.bottomRows<2>() *= unit;
+      const double h = 1e-6;
+      for(std::size_t c = 0; c < alpha.size(); ++c) {
+        auto less = alpha, more = alpha;
+        less[c] -= h;
+        more[c] += h;
+        const Eigen::Vector4d difference =
+            (absolute_equations(chart, more, hole) - absolute_equations(chart, less, hole)) / (2 * h);
+        BOOST_TEST((difference - derivatives.col(c)).cwiseAbs().maxCoeff() < 1e-6 * (1 + unit));
       }
     }
+}
+
+// A full step makes up for all that the equations are off by, to first order.
+BOOST_AUTO_TEST_CASE(are_met_by_a_step_to_first_order)
+{
+  const Chart chart = hilly_chart_with_holes(3, 6);
+  const std::vector<double> beta = abf::target_angles(chart), alpha = abf::starting_angles(beta);
+  const abf::Constraint_vector residual = abf::constraint_residuals(chart, alpha);
+  abf::Newton_system system(chart, beta, abf::Angle_energy{0.1}, true, Solver());
+  abf::Newton_step step;
+  BOOST_REQUIRE(system.compute(alpha, 0 * residual, residual, step));
+  const Vector d = Eigen::Map<const Vector>(step.angles.data(), step.angles.size());
+  const int n = chart.number_of_free_nodes(), h = chart.number_of_holes();
+  for(int k = 0; k < h; ++k) {
+    const Vector change = hole_derivatives(chart, alpha, chart.hole(k)) * d;
+    BOOST_TEST((change.head<2>() + residual.segment<2>(2 * (n + k))).norm() < 1e-10);
+    BOOST_TEST((change.tail<2>() + residual.segment<2>(2 * (n + h + k))).norm() < 1e-10);
   }
 }
 
-// Newton's method alone is not enough for steep charts, whatever the patches.
-BOOST_AUTO_TEST_CASE(fallbacks_are_tried_and_reported)
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(bound_matrix)
+
+BOOST_AUTO_TEST_CASE(binds_from_both_sides)
 {
-  const Chart steep =
-      punched(bump(24, 3, 20), [](double x, double y) { return is_near(x, y, 0.3, 0.5, 0.1); });
-  const auto result = flatten(steep);
-  BOOST_TEST(result.succeeded());
-  Options options;
-  options.max_iterations = 0;
-  const auto unsolved = flatten(steep, options);
-  BOOST_TEST(unsolved.succeeded());
-  BOOST_REQUIRE(unsolved.report.failed_strategies.size() >= 2);
-  BOOST_TEST(unsolved.report.failed_strategies[0].strategy == Report::SOFT_PATCHES);
-  BOOST_TEST(unsolved.report.failed_strategies[1].strategy == Report::STIFF_PATCHES);
-  options.fallbacks = false;
-  BOOST_TEST(!flatten(steep, options).succeeded());
+  // Free blocks 0 and 1, blocks 2, 3 and 4 of one hole, 5 and 6 of another, all of them coupled
+  std::mt19937 random(3);
+  const Matrix half = Matrix::NullaryExpr(14, 14, [&]() { return uniform(random, -1, 1); });
+  const Matrix whole = half + half.transpose();
+  abf::Block_matrix<2> blocks;
+  for(int j = 0; j < 7; ++j) {
+    for(int i = 0; i < 7; ++i) {
+      blocks.row.push_back(i);
+      blocks.block.push_back(whole.block<2, 2>(2 * i, 2 * j));
+    }
+    blocks.begin.push_back(7 * (j + 1));
+  }
+  abf::Bound_matrix bound({0, 0, 0, 1, 1}, 2, blocks);
+  for(int i = 0; i < 5; ++i)
+    bound.set_position(i, Complex(uniform(random, -1, 1), uniform(random, -1, 1)));
+  Matrix z(14, 12);
+  for(int i = 0; i < 12; ++i)
+    z.col(i) = bound.expand(Vector::Unit(12, i));
+  bound.bind(blocks);
+  BOOST_TEST(
+      (Matrix(abf::eigen_matrix<double>(bound.matrix())) - z.transpose() * whole * z).cwiseAbs().maxCoeff() <
+      1e-13);
+  for(int i = 0; i < 14; ++i)
+    BOOST_TEST((bound.bind(Vector(Vector::Unit(14, i))) - z.row(i).transpose()).norm() < 1e-15);
 }
 
-BOOST_AUTO_TEST_CASE(charts_without_holes_are_the_same_whatever_the_option)
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(flattening)
+
+BOOST_AUTO_TEST_CASE(leaves_a_planar_chart_as_it_is)
 {
-  const Chart chart = bump(12, 1);
-  std::vector<std::vector<Point_2>> maps;
-  for(const auto holes : {Options::SOLVE, Options::FILL, Options::REFUSE}) {
+  const Chart chart = flat_chart_with_holes(5, 8);
+  for(const auto layout : {Options::EXACT_LAYOUT, Options::LEAST_SQUARES_LAYOUT}) {
     Options options;
-    options.holes = holes;
-    maps.push_back(
-        abf::flatten_chart(chart, options, CGAL::SuperLU_solver_traits<>(), [](std::vector<Point_2>&) {}).uv);
+    options.layout = layout;
+    const auto result = flatten(chart, options);
+    BOOST_REQUIRE(result.succeeded());
+    BOOST_TEST(result.report.iterations == 1);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      BOOST_TEST(std::abs(abf::planar_angle(chart, result.uv, c) - abf::surface_angle(chart, c)) < 1e-9);
   }
-  BOOST_TEST((maps[0] == maps[1]));
-  BOOST_TEST((maps[0] == maps[2]));
 }
 
-BOOST_AUTO_TEST_CASE(parameterizers_take_the_option)
+// Where all four equations hold, the angles are those of a map: the exact layout has them, and closes every hole.
+BOOST_AUTO_TEST_CASE(layout_has_the_angles_that_were_found)
 {
-  typedef SMP::Hierarchical_coarse_mesh Mesh;
-  Mesh mesh;
-  make_mesh(punched_disks().front(), mesh);
-  const auto run = [&](auto parameterizer) {
-    const auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-    const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-    SMP::parameterize(mesh, parameterizer, border, uv);
-    return parameterizer.report().diagnosis;
-  };
   Options options;
-  SMP::Hierarchical_options hierarchical;
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::SEVERAL_BORDERS);
-  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::SEVERAL_BORDERS);
-  options.holes = hierarchical.holes = Options::FILL;
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::NOTHING_WRONG);
-  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::NOTHING_WRONG);
-  options.holes = static_cast<Options::Holes>(7);
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::WRONG_OPTION);
+  options.tolerance = 1e-11;
+  const Chart chart = hilly_chart_with_holes(6, 9);
+  const std::vector<double> beta = abf::target_angles(chart);
+  const abf::Angle_solution solution =
+      abf::solve_angles(chart, beta, options, Solver(), abf::starting_angles(beta));
+  BOOST_REQUIRE(solution.converged);
+  const auto layout =
+      abf::exact_layout(chart, solution.alpha, Solver(), abf::Linear_solvers(Solver())->low_precision());
+  BOOST_REQUIRE(layout.has_value());
+  BOOST_TEST(layout->closure < 1e-11);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    BOOST_TEST(std::abs(abf::planar_angle(chart, layout->uv, c) - solution.alpha[c]) < 1e-8);
 }
+
+BOOST_AUTO_TEST_CASE(of_random_charts_is_valid)
+{
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const int holes = 1 + static_cast<int>(seed);
+    const Chart chart = punched(seed % 2 == 0 ? bump(30, seed, 0.6) : saddle(16, 0.8), holes, 1, random);
+    BOOST_TEST(chart.number_of_holes() > 0);
+    check_valid(chart);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_spheres_without_caps_is_valid)
+{
+  for(int caps = 2; caps <= 6; ++caps) {
+    std::mt19937 random(caps);
+    const Chart chart = sphere_without_caps(3, caps, 2, random);
+    BOOST_TEST(chart.number_of_holes() > 0);
+    check_valid(chart);
+  }
+}
+
+// That needs a few steps only, however far it is from flat: the defects are spread.
+BOOST_AUTO_TEST_CASE(of_rings_and_tubes_takes_few_steps)
+{
+  for(const auto& [outer, height] : {std::pair(2., 0.), {1.1, 0.}, {1., 1.}, {1., 2 * CGAL_PI}, {2., 3.}}) {
+    const Chart chart = tube(48, 30, 1, outer, height);
+    const auto result = flatten(chart);
+    BOOST_REQUIRE(result.succeeded());
+    BOOST_TEST(result.report.converged);
+    BOOST_TEST(result.report.iterations <= 4);
+    BOOST_TEST(result.report.closure <= 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(is_the_same_in_every_way)
+{
+  const Chart chart = hilly_chart_with_holes(5, 12);
+  const std::vector<double> beta = abf::target_angles(chart);
+  Options newton, direct, sequential;
+  direct.linear_solver = Options::DIRECT;
+  sequential.step = Options::SEQUENTIAL_LINEARLY_CONSTRAINED;
+  std::vector<std::vector<double>> alpha;
+  for(Options options : {newton, direct, sequential}) {
+    options.energy_tolerance = 1e-14;
+    options.tolerance = 1e-9;
+    abf::Angle_solution solution =
+        abf::solve_angles(chart, beta, options, Solver(), abf::starting_angles(beta));
+    BOOST_TEST(solution.converged);
+    alpha.push_back(std::move(solution.alpha));
+  }
+  for(std::size_t c = 0; c < beta.size(); ++c) {
+    BOOST_TEST(std::abs(alpha[0][c] - alpha[1][c]) < 1e-6);
+    BOOST_TEST(std::abs(alpha[0][c] - alpha[2][c]) < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(does_not_depend_on_threads)
+{
+  const Chart chart = hilly_chart_with_holes(8, 13);
+  std::vector<std::vector<Point_2>> uv;
+  for(int threads : {1, 4})
+    abf::with_threads(threads, [&]() { uv.push_back(flatten(chart).uv); });
+  BOOST_TEST((uv[0] == uv[1]));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(one_border)
+
+BOOST_AUTO_TEST_CASE(has_equations_of_interior_vertices_only)
+{
+  const Chart chart = bump(8, 3);
+  BOOST_TEST(chart.number_of_holes() == 0);
+  BOOST_TEST(chart.number_of_bound_nodes == 0);
+  BOOST_TEST(chart.number_of_nodes() == chart.number_of_interior_vertices);
+  BOOST_TEST((chart.node == chart.interior));
+  BOOST_TEST(abf::number_of_constraints(chart) == 2 * chart.number_of_nodes());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()
