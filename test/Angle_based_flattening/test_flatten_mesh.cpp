@@ -558,16 +558,56 @@ BOOST_AUTO_TEST_CASE(holes)
   flatten(input);
   check_success();
   BOOST_TEST(json().get<int>("borders") == 3);
-  BOOST_TEST(json().get<std::string>("layout") == "exact"); // the holes were filled on the way
+  BOOST_TEST(json().get<std::string>("layout") == "exact");
+  const double solved = json().get<double>("energy");
   flatten(input, "--border 2");
   check_success();
-  flatten(input, "--holes fill --method hierarchical");
-  check_success();
+  for(const std::string method : {"direct", "hierarchical"}) {
+    flatten(input, "--holes solve --method " + method);
+    check_success();
+    flatten(input, "--holes fill --method " + method);
+    check_success();
+  }
   flatten(input, "--holes solve");
-  check_success();
-  BOOST_TEST(json().get<std::string>("layout") == "least-squares");
+  BOOST_TEST(json().get<double>("energy") == solved);
   flatten(input, "--holes refuse");
   BOOST_TEST(json().get<std::string>("status") == "SEVERAL_BORDERS");
+}
+
+// Tubes of a circumference of 12: scale varies by exp(2 pi height / 12), at which the corners of a 12-gon gnaw a little.
+BOOST_AUTO_TEST_CASE(far_borders)
+{
+  const auto tube = [](const int rows) {
+    std::ostringstream points;
+    std::vector<std::vector<int>> faces;
+    for(int j = 0; j <= rows; ++j) {
+      for(int i = 0; i < 12; ++i) {
+        const double angle = CGAL_PI / 6 * (i + 0.5 * (j % 2));
+        points << 6 / CGAL_PI * std::cos(angle) << ' ' << 6 / CGAL_PI * std::sin(angle) << ' ' << j << '\n';
+      }
+    }
+    for(int q = 0; q < 12 * rows; ++q) {
+      const int a = q, b = q / 12 * 12 + (q + 1) % 12, shift = q / 12 % 2;
+      faces.push_back({a, b, (shift == 0 ? a : b) + 12});
+      faces.push_back(shift == 0 ? std::vector<int>{b, b + 12, a + 12} : std::vector<int>{a, b + 12, a + 12});
+    }
+    return off(12 * (rows + 1), points.str(), faces);
+  };
+  flatten(write("short.off", tube(12)));
+  check_success();
+  BOOST_TEST(json().get_child("notes").size() == 0u);
+  BOOST_TEST(json().get<double>("predicted_scale_range") > 300);
+  BOOST_TEST(json().get<double>("predicted_scale_range") < 900);
+  for(const std::string method : {"direct", "hierarchical"}) {
+    flatten(write("long.off", tube(30)), "--method " + method);
+    check_success();
+    check_told("note");
+    check_told("a cut from border to border");
+    flatten(write("tube.off", tube(60)), "--method " + method);
+    BOOST_TEST(status == 1);
+    BOOST_TEST(json().get<std::string>("status") == "SCALE_TOO_LARGE");
+    check_told("cut the surface open from the border");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(all_options)

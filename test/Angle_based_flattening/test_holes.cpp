@@ -8,10 +8,12 @@
 #include <boost/test/unit_test.hpp>
 
 #include "charts_with_holes.h"
+#include "hard_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/predict_scale.h>
 
 #include <Eigen/Dense>
 
@@ -304,6 +306,54 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_threads)
   for(int threads : {1, 4})
     abf::with_threads(threads, [&]() { uv.push_back(flatten(chart).uv); });
   BOOST_TEST((uv[0] == uv[1]));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(strategies)
+
+BOOST_AUTO_TEST_CASE(predict_the_scale_of_tubes)
+{
+  for(double length : {0.5, 1., 2.}) {
+    const Chart chart = tube(48, static_cast<int>(50 * length), 1, 1, 2 * CGAL_PI * length);
+    const auto prediction = abf::predict_scale(chart, Solver());
+    BOOST_REQUIRE(prediction.has_value());
+    BOOST_TEST(prediction->log_range == 2 * CGAL_PI * length, boost::test_tools::tolerance(0.02));
+    BOOST_TEST(prediction->far_border == 1);
+    const Report report = flatten(chart).report;
+    BOOST_TEST(report.predicted_scale_range == std::exp(prediction->log_range));
+    BOOST_TEST(std::log(report.scale_range) == prediction->log_range, boost::test_tools::tolerance(0.1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuse_too_large_a_range_of_scale)
+{
+  const Chart chart = tube(24, 120, 1, 1, 2 * CGAL_PI * 5);
+  const auto result = flatten(chart);
+  BOOST_TEST(result.report.diagnosis == Report::SCALE_TOO_LARGE);
+  BOOST_TEST(result.report.predicted_scale_range > 1e10);
+  BOOST_TEST(result.invalid.size() == chart.hole(0).size());
+  BOOST_TEST(flatten(flat_chart_with_holes(3, 1)).report.predicted_scale_range < 2);
+  BOOST_TEST(flatten(flat_grid(5, 1)).report.predicted_scale_range == 1);
+}
+
+// Without Newton steps all fail but the last.
+BOOST_AUTO_TEST_CASE(are_tried_in_turn)
+{
+  Options options;
+  options.holes = Options::SOLVE;
+  options.max_iterations = 0;
+  std::mt19937 random(3);
+  const Chart chart = punched(noisy_terrain(20, 6, random), 3, 1, random);
+  const Report report = flatten(chart, options).report;
+  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(report.flipped_triangles == 0);
+  BOOST_REQUIRE(report.failed_strategies.size() >= 3u);
+  BOOST_TEST(report.failed_strategies[0].strategy == Report::FROM_TARGET_ANGLES);
+  BOOST_TEST(report.failed_strategies[1].strategy == Report::SOFT_PATCHES);
+  BOOST_TEST(report.failed_strategies[2].strategy == Report::STIFF_PATCHES);
+  options.fallbacks = false;
+  BOOST_TEST(flatten(chart, options).report.diagnosis == Report::NO_CONVERGENCE);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

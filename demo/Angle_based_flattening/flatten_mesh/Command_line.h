@@ -30,7 +30,7 @@ struct Command_line
   std::string json;
   int component = 0;
   int border = 0;
-  std::string holes = "fill";
+  std::string holes = "solve";
   std::string repair = "on";
   std::string method = "auto";
   std::string solver = "superlu";
@@ -96,9 +96,8 @@ inline po::options_description chart_options(Command_line& command)
   add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
       "the component's outer border, numbered from 0 by falling length; all others are holes");
   add("holes", name_option(command.holes),
-      "solve: holes take any shape; only for small distortions this comes out valid. fill: soft triangles "
-      "fill "
-      "the holes while the surface is flattened. refuse: a surface with holes is an error");
+      "solve: holes take the shape that changes angles least. fill: soft triangles cover the holes while the "
+      "surface is flattened, so that their borders stay simple. refuse: a surface with holes is an error");
   add("repair", name_option(command.repair),
       "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
       "parts that "

@@ -72,6 +72,8 @@ inline std::string strategy_name(const SMP::ABF_plus_plus_report::Strategy strat
     return "from target angles";
   case Report::RAISED_BARRIER:
     return "raised barrier";
+  case Report::FROM_SOFT_PATCHES:
+    return "from soft patches over holes";
   case Report::SOFT_PATCHES:
     return "soft patches over holes";
   case Report::STIFF_PATCHES:
@@ -99,7 +101,6 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
   case Report::NOTHING_WRONG:
   case Report::LINEAR_SYSTEM_FAILED:
   case Report::NO_CONVERGENCE:
-  case Report::WRONG_LAYOUT:
   case Report::FLIPPED_TRIANGLES:
   case Report::PRECISION_EXCEEDED:
     return true;

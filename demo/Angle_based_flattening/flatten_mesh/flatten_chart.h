@@ -96,6 +96,11 @@ void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer& parameteri
   flattening.parameterize_seconds += timer.time();
   take_report(parameterizer.report(), flattening);
   flattening.place = place_text(mesh, parameterizer);
+  if(flattening.report.predicted_scale_range > 1e4 && flattening.succeeded()) {
+    flattening.note = "one border is far from the outer one, so that lengths vary by a factor of about " +
+                      format_number("%.1g", flattening.report.predicted_scale_range) +
+                      ": a cut from border to border gives a better map";
+  }
 }
 
 template <class Solver_traits>

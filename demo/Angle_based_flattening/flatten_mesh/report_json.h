@@ -128,6 +128,7 @@ inline std::string report_json(const Run_record& record)
   json.add("layout", json_text(layout_name(report)));
   json.add("strategy", json_text(strategy_name(report.strategy)));
   json.add("scale_range", json_number(report.scale_range));
+  json.add("predicted_scale_range", json_number(report.predicted_scale_range));
   internal::add_measures(json, record.flattening);
   internal::Json_object seconds;
   for(const auto& stage : seconds_of_stages(record)) {

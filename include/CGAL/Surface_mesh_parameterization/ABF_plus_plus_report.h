@@ -44,9 +44,10 @@ struct ABF_plus_plus_report : Flattening_report
   enum Strategy
   {
     FROM_TARGET_ANGLES, ///< Newton's method from the target angles.
-    RAISED_BARRIER, ///< The same with a higher barrier, and from there with the given barrier if possible.
-    SOFT_PATCHES, ///< Newton's method from the target angles, with the holes filled (`Flattening_options::FILL`).
-    STIFF_PATCHES,              ///< The same with fillings of the full weight of the triangles around them.
+    RAISED_BARRIER,    ///< The same with a higher barrier, and from there with the given barrier if possible.
+    FROM_SOFT_PATCHES, ///< Newton's method from the angles of the next one (`Flattening_options::SOLVE`).
+    SOFT_PATCHES,      ///< Newton's method from the target angles, with the holes filled.
+    STIFF_PATCHES,     ///< The same with fillings of the full weight of the triangles around them.
     FROM_PROGRESSIVE_EMBEDDING, ///< Newton's method from the angles of a progressive embedding, which satisfy all
     ///< constraints: the surface is simplified to one triangle, and all vertices are inserted again where their
     ///< triangles are valid.

@@ -22,8 +22,9 @@ struct Flattening_options
   /// What is done with the holes of a chart: with all its borders but the given one.
   enum Holes
   {
-    SOLVE, ///< They take any shape. The angles do not ensure that a hole closes, and the least squares layout spreads the
-    ///< gap. A coarse parameterizer must accept charts with holes too.
+    SOLVE, ///< They take the shape with the least energy: four equations for each hole ensure that the surface closes
+    ///< around it. Their borders need not be simple. If this fails, they are filled. A coarse parameterizer must accept
+    ///< charts with holes too.
     FILL, ///< Each hole is filled during the flattening, by triangles of a tenth of the weight of those around it. The
     ///< angles bend to the filling a little, but the holes close, and like any disk the chart has a valid map. If the
     ///< angles converge and the outer border comes out simple, so do those of the holes. A hole of up to 1000 vertices is

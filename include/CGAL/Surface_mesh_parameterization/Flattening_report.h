@@ -40,7 +40,7 @@ struct Flattening_report
     NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
     WRONG_OPTION,      ///< An option is out of its range.
     WRONG_IMPORTANCE,  ///< The importance of a face is out of its range, or not a number.
-    WRONG_LAYOUT,      ///< The exact layout was requested but does not apply.
+    SCALE_TOO_LARGE,   ///< The chart has several borders, and its map would need a range of scale above 1e10.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are correct.
     PRECISION_EXCEEDED, ///< There is a valid map, but the number type of the coordinates cannot hold the one found.
     CANCELLED           ///< A visitor or an exception stopped the computation.
@@ -93,7 +93,10 @@ struct Flattening_report
   bool border_is_simple =
       false; ///< Whether the borders are simple, as `Flattening_measures::border_is_simple`: with no
              ///< flipped triangle, the map is injective if and only if they are.
-  double scale_range = 1;    ///< Ratio of the longest to the shortest edge of the layout.
+  double scale_range = 1; ///< Ratio of the longest to the shortest edge of the layout.
+  /// Ratio of the largest to the smallest scale of a conformal map of a chart with several borders, predicted by one
+  /// linear system; 1 for other charts. Above 1e4, a cut between the borders gives a better map.
+  double predicted_scale_range = 1;
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 
@@ -141,8 +144,8 @@ inline std::string to_string(Flattening_report::Diagnosis diagnosis)
     return "WRONG_OPTION";
   case Flattening_report::WRONG_IMPORTANCE:
     return "WRONG_IMPORTANCE";
-  case Flattening_report::WRONG_LAYOUT:
-    return "WRONG_LAYOUT";
+  case Flattening_report::SCALE_TOO_LARGE:
+    return "SCALE_TOO_LARGE";
   case Flattening_report::FLIPPED_TRIANGLES:
     return "FLIPPED_TRIANGLES";
   case Flattening_report::PRECISION_EXCEEDED:
@@ -180,10 +183,10 @@ inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
   case Flattening_report::TOO_LARGE:
   case Flattening_report::WRONG_OPTION:
   case Flattening_report::WRONG_IMPORTANCE:
-  case Flattening_report::WRONG_LAYOUT:
     return ERROR_WRONG_PARAMETER;
   case Flattening_report::PARALLEL_EDGES:
   case Flattening_report::NO_CONVERGENCE:
+  case Flattening_report::SCALE_TOO_LARGE:
   case Flattening_report::FLIPPED_TRIANGLES:
   case Flattening_report::PRECISION_EXCEEDED:
   case Flattening_report::CANCELLED:

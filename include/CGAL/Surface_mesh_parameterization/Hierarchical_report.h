@@ -32,7 +32,8 @@ struct Hierarchical_report : Flattening_report
   int coarse_vertices = 0;            ///< Vertices of the coarse chart.
   int coarse_triangles = 0;           ///< Triangles of the coarse chart.
   Start start = COARSE_PARAMETERIZER; ///< Where the refinement started.
-  int retries = 0;                    ///< Coarse charts that could not be flattened.
+  bool holes_filled = false; ///< Whether holes were filled: if asked for, or if they could not be solved.
+  int retries = 0;           ///< Coarse charts that could not be flattened.
   int kernel_insertions =
       0;         ///< Vertices put into the centre of a kernel: their weights gave an invalid position.
   int moves = 0; ///< Vertices moved by relaxation.

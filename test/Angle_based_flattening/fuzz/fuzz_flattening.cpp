@@ -88,7 +88,7 @@ Report::Diagnosis flatten(Mesh& mesh, Halfedge border, Parameterizer parameteriz
 bool is_about_input(Report::Diagnosis diagnosis)
 {
   return diagnosis != Report::NOTHING_WRONG && diagnosis != Report::LINEAR_SYSTEM_FAILED &&
-         diagnosis != Report::NO_CONVERGENCE && diagnosis != Report::WRONG_LAYOUT &&
+         diagnosis != Report::NO_CONVERGENCE && diagnosis != Report::SCALE_TOO_LARGE &&
          diagnosis != Report::FLIPPED_TRIANGLES && diagnosis != Report::PRECISION_EXCEEDED;
 }
 

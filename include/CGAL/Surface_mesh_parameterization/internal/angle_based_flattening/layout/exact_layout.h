@@ -98,6 +98,21 @@ inline std::vector<double> cotangents(const std::vector<double>& alpha)
   return result;
 }
 
+// The cotangent Laplacian, with twice the usual weights
+inline Triangle_assembly<1> cotangent_laplacian(const Chart& chart, const std::vector<double>& weights,
+                                                const std::vector<int>& unknown, int n)
+{
+  Triangle_assembly<1> laplacian(chart.vertex, unknown, n);
+  laplacian.assemble([&](int c) {
+    Eigen::Vector3d column;
+    column[c % 3] = weights[next_corner(c)] + weights[previous_corner(c)];
+    column[next_corner(c) % 3] = -weights[previous_corner(c)];
+    column[previous_corner(c) % 3] = -weights[next_corner(c)];
+    return column;
+  });
+  return laplacian;
+}
+
 // The right-hand sides, of both coordinates: minus the Laplacian of `uv`, where that is known
 inline Two_vectors boundary_right_hand_side(const Chart& chart, const std::vector<double>& weights,
                                             const std::vector<int>& unknown, int n,
@@ -136,19 +151,11 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
   if(n == 0)
     return true;
   const std::vector<int> unknown = unknown_translations(chart);
-  Triangle_assembly<1> laplacian(chart.vertex, unknown, n);
-  Two_vectors right_hand_sides, positions;
-  {
-    const std::vector<double> weights = cotangents(alpha);
-    laplacian.assemble([&](int c) {
-      Eigen::Vector3d column;
-      column[c % 3] = weights[next_corner(c)] + weights[previous_corner(c)];
-      column[next_corner(c) % 3] = -weights[previous_corner(c)];
-      column[previous_corner(c) % 3] = -weights[next_corner(c)];
-      return column;
-    });
-    right_hand_sides = boundary_right_hand_side(chart, weights, unknown, n, layout.uv);
-  }
+  std::vector<double> weights = cotangents(alpha);
+  const Triangle_assembly<1> laplacian = cotangent_laplacian(chart, weights, unknown, n);
+  const Two_vectors right_hand_sides = boundary_right_hand_side(chart, weights, unknown, n, layout.uv);
+  std::vector<double>().swap(weights); // factorization needs the memory
+  Two_vectors positions;
   Definite_system system(solvers, std::move(scalar_solver));
   if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
     return false;

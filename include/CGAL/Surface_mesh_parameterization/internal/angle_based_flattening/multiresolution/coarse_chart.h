@@ -28,6 +28,7 @@ struct Coarse_chart
       : vertices(alive)
   {
     const Chart& fine = mesh.chart();
+    chart.scale = fine.scale;
     std::vector<int> rank(fine.points.size(), -1);
     for(int v : alive) {
       rank[v] = chart.number_of_vertices();

@@ -58,7 +58,7 @@ public:
     if(m_options.fallbacks && can_fallbacks_help(result)) {
       note_failure(result);
       result = raise_barrier();
-      if(!result.succeeded() && m_chart.borders.size() == 1) {
+      if(!result.succeeded()) {
         note_failure(result);
         result = start_from_embedding();
       }

@@ -9,7 +9,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/patch_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/hole_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -17,10 +18,19 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
               Rounding round)
 {
-  if(!are_holes_filled(chart, options))
+  if(chart.borders.size() == 1)
     return Direct_strategies(chart, chart, options, solvers, round).run();
+  Flattening<ABF_plus_plus_report> refusal;
+  refusal.report = report_of<ABF_plus_plus_report>(chart);
+  refusal.invalid = limit_scale(chart, solvers, refusal.report);
+  if(!refusal.succeeded())
+    return refusal;
   Chart filled;
-  return Patch_strategies(filled, chart, options, solvers, round).run();
+  Hole_strategies strategies(filled, chart, options, solvers, round);
+  Flattening<ABF_plus_plus_report> result =
+      are_holes_filled(chart, options) ? strategies.fill() : strategies.solve();
+  result.report.predicted_scale_range = refusal.report.predicted_scale_range;
+  return result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
 
 #include <optional>
@@ -90,7 +91,18 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
                                                    const Coarse_flattening& flatten_coarse,
                                                    const Linear_solvers& solvers)
 {
-  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_coarse);
+  // The range of scale is predicted on the coarse chart: on the fine one, that would take longer than all the rest.
+  Hierarchical_report prediction;
+  const Coarse_flattening flatten_if_possible =
+      [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
+    prediction = Hierarchical_report();
+    limit_scale(coarse, solvers, prediction);
+    return prediction.diagnosis == Flattening_report::NOTHING_WRONG ? flatten_coarse(coarse) : std::nullopt;
+  };
+  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_if_possible);
+  result.report.predicted_scale_range = prediction.predicted_scale_range;
+  if(!result.succeeded() && prediction.diagnosis != Flattening_report::NOTHING_WRONG)
+    fail(result.report, prediction.diagnosis, prediction.message);
   if(result.succeeded() && options.polish)
     polish(chart, options, solvers, result);
   return result;
@@ -110,6 +122,7 @@ inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
   }
   Flattening<Hierarchical_report> result = refined_map(filled, options, flatten_coarse, solvers);
   result.report.seconds.coarsen += seconds;
+  result.report.holes_filled = true;
   result.uv.resize(chart.points.size());
   const Hierarchical_report sizes = report_of<Hierarchical_report>(chart);
   result.report.vertices = sizes.vertices;
@@ -118,14 +131,39 @@ inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
   return result;
 }
 
+// Whether so many holes would be left of the coarse chart that little else is
+inline bool has_many_holes(const Chart& chart, const Hierarchical_options& options)
+{
+  const double coarse_vertices = options.coarse_triangles > 0
+                                     ? options.coarse_triangles / 2.
+                                     : (1 - options.simplification_rate) * chart.number_of_vertices();
+  return chart.number_of_holes() > 0.1 * coarse_vertices;
+}
+
+// With the holes solved if that is possible
+inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
+                                                              const Hierarchical_options& options,
+                                                              const Coarse_flattening& flatten_coarse,
+                                                              const Linear_solvers& solvers)
+{
+  if(are_holes_filled(chart, options) || has_many_holes(chart, options))
+    return refined_map_of_filled(chart, options, flatten_coarse, solvers);
+  const Chart original = chart;
+  Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);
+  if(result.report.diagnosis != Flattening_report::NO_CONVERGENCE)
+    return result;
+  chart = original;
+  return refined_map_of_filled(chart, options, flatten_coarse, solvers);
+}
+
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
                              Rounding round)
 {
   Flattening<Hierarchical_report> result =
-      are_holes_filled(chart, options) ? refined_map_of_filled(chart, options, flatten_coarse, solvers)
-                                       : refined_map(chart, options, flatten_coarse, solvers);
+      chart.borders.size() > 1 ? refined_map_with_holes(chart, options, flatten_coarse, solvers)
+                               : refined_map(chart, options, flatten_coarse, solvers);
   if(result.succeeded())
     certify(chart, options, round, result);
   return result;
