@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes the meshes in `data/`: a dinosaur cut open along its underside, and an egg with the seam of an orange
-// peel: `generate_meshes [FOLDER]`, by default `data`. Nothing is random, but the meshes can depend on the version
+// Makes the meshes in `data/`: a dinosaur cut open along its underside, an egg with the seam of an orange
+// peel, and a mask with three holes: `generate_meshes [FOLDER]`, by default `data`. Nothing is random, but the meshes can depend on the version
 // of CGAL; those in `data/` are of 5.5.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -150,42 +150,172 @@ std::vector<Point_3> dinosaur_seam()
   return seam;
 }
 
-// A closed surface that has the seam among its edges, and is cut open there.
-Mesh make_dinosaur()
+// Upper bounds: of the edges on curves, of the circumradii of triangles, and of the distance to the surface.
+struct Sizes
+{
+  double edge, triangle, distance;
+};
+
+Mesh::Property_map<Mesh::Edge_index, bool> edges_on_curves(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Edge_index, bool>("e:curve", false).first;
+}
+
+// The surface of a solid, which is where the function is negative. The curves are among its edges.
+Mesh mesh_solid(double (*solid)(const Point_3&), const std::vector<std::vector<Point_3>>& curves,
+                const Sizes& sizes)
 {
   namespace parameters = CGAL::parameters;
   using Implicit_domain = CGAL::Labeled_mesh_domain_3<Kernel>;
   using Domain = CGAL::Mesh_domain_with_polyline_features_3<Implicit_domain>;
   using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
   using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
-  Domain domain(Implicit_domain::create_implicit_mesh_domain(dinosaur, Kernel::Sphere_3(CGAL::ORIGIN, 20.),
+  Domain domain(Implicit_domain::create_implicit_mesh_domain(solid, Kernel::Sphere_3(CGAL::ORIGIN, 20.),
                                                              parameters::relative_error_bound = 1e-6));
-  const std::vector<std::vector<Point_3>> seams{dinosaur_seam()};
-  domain.add_features(seams.begin(), seams.end());
+  domain.add_features(curves.begin(), curves.end());
   const CGAL::Mesh_criteria_3<Triangulation> criteria(
-      parameters::edge_size = 0.05, parameters::facet_angle = 30., parameters::facet_size = 0.06,
-      parameters::facet_distance = 0.003);
+      parameters::edge_size = sizes.edge, parameters::facet_angle = 30.,
+      parameters::facet_size = sizes.triangle, parameters::facet_distance = sizes.distance);
   const Complex complex =
       CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_perturb(), parameters::no_exude());
-  Mesh closed;
-  CGAL::facets_in_complex_3_to_triangle_mesh(complex, closed);
+  Mesh mesh;
+  CGAL::facets_in_complex_3_to_triangle_mesh(complex, mesh);
 
   std::map<Point_3, Mesh::Vertex_index> vertex;
-  for(const Mesh::Vertex_index v : closed.vertices()) {
-    vertex[closed.point(v)] = v;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    vertex[mesh.point(v)] = v;
   }
+  const auto on_curve = edges_on_curves(mesh);
+  for(auto e = complex.edges_in_complex_begin(); e != complex.edges_in_complex_end(); ++e) {
+    on_curve[mesh.edge(mesh.halfedge(vertex.at(e->first->vertex(e->second)->point().point()),
+                                     vertex.at(e->first->vertex(e->third)->point().point())))] = true;
+  }
+  return mesh;
+}
+
+// A closed surface that has the seam among its edges, and is cut open there.
+Mesh make_dinosaur()
+{
+  Mesh closed = mesh_solid(dinosaur, {dinosaur_seam()}, {0.05, 0.06, 0.003});
+  const auto on_curve = edges_on_curves(closed);
   const auto seam_edges = closed.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   const auto seam_vertices = closed.add_property_map<Mesh::Vertex_index, bool>("v:seam", false).first;
   CGAL::Seam_mesh<Mesh, decltype(seam_edges), decltype(seam_vertices)> cut(closed, seam_edges, seam_vertices);
-  for(auto e = complex.edges_in_complex_begin(); e != complex.edges_in_complex_end(); ++e) {
-    cut.add_seam(vertex.at(e->first->vertex(e->second)->point().point()),
-                 vertex.at(e->first->vertex(e->third)->point().point()));
+  for(const Mesh::Edge_index e : closed.edges()) {
+    if(on_curve[e]) {
+      cut.add_seam(closed.vertex(e, 0), closed.vertex(e, 1));
+    }
   }
   Mesh open;
   CGAL::copy_face_graph(cut, open);
   return open;
 }
 
+// What stands out from the mask, seen from the front, or lies deeper. What is not in the middle is on both sides.
+struct Feature
+{
+  double x, z, width, height, depth;
+};
+
+// Negative inside: half an egg, with a face. The y axis points backwards, the z axis upwards.
+double mask(const Point_3& p)
+{
+  static const std::vector<Feature> features{
+      {0, 0.22, 0.09, 0.16, 0.1}, // nose
+      {0, 0.03, 0.085, 0.13, 0.16},   {0, -0.09, 0.11, 0.09, 0.18},
+      {0.1, -0.13, 0.06, 0.05, 0.09}, {0.17, 0.39, 0.13, 0.06, 0.08},  // brows
+      {0.38, 0.4, 0.13, 0.07, 0.1},   {0.33, 0.2, 0.25, 0.2, -0.25},   // eyes, and the lids
+      {0.33, 0.2, 0.18, 0.1, 0.34},   {0.42, -0.12, 0.16, 0.14, 0.12}, // cheeks
+      {0.3, -0.4, 0.08, 0.14, -0.05}, {0, -0.5, 0.36, 0.22, 0.26},     // lips
+      {0, -0.72, 0.2, 0.04, -0.04},   {0, -0.86, 0.22, 0.12, 0.14},    // chin
+      {0, 0.65, 0.35, 0.2, 0.04}};                                     // forehead
+  double relief = 0.;
+  for(const Feature& feature : features) {
+    const double z = (p.z() - feature.z) / feature.height;
+    for(const double x : {p.x() - feature.x, p.x() + feature.x}) {
+      relief += (feature.x == 0. ? 0.5 : 1.) * feature.depth *
+                std::exp(-x * x / (feature.width * feature.width) - z * z);
+    }
+  }
+  relief *= p.y() < 0. ? 1. - std::exp(-10. * p.y() * p.y()) : 0.;
+  const double x = p.x() / (0.76 + 0.1 * std::tanh(2.5 * p.z() + 0.625)), y = p.y() / 0.72;
+  return std::sqrt(x * x + y * y + p.z() * p.z()) - 1. - relief / 0.7;
+}
+
+// Where the ray leaves the mask.
+Point_3 point_on_mask(const Point_3& inside, const Vector_3& direction)
+{
+  double lower = 0., upper = 2.;
+  for(int i = 0; i < 60; ++i) {
+    const double middle = (lower + upper) / 2.;
+    (mask(inside + middle * direction) < 0. ? lower : upper) = middle;
+  }
+  return inside + lower * direction;
+}
+
+// The outer border, the mouth, and the eyes.
+std::vector<std::vector<Point_3>> mask_borders()
+{
+  const auto in_front = [](const double x, const double z) {
+    return point_on_mask(Point_3(x, 0, z), Vector_3(0, -1, 0));
+  };
+  std::vector<std::vector<Point_3>> borders(4);
+  const int points = 400;
+  for(int i = 0; i <= points; ++i) {
+    const double turn = 2. * CGAL_PI * (i % points) / points;
+    const double x = std::cos(turn), z = std::sin(turn);
+    borders[0].push_back(point_on_mask(CGAL::ORIGIN, Vector_3(x, 0, z)));
+    borders[1].push_back(in_front(0.44 * x, -0.55 + 0.13 * z + 0.174 * x * x));
+    for(const int side : {-1, 1}) {
+      borders[side < 0 ? 2 : 3].push_back(
+          in_front(side * (0.34 + 0.2 * x), 0.2 + 0.085 * z - 0.052 * x * x - 0.02 * x));
+    }
+  }
+  return borders;
+}
+
+// The part of the surface that the curves bound, from the face on.
+Mesh part_within_curves(Mesh& mesh, const Mesh::Face_index first)
+{
+  const auto on_curve = edges_on_curves(mesh);
+  std::vector<bool> is_inside(mesh.number_of_faces(), false);
+  std::vector<Mesh::Face_index> faces{first};
+  is_inside[first.idx()] = true;
+  for(std::size_t i = 0; i < faces.size(); ++i) {
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(faces[i]))) {
+      const Mesh::Face_index neighbor = mesh.face(mesh.opposite(h));
+      if(!on_curve[mesh.edge(h)] && !is_inside[neighbor.idx()]) {
+        is_inside[neighbor.idx()] = true;
+        faces.push_back(neighbor);
+      }
+    }
+  }
+  std::map<Mesh::Vertex_index, Mesh::Vertex_index> vertex;
+  Mesh part;
+  for(const Mesh::Face_index f : mesh.faces()) {
+    if(is_inside[f.idx()]) {
+      std::vector<Mesh::Vertex_index> corners;
+      for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
+        const auto found = vertex.find(v);
+        corners.push_back(found != vertex.end() ? found->second : vertex[v] = part.add_vertex(mesh.point(v)));
+      }
+      part.add_face(corners);
+    }
+  }
+  return part;
+}
+
+Mesh make_mask()
+{
+  Mesh closed = mesh_solid(mask, mask_borders(), {0.04, 0.038, 0.0015});
+  const Point_3 nose(0, -1, -0.09);
+  const auto is_nearer = [&](const Mesh::Vertex_index v, const Mesh::Vertex_index w) {
+    return CGAL::squared_distance(closed.point(v), nose) < CGAL::squared_distance(closed.point(w), nose);
+  };
+  const Mesh::Vertex_index nearest =
+      *std::min_element(closed.vertices_begin(), closed.vertices_end(), is_nearer);
+  return part_within_curves(closed, closed.face(closed.halfedge(nearest)));
+}
 // Random numbers between -1 and 1. The distributions of the standard library differ between its makers.
 class Jitter
 {
@@ -301,12 +431,26 @@ bool has_seam(const Mesh& mesh, const std::size_t length)
   return true;
 }
 
-bool is_disk(const Mesh& mesh)
+long number_of_borders(const Mesh& mesh)
+{
+  long borders = 0;
+  std::vector<bool> visited(mesh.number_of_halfedges(), false);
+  for(const Mesh::Halfedge_index start : mesh.halfedges()) {
+    borders += mesh.is_border(start) && !visited[start.idx()] ? 1 : 0;
+    for(Mesh::Halfedge_index h = start; mesh.is_border(h) && !visited[h.idx()]; h = mesh.next(h)) {
+      visited[h.idx()] = true;
+    }
+  }
+  return borders;
+}
+
+// Whether it is a disk with so many borders, all but one of which are holes.
+bool is_disk(const Mesh& mesh, const long borders)
 {
   const auto euler = static_cast<long>(mesh.number_of_vertices()) -
                      static_cast<long>(mesh.number_of_edges()) + static_cast<long>(mesh.number_of_faces());
-  return CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_triangle_mesh(mesh) && euler == 1 &&
-         !CGAL::is_closed(mesh);
+  return CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_triangle_mesh(mesh) && euler == 2 - borders &&
+         number_of_borders(mesh) == borders;
 }
 
 int main(int argc, char* argv[])
@@ -325,13 +469,21 @@ int main(int argc, char* argv[])
   write_seam(folder + "/egg.selection.txt", seam.size());
 
   const Mesh dinosaur = make_dinosaur();
-  if(!is_disk(dinosaur)) {
+  if(!is_disk(dinosaur, 1)) {
     std::cerr << "The dinosaur is not a disk.\n";
     return 1;
   }
   write_off(folder + "/dinosaur.off", "A dinosaur, cut open on its underside from the tail to the throat.",
             dinosaur);
 
+  const Mesh mask = make_mask();
+  if(!is_disk(mask, 4)) {
+    std::cerr << "The mask is not a disk with three holes.\n";
+    return 1;
+  }
+  write_off(folder + "/mask.off", "A mask with holes for the eyes and the mouth.", mask);
+
   std::cout << "dinosaur: " << dinosaur.number_of_faces() << " triangles; egg: " << egg.number_of_faces()
-            << " triangles, a seam of " << seam.size() - 1 << " edges\n";
+            << " triangles, a seam of " << seam.size() - 1 << " edges; mask: " << mask.number_of_faces()
+            << " triangles\n";
 }
