@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes the pictures of the manual from the meshes of the examples, and prints the manual's table of measures:
+// Makes the pictures of the manual from the meshes of the examples, and prints the manual's tables of measures:
 // `pictures DATA_FOLDER PICTURE_FOLDER`.
 
 #include "flatten_mesh/Canvas.h"
@@ -42,8 +42,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
-const Kernel::Vector_3 dinosaur_from(0.45, -1, 0.35), egg_from(0.5, -1, 0.35), forwards(1, 0, 0),
-    upwards(0, 0, 1);
+const Kernel::Vector_3 dinosaur_from(0.45, -1, 0.35), egg_from(0.5, -1, 0.35), mask_from(0.3, -1, 0.1),
+    forwards(1, 0, 0), upwards(0, 0, 1);
 
 void write_file(const std::string& name, const std::string& content)
 {
@@ -79,8 +79,9 @@ struct Flat_mesh
   std::string name;
   Mesh mesh;
   UV_map uv;
-  std::vector<double> angle_change; // of each face, in degrees
-  std::vector<double> areas;        // on the surface
+  std::vector<double> angle_change;      // of each face, root mean square, in degrees
+  std::vector<double> mean_angle_change; // of each face, in degrees
+  std::vector<double> areas;             // on the surface
   std::vector<bool> flipped;
   SMP::Flattening_measures measures;
 };
@@ -98,14 +99,16 @@ Flat_mesh_ptr flatten(const std::string& name, const Mesh& mesh, Parameterizer p
   if(SMP::parameterize(flat->mesh, parameterizer, border, flat->uv) != SMP::OK)
     throw std::runtime_error(name + " failed");
   flat->angle_change.resize(mesh.number_of_faces());
+  flat->mean_angle_change.resize(mesh.number_of_faces());
   flat->areas.resize(mesh.number_of_faces());
   flat->flipped.resize(mesh.number_of_faces());
-  flat->measures = SMP::measure_flattening(flat->mesh, border, flat->uv,
-                                           [&](const Face f, const SMP::Flattening_face_measures& face) {
-                                             flat->angle_change[f.idx()] = in_degrees(face.rms_angle_change);
-                                             flat->areas[f.idx()] = face.area;
-                                             flat->flipped[f.idx()] = face.flipped;
-                                           });
+  flat->measures = SMP::measure_flattening(
+      flat->mesh, border, flat->uv, [&](const Face f, const SMP::Flattening_face_measures& face) {
+        flat->angle_change[f.idx()] = in_degrees(face.rms_angle_change);
+        flat->mean_angle_change[f.idx()] = in_degrees(face.mean_angle_change);
+        flat->areas[f.idx()] = face.area;
+        flat->flipped[f.idx()] = face.flipped;
+      });
   return flat;
 }
 
@@ -262,6 +265,39 @@ void draw_comparison(const std::vector<Flat_mesh_ptr>& flats, const std::string&
   write_file(file, canvas.png(51));
 }
 
+// Turns the plane so that the axis is upwards in it.
+void turn_plane(Flat_mesh& flat, const Kernel::Vector_3& axis)
+{
+  const auto [lower, upper] = ends(flat.mesh, axis);
+  const Kernel::Vector_2 up = flat.uv[upper] - flat.uv[lower];
+  const double length = std::sqrt(up.squared_length());
+  for(const Vertex v : flat.mesh.vertices()) {
+    const Kernel::Vector_2 p = flat.uv[v] - CGAL::ORIGIN;
+    flat.uv[v] = Kernel::Point_2((p.x() * up.y() - p.y() * up.x()) / length, p * up / length);
+  }
+}
+
+void draw_holes(const std::vector<Flat_mesh_ptr>& flats, const std::string& file)
+{
+  std::vector<const Flat_mesh*> all;
+  for(const Flat_mesh_ptr& flat : flats)
+    all.push_back(flat.get());
+  const Distortion_scale scale = common_scale(all);
+  const double column = 480;
+  Canvas canvas(static_cast<int>(column * static_cast<double>(flats.size())), 980);
+  for(std::size_t i = 0; i < flats.size(); ++i) {
+    const double left = column * static_cast<double>(i) + 8;
+    Flat_mesh& flat = *flats[i];
+    turn_plane(flat, upwards);
+    const auto [lower, upper] = ends(flat.mesh, upwards);
+    draw_checkerboard(canvas, flat.mesh, all_faces(flat.mesh), flat.uv, square_side(flat),
+                      Surface_view(mask_from, upwards), Frame{left, 8, column - 16, 470});
+    draw_plane(canvas, flat, plane_of(flat.mesh, flat.uv, lower, upper), scale,
+               Frame{left, 500, column - 16, 470});
+  }
+  write_file(file, canvas.png(51));
+}
+
 // Keeps the coarse chart that the hierarchical method hands to its coarse parameterizer.
 struct Coarse_chart_keeper : SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh>
 {
@@ -392,6 +428,50 @@ void print_measures(const std::vector<Flat_mesh_ptr>& flats)
   }
 }
 
+// Of the triangles that touch a hole, weighted by area, in degrees.
+double mean_angle_change_at_holes(const Flat_mesh& flat)
+{
+  const Mesh& mesh = flat.mesh;
+  std::vector<bool> is_at_hole(mesh.number_of_vertices(), false);
+  for(const Vertex v : mesh.vertices())
+    is_at_hole[v.idx()] = mesh.is_border(v);
+  const Halfedge border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  for(const Vertex v : mesh.vertices_around_face(border))
+    is_at_hole[v.idx()] = false;
+  double sum = 0, area = 0;
+  for(const Face f : mesh.faces()) {
+    const auto vertices = mesh.vertices_around_face(mesh.halfedge(f));
+    if(std::any_of(vertices.begin(), vertices.end(), [&](const Vertex v) { return is_at_hole[v.idx()]; })) {
+      sum += flat.areas[f.idx()] * flat.mean_angle_change[f.idx()];
+      area += flat.areas[f.idx()];
+    }
+  }
+  return sum / area;
+}
+
+void print_measures_of_holes(const std::vector<Flat_mesh_ptr>& flats)
+{
+  for(const Flat_mesh_ptr& flat : flats) {
+    const SMP::Flattening_measures& m = flat->measures;
+    std::cout << "<tr><td>" << flat->name << "</td>";
+    for(const double degrees :
+        {in_degrees(m.mean_angle_change), in_degrees(m.rms_angle_change), mean_angle_change_at_holes(*flat)})
+      std::cout << "<td>" << format_number("%.3f", degrees) << "</td>";
+    for(const double value : {m.mean_quasi_conformal_ratio, m.quasi_conformal_ratio_95,
+                              m.max_quasi_conformal_ratio, m.min_scale, m.max_scale, m.angular_distortion})
+      std::cout << "<td>" << format_number("%.4g", value) << "</td>";
+    std::cout << "<td>" << m.flipped_triangles << "</td><td>" << (m.border_is_simple ? "yes" : "no")
+              << "</td></tr>\n";
+  }
+}
+
+SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer_for(const SMP::Flattening_options::Holes holes)
+{
+  SMP::ABF_plus_plus_options options;
+  options.holes = holes;
+  return SMP::ABF_plus_plus_parameterizer_3<Mesh>(options);
+}
+
 Mesh read_mesh(const std::string& file)
 {
   Mesh mesh;
@@ -430,6 +510,13 @@ void run(const std::string& data, const std::string& pictures)
   draw_hierarchy(dinosaur, pictures + "/hierarchy.png");
   draw_pair(*flatten("egg", read_egg(data), SMP::ABF_plus_plus_parameterizer_3<Mesh>()), egg_from, upwards,
             pictures + "/egg.png");
+
+  const Mesh mask = read_mesh(data + "/mask.off");
+  std::vector<Flat_mesh_ptr> masks;
+  masks.push_back(flatten("solved", mask, parameterizer_for(SMP::Flattening_options::SOLVE)));
+  masks.push_back(flatten("filled", mask, parameterizer_for(SMP::Flattening_options::FILL)));
+  print_measures_of_holes(masks);
+  draw_holes(masks, pictures + "/holes.png");
 }
 
 } // namespace flatten_mesh
