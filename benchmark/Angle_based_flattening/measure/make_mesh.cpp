@@ -6,17 +6,20 @@
 #include "read_mesh.h"
 #include "subcommands.h"
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_on_sphere.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace ABF_benchmark {
@@ -64,23 +67,70 @@ void add_noise(Test_mesh& mesh)
   }
 }
 
+// The vertices at most `rings` edges away from `v`, ring by ring
+std::vector<Test_mesh::Vertex_index> neighbourhood(const Test_mesh& mesh, const Test_mesh::Vertex_index v,
+                                                   const int rings)
+{
+  std::vector<Test_mesh::Vertex_index> found = {v};
+  std::set<Test_mesh::Vertex_index> known = {v};
+  std::size_t begin = 0;
+  for(int ring = 0; ring < rings; ++ring) {
+    const std::size_t end = found.size();
+    for(; begin < end; ++begin)
+      for(const Test_mesh::Vertex_index w : vertices_around_target(mesh.halfedge(found[begin]), mesh))
+        if(known.insert(w).second)
+          found.push_back(w);
+  }
+  return found;
+}
+
+// Removes `rings` rings of triangles around random vertices. Holes keep a distance from each other and from the border. Returns their number, which is less than `holes` where there is no room.
+int punch(Test_mesh& mesh, const int holes, const int rings)
+{
+  boost::random::mt19937 generator;
+  std::vector<bool> is_taken(mesh.number_of_vertices(), false);
+  for(const Test_mesh::Vertex_index v : mesh.vertices())
+    is_taken[v] = CGAL::is_border(v, mesh).has_value();
+  std::set<Test_mesh::Face_index> removed;
+  int punched = 0;
+  for(int attempt = 0; attempt < 200 * holes && punched < holes; ++attempt) {
+    const Test_mesh::Vertex_index centre(
+        boost::random::uniform_int_distribution<unsigned>(0, mesh.number_of_vertices() - 1)(generator));
+    const auto all = neighbourhood(mesh, centre, rings + 1);
+    if(std::any_of(all.begin(), all.end(), [&](const Test_mesh::Vertex_index v) { return is_taken[v]; }))
+      continue;
+    ++punched;
+    for(const Test_mesh::Vertex_index v : all)
+      is_taken[v] = true;
+    for(const Test_mesh::Vertex_index v : neighbourhood(mesh, centre, rings - 1))
+      for(const Test_mesh::Face_index f : faces_around_target(mesh.halfedge(v), mesh))
+        removed.insert(f);
+  }
+  for(const Test_mesh::Face_index f : removed)
+    CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+  return punched;
+}
+
 } // namespace
 
-void make_mesh(const std::string& file, const std::size_t triangles, const bool noise,
-               const std::string& output, Measurement& m)
+void make_mesh(const std::string& file, const Mesh_changes& changes, const std::string& output,
+               Measurement& m)
 {
   Test_mesh mesh;
   read_mesh(file, mesh);
-  if(triangles > 0)
-    resize(mesh, triangles);
-  if(noise)
+  if(changes.triangles > 0)
+    resize(mesh, changes.triangles);
+  if(changes.noise)
     add_noise(mesh);
+  if(changes.holes > 0)
+    m.add("holes", punch(mesh, changes.holes, changes.rings));
   if(!output.empty() && !CGAL::IO::write_polygon_mesh(
                             output, mesh, CGAL::parameters::use_binary_mode(true).stream_precision(17)))
     throw std::runtime_error("cannot write '" + output + "'");
   const abf::Chart chart = read_chart(mesh);
   m.add("triangles", chart.number_of_triangles());
-  if(const auto defect = abf::diagnose(chart, false))
+  if(const auto defect = abf::diagnose(chart, changes.holes > 0))
     m.fail("the mesh cannot be flattened: " + defect.message);
 }
 

@@ -23,19 +23,21 @@ int main(int argc, char* argv[])
   using namespace ABF_benchmark;
   CGAL::Surface_mesh_parameterization::Hierarchical_options hierarchical;
   std::vector<std::string> words;
-  std::size_t triangles = 0;
+  Mesh_changes changes;
   int first_run = 0;
-  bool noise = false;
   std::string output;
   po::options_description options(
-      "measure mesh FILE [--triangles N] [--noise] [--output FILE]\n"
+      "measure mesh FILE [--triangles N] [--noise] [--holes N] [--rings N] [--output FILE]\n"
       "measure flatten METHOD FILE [--simplification-rate X] [--sweeps N] [--polish]\n"
       "measure solve SOLVER FILE full|block\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
       "measure software\n\nOptions");
-  options.add_options()("triangles", po::value(&triangles), "simplify or subdivide to about that many")(
-      "noise", po::bool_switch(&noise), "move each vertex by a tenth of its shortest edge")(
+  options.add_options()("triangles", po::value(&changes.triangles),
+                        "simplify or subdivide to about that many")(
+      "noise", po::bool_switch(&changes.noise), "move each vertex by a tenth of its shortest edge")(
+      "holes", po::value(&changes.holes), "punch that many holes")("rings", po::value(&changes.rings),
+                                                                   "rings of triangles that a hole removes")(
       "output", po::value(&output), "write the mesh there")("simplification-rate",
                                                             po::value(&hierarchical.simplification_rate),
                                                             "simplification rate of hierarchical methods")(
@@ -56,7 +58,7 @@ int main(int argc, char* argv[])
       return words.size() == arguments + 1 && words[0] == subcommand;
     };
     if(is("mesh", 1)) {
-      make_mesh(words[1], triangles, noise, output, m);
+      make_mesh(words[1], changes, output, m);
     } else if(is("flatten", 2)) {
       flatten(words[1], words[2], hierarchical, m);
     } else if(is("solve", 3)) {

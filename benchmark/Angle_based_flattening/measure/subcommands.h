@@ -15,9 +15,16 @@
 
 namespace ABF_benchmark {
 
-// Reads a mesh, resizes it to about that many triangles (unless that is 0), adds noise, writes it (if `output` is not
-// empty), and reports the number of its triangles. Fails if it is not a disk.
-void make_mesh(const std::string& file, std::size_t triangles, bool noise, const std::string& output,
+struct Mesh_changes
+{
+  std::size_t triangles = 0; // about that many; 0 for those that are there
+  bool noise = false;
+  int holes = 0, rings = 3; // of triangles that a hole removes, around a vertex
+};
+
+// Reads a mesh, changes it, writes it (if `output` is not empty), and reports the number of its triangles. Fails if it
+// is not a disk, or a disk with holes.
+void make_mesh(const std::string& file, const Mesh_changes& changes, const std::string& output,
                Measurement& m);
 
 // Runs a method on a mesh, and measures the map.
