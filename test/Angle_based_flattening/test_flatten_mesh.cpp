@@ -582,8 +582,8 @@ BOOST_AUTO_TEST_CASE(far_borders)
     std::vector<std::vector<int>> faces;
     for(int j = 0; j <= rows; ++j) {
       for(int i = 0; i < 12; ++i) {
-        const double angle = CGAL_PI / 6 * (i + 0.5 * (j % 2));
-        points << 6 / CGAL_PI * std::cos(angle) << ' ' << 6 / CGAL_PI * std::sin(angle) << ' ' << j << '\n';
+        const double angle = 3.14159265358979 / 6 * (i + 0.5 * (j % 2));
+        points << 1.91 * std::cos(angle) << ' ' << 1.91 * std::sin(angle) << ' ' << j << '\n';
       }
     }
     for(int q = 0; q < 12 * rows; ++q) {

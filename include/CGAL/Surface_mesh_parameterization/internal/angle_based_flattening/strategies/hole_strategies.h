@@ -32,7 +32,10 @@ public:
   Flattening<Report> solve()
   {
     Direct_flattening result = solve_from(starting_angles(targets(m_part)), Report::FROM_TARGET_ANGLES);
-    if(!m_options.fallbacks || !can_fallbacks_help(result))
+    // A map that is valid by chance, with holes that do not close, is not what was asked for.
+    if(result.succeeded() && !result.report.converged && m_options.fallbacks)
+      fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
+    if(!m_options.fallbacks || !can_patches_help(result))
       return finished(std::move(result));
     note_failure(result);
     result = flatten_filled();
@@ -54,6 +57,12 @@ public:
   }
 
 private:
+  // The system of a hole of few triangles may be singular where that of the filled chart is not.
+  static bool can_patches_help(const Direct_flattening& result)
+  {
+    return can_fallbacks_help(result) || result.report.diagnosis == Report::LINEAR_SYSTEM_FAILED;
+  }
+
   std::vector<double> targets(const Chart& chart)
   {
     const Stage stage(m_options.visitor, Flattening_visitor::TARGET_ANGLES, m_seconds.targets);
