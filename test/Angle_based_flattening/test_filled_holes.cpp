@@ -278,6 +278,35 @@ BOOST_AUTO_TEST_CASE(hierarchically_too)
   }
 }
 
+// The coarse charts have the holes too, with the same outer border, unless these are too many.
+BOOST_AUTO_TEST_CASE(hierarchically_solved)
+{
+  for(const bool is_small : {false, true}) {
+    for(const Chart& punched_disk : punched_disks()) {
+      Chart chart = punched_disk;
+      SMP::Hierarchical_options options;
+      options.holes = SMP::Hierarchical_options::SOLVE;
+      options.coarse_triangles = is_small ? 20 : chart.number_of_triangles() / 4;
+      Options coarse_options;
+      coarse_options.holes = Options::SOLVE;
+      std::size_t borders = 0;
+      const auto flatten_coarse = [&](const Chart& coarse) {
+        borders = coarse.borders.size();
+        return std::optional<std::vector<Point_2>>(abf::flatten_chart(coarse, coarse_options,
+                                                                      CGAL::SuperLU_solver_traits<>(),
+                                                                      [](std::vector<Point_2>&) {})
+                                                       .uv);
+      };
+      const auto result = abf::flatten_chart_hierarchically(
+          chart, options, flatten_coarse, CGAL::SuperLU_solver_traits<>(), [](std::vector<Point_2>&) {});
+      BOOST_TEST(result.succeeded());
+      BOOST_TEST(result.report.flipped_triangles == 0);
+      BOOST_TEST(result.report.holes_filled == (borders == 1));
+      BOOST_TEST(borders == (is_small && chart.number_of_holes() > 1 ? 1u : chart.borders.size()));
+    }
+  }
+}
+
 // Newton's method alone is not enough for steep charts, whatever the patches.
 BOOST_AUTO_TEST_CASE(fallbacks_are_tried_and_reported)
 {
@@ -326,6 +355,9 @@ BOOST_AUTO_TEST_CASE(parameterizers_take_the_option)
   BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::SEVERAL_BORDERS);
   BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::SEVERAL_BORDERS);
   options.holes = hierarchical.holes = Options::FILL;
+  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::NOTHING_WRONG);
+  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::NOTHING_WRONG);
+  options.holes = hierarchical.holes = Options::SOLVE;
   BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::NOTHING_WRONG);
   BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::NOTHING_WRONG);
   options.holes = static_cast<Options::Holes>(7);

@@ -63,6 +63,20 @@ struct Solver_traits_of<Parameterizer,
   }
 };
 
+// A coarse parameterizer that takes what the hierarchical one takes: charts with holes, if they are solved
+template <typename Parameterizer>
+Parameterizer coarse_parameterizer_for(const Hierarchical_options& options)
+{
+  if constexpr(std::is_constructible<Parameterizer, const ABF_plus_plus_options&>::value) {
+    ABF_plus_plus_options coarse;
+    coarse.holes = options.holes;
+    return Parameterizer(coarse);
+  } else {
+    (void)options;
+    return Parameterizer();
+  }
+}
+
 } // namespace internal::ABF
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -141,11 +155,17 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
+  /// constructs a parameterizer from `options`. The coarse parameterizer is default constructed. If it takes
+  /// `ABF_plus_plus_options`, it has the same `Flattening_options::holes`.
+  explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options())
+      : Hierarchical_parameterizer_3(options,
+                                     internal::ABF::coarse_parameterizer_for<Coarse_parameterizer>(options))
+  {}
+
   /// constructs a parameterizer from `options` and the parameterizer of the coarse chart. It keeps copies of both.
   /// Polishing uses the solver traits object of the coarse parameterizer if it is of the type `Solver_traits`, and a
   /// default constructed object otherwise.
-  explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options(),
-                                        Coarse_parameterizer coarse_parameterizer = Coarse_parameterizer())
+  Hierarchical_parameterizer_3(const Hierarchical_options& options, Coarse_parameterizer coarse_parameterizer)
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
         m_linear_algebra(internal::ABF::Solver_traits_of<Coarse_parameterizer>::template get<Solver_traits>(
             m_coarse_parameterizer))
