@@ -70,9 +70,12 @@ void of_cgal(Surface& surface, const SMP::Hierarchical_options&, Measurement& m)
   run(surface, parameterizer, m);
 }
 
+template <SMP::Flattening_options::Holes holes>
 void direct(Surface& surface, const SMP::Hierarchical_options&, Measurement& m)
 {
-  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
+  SMP::ABF_plus_plus_options options;
+  options.holes = holes;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options);
   run(surface, parameterizer, m);
   add_report(parameterizer.report(), m);
 }
@@ -94,7 +97,8 @@ void hierarchical(Surface& surface, const SMP::Hierarchical_options& options, Me
 
 Methods parameterizer_methods()
 {
-  return {{"abf++", direct},
+  return {{"abf++", direct<SMP::Flattening_options::SOLVE>},
+          {"abf++-fill", direct<SMP::Flattening_options::FILL>},
           {"habf++", hierarchical<CGAL::Default>},
           {"hlscm", hierarchical<SMP::LSCM_parameterizer_3<Mesh>>},
           {"lscm", of_cgal<SMP::LSCM_parameterizer_3<Mesh>>},
