@@ -360,7 +360,7 @@ BOOST_AUTO_TEST_CASE(parameterizers_take_the_option)
   options.holes = hierarchical.holes = Options::SOLVE;
   BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::NOTHING_WRONG);
   BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::NOTHING_WRONG);
-  options.holes = static_cast<Options::Holes>(7);
+  options.holes = static_cast<Options::Holes>(3);
   BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::WRONG_OPTION);
 }
 
