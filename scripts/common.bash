@@ -13,7 +13,7 @@ quietly() { # LOG COMMAND...
   if ((status != 0)); then
     cat "$log" >&2
     echo "failed ($status): $*" >&2
-    return "$status"
+    return 1 # other numbers mean something to some callers
   fi
 }
 

@@ -172,6 +172,19 @@ BOOST_AUTO_TEST_CASE(filled_charts_are_disks)
   }
 }
 
+// An edge without length around the hole, wherever the ring begins
+BOOST_AUTO_TEST_CASE(takes_vertices_at_one_point)
+{
+  const Chart chart = punched(bump(12, 5), [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.2); });
+  BOOST_REQUIRE_EQUAL(chart.borders.size(), 2u);
+  for(int c : chart.borders[1]) {
+    Chart degenerate = chart;
+    degenerate.points[chart.edge_source(c)] = chart.points[chart.edge_target(c)];
+    BOOST_TEST(abf::fill_holes(degenerate).borders.size() == 1u);
+    BOOST_TEST(flatten(degenerate).succeeded());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(patches_weigh_as_much_as_their_surroundings)
 {
   Chart chart = punched(bump(20, 1), [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.2); });

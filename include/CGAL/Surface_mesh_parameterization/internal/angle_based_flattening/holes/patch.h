@@ -38,13 +38,14 @@ inline Patch fan(int n)
 }
 
 // The patch of the least bend, also against the triangles around the hole, whose third vertices are at `outer`. Empty if there is
-// none without degenerate triangles, or if the ring is too large. Convex hulls need exact predicates.
+// none without degenerate triangles, or if the ring is too large. Convex hulls need exact predicates. A ring whose last point
+// is the first one again has a degenerate edge, while CGAL takes it for closed.
 inline Patch
 least_bent_patch(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& ring,
                  const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& outer)
 {
   const int n = static_cast<int>(ring.size());
-  if(n > largest_patch)
+  if(n > largest_patch || ring.front() == ring.back())
     return {};
   std::vector<CGAL::Triple<int, int, int>> triples;
   Polygon_mesh_processing::triangulate_hole_polyline(
