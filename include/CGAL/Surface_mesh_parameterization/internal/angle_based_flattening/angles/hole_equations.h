@@ -47,8 +47,7 @@ inline Hole_edges hole_edges(const Chart& chart, const std::vector<int>& hole)
 {
   Hole_edges edges;
   for(int c : hole)
-    edges.length.push_back(std::sqrt(
-        CGAL::squared_distance(chart.points[chart.edge_source(c)], chart.points[chart.edge_target(c)])));
+    edges.length.push_back(edge_length(chart, c));
   double circumference = std::accumulate(edges.length.begin(), edges.length.end(), 0.);
   if(!(circumference > 0)) {
     edges.length.assign(hole.size(), 1);

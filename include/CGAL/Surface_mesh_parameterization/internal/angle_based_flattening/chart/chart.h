@@ -89,6 +89,12 @@ struct Chart
   int edge_target(int c) const { return vertex[previous_corner(c)]; }
 };
 
+// The length of the edge that a corner faces, divided by the scale
+inline double edge_length(const Chart& chart, int c)
+{
+  return std::sqrt(CGAL::squared_distance(chart.points[chart.edge_source(c)], chart.points[chart.edge_target(c)]));
+}
+
 // The matrix of Eq. 16 has at most 14 numbers for each triangle, which are counted with `int`: of `t` triangles at most
 // t / 2 vertices and 3 t / 2 edges are interior, each vertex has a block of four numbers, and each edge two of them.
 inline constexpr int largest_number_of_triangles = (std::numeric_limits<int>::max)() / 14;

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_CUT_TO_DISKS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_CUT_TO_DISKS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
+#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
+
+/// \file cut_to_disks.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+cuts a surface of any topology to disks, along short seams that take no account of its shape.
+
+Borders are joined by shortest paths, in the manner of Mehlhorn's approximation of Steiner trees. Handles are cut along the greedy homotopy
+basis of Erickson and Whittlesey (2005). Key-path exchange then shortens the seams: without one path between two branches, the disk is an annulus, and the
+shortest path between its two borders makes it a disk again. A sphere is cut along a path between two vertices that are far from each other.
+
+Edges that are seams already remain so, and count as borders. `select_seams()` cuts so that the disks can be flattened with
+little stretch.
+
+For \f$n\f$ triangles and genus \f$g\f$, this takes time \f$O(n \log n)\f$, and \f$O(g\,n\log n)\f$ for the exchanges, whose searches visit each vertex 100 times at most.
+
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh a triangle mesh, of any number of connected components
+\param seams which edges are seams; unchanged if anything is wrong
+\param np optional named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges that must not become seams}
+    \cgalParamType{a model of `ReadablePropertyMap` with `bool` as value type}
+    \cgalParamDefault{no edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weight_map}
+    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
+    \cgalParamDefault{the length of the edge}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what is wrong, if anything, and the length of all seams. `Seam_report::NO_CUT_ALLOWED` means that edges which must not become seams leave no way.
+*/
+template <typename TriangleMesh, typename EdgeIsSeamMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Seam_report cut_to_disks(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                         const NamedParameters& np = parameters::default_values())
+{
+  namespace ABF = internal::ABF;
+  ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
+  return application.run(
+      [](const ABF::Surface_part& part) { return ABF::find_topological_seams(part.chart, part.cost); });
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_CUT_TO_DISKS_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_APPLY_SEAMS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_APPLY_SEAMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Reads a mesh, finds seams of each of its parts by `find(part)`, and marks them if all parts have some. With `keeps_seams`, the present
+// ones are borders of the parts; otherwise `find()` gets them to change.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename NamedParameters>
+class Seam_application
+{
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+
+public:
+  Seam_application(const TriangleMesh& mesh, EdgeIsSeamMap seams, const NamedParameters& np, bool keeps_seams)
+      : m_mesh(mesh), m_seams(seams), m_np(np), m_keeps_seams(keeps_seams),
+        m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                    get_const_property_map(CGAL::vertex_point, mesh)))
+  {}
+
+  template <typename Find>
+  Seam_report run(const Find& find)
+  {
+    Seam_report report;
+    if(!m_reader.read([&](edge_descriptor e) { return m_keeps_seams && get(m_seams, e); }, report) ||
+       !read_costs(report))
+      return report;
+    std::vector<Seams> results;
+    for(const Surface_part& part : m_reader.parts()) {
+      results.push_back(find(part));
+      if(results.back().status != Seams::DONE) {
+        explain_failure(part, results.back().status, report);
+        return report;
+      }
+    }
+    mark(results);
+    measure(results, report);
+    return report;
+  }
+
+  // Of each corner of a part: whether the edge that it faces is a seam now
+  std::vector<char> seams_of(const Surface_part& part) const
+  {
+    std::vector<char> is_seam;
+    for(int c = 0; c < part.chart.number_of_corners(); ++c)
+      is_seam.push_back(part.chart.opposite[c] >= 0 &&
+                        get(m_seams, m_reader.edge_of(3 * part.first_triangle + c)));
+    return is_seam;
+  }
+
+private:
+  bool read_costs(Seam_report& report)
+  {
+    using parameters::get_parameter;
+    const auto is_constrained =
+        parameters::choose_parameter(get_parameter(m_np, internal_np::edge_is_constrained),
+                                     Static_boolean_property_map<edge_descriptor, false>());
+    return m_reader.read_costs(
+        [&](edge_descriptor e, double length) {
+          if(get(is_constrained, e))
+            return (std::numeric_limits<double>::infinity)();
+          if constexpr(parameters::is_default_parameter<NamedParameters,
+                                                        internal_np::seam_edge_weight_t>::value)
+            return length;
+          else
+            return static_cast<double>(get(get_parameter(m_np, internal_np::seam_edge_weight), e));
+        },
+        report);
+  }
+
+  void explain_failure(const Surface_part& part, Seams::Status status, Seam_report& report) const
+  {
+    const std::string where = "the part of the surface with the vertex at " + position_text(part.chart, 0);
+    if(status == Seams::NO_CUT)
+      m_reader.fail(report, Seam_report::NO_CUT_ALLOWED,
+                    where + " cannot be cut to a disk along the edges that may become seams");
+    else
+      m_reader.fail(report, Seam_report::LINEAR_SYSTEM_FAILED,
+                    "the linear system that predicts the scale could not be solved for " + where);
+  }
+
+  void mark(const std::vector<Seams>& results)
+  {
+    for(std::size_t i = 0; i < results.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      for(int c = 0; c < part.chart.number_of_corners(); ++c)
+        if(part.chart.opposite[c] > c)
+          put(m_seams, m_reader.edge_of(3 * part.first_triangle + c), bool(results[i].is_seam[c]));
+    }
+  }
+
+  // Seams lie between two corners, of one part or of two.
+  void measure(const std::vector<Seams>& results, Seam_report& report) const
+  {
+    double area = 0, sides = 0;
+    for(std::size_t i = 0; i < results.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      for(int t = 0; t < part.chart.number_of_triangles(); ++t)
+        area += surface_area(part.chart, t);
+      for(int c = 0; c < part.chart.number_of_corners(); ++c)
+        if(results[i].is_seam[c] || is_seam_at_border(part, c))
+          sides += edge_length(part.chart, c);
+      report.number_of_terminals += results[i].terminals.size();
+      report.predicted_stretch = (std::max)(report.predicted_stretch, results[i].predicted_stretch);
+    }
+    report.number_of_components = m_reader.number_of_components();
+    report.number_of_disks = m_reader.parts().size();
+    report.seam_length = sides / 2 * m_reader.scale();
+    report.relative_seam_length = area > 0 ? sides / 2 / std::sqrt(area) : 0;
+  }
+
+  bool is_seam_at_border(const Surface_part& part, int c) const
+  {
+    if(part.chart.opposite[c] >= 0)
+      return false;
+    const edge_descriptor e = m_reader.edge_of(3 * part.first_triangle + c);
+    return get(m_seams, e) && !CGAL::is_border(e, m_mesh);
+  }
+
+  const TriangleMesh& m_mesh;
+  EdgeIsSeamMap m_seams;
+  const NamedParameters& m_np;
+  bool m_keeps_seams;
+  Surface_reader<TriangleMesh, Vertex_point_map> m_reader;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_APPLY_SEAMS_H

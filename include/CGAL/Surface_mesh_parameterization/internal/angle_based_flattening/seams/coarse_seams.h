@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_COARSE_SEAMS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_COARSE_SEAMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sector_graph.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A coarse copy of a surface, on which seams are selected faster
+class Coarse_copy
+{
+public:
+  Coarse_copy(const Chart& surface, const std::vector<double>& cost, int vertices)
+      : m_surface(surface), m_cost(cost)
+  {
+    Chart copy = surface;
+    Coarsening coarsening(copy);
+    coarsening.coarsen(vertices, Hierarchical_options().extreme_angle);
+    Coarse_chart coarse = coarsening.coarse_chart();
+    m_coarse = std::move(coarse.chart);
+    m_fine_vertex = std::move(coarse.vertices);
+    find_regions(coarsening);
+  }
+
+  const Chart& chart() const { return m_coarse; }
+  int fine_vertex(int v) const { return m_fine_vertex[v]; }
+
+  // Of the edge that each corner of the copy faces: its length times what a unit of length costs around its ends
+  std::vector<double> cost() const
+  {
+    std::vector<double> sum(m_surface.points.size(), 0.), length(m_surface.points.size(), 0.);
+    for(int c = 0; c < m_surface.number_of_corners(); ++c)
+      if(m_cost[c] < forbidden)
+        for(int v : {m_surface.edge_source(c), m_surface.edge_target(c)}) {
+          sum[v] += m_cost[c];
+          length[v] += edge_length(m_surface, c);
+        }
+    const auto unit_cost = [&](int v) {
+      const int fine = m_fine_vertex[v];
+      return length[fine] > 0 ? sum[fine] / length[fine] : 1;
+    };
+    std::vector<double> result;
+    for(int c = 0; c < m_coarse.number_of_corners(); ++c)
+      result.push_back(edge_length(m_coarse, c) *
+                       (unit_cost(m_coarse.edge_source(c)) + unit_cost(m_coarse.edge_target(c))) / 2);
+    return result;
+  }
+
+  // Draws paths of the copy, given by their edges, on the surface: each becomes the shortest path between its ends that stays near it.
+  void draw(const std::vector<std::vector<int>>& paths, Sector_graph& surface) const
+  {
+    std::vector<int> node(m_surface.points.size()), seams;
+    for(int c = 0; c < m_surface.number_of_corners(); ++c)
+      node[m_surface.vertex[c]] = surface.node(c);
+    for(const std::vector<int>& path : paths) {
+      const int from = node[m_fine_vertex[m_coarse.edge_source(path.front())]],
+                to = node[m_fine_vertex[m_coarse.edge_target(path.back())]];
+      Shortest_paths fine(surface, m_cost);
+      fine.restrict_to(nodes_near(path, node));
+      if(fine.find({from}, forbidden, [&](int x) { return x == to && x != from; }) >= 0)
+        for(int c : fine.path(to))
+          seams.push_back(c);
+    }
+    for(int c : seams)
+      if(!surface.is_seam(c))
+        surface.set_seam(c, true);
+  }
+
+private:
+  // The vertices of the surface that were merged into each vertex of the copy
+  void find_regions(Coarsening& coarsening)
+  {
+    std::vector<int> region(m_surface.points.size(), -1);
+    for(std::size_t i = 0; i < m_fine_vertex.size(); ++i)
+      region[m_fine_vertex[i]] = static_cast<int>(i);
+    while(coarsening.number_of_levels() > 0)
+      coarsening.undo_level([&](int v, int kept) { region[v] = region[kept]; });
+    m_members.resize(m_fine_vertex.size());
+    for(std::size_t v = 0; v < region.size(); ++v)
+      m_members[region[v]].push_back(static_cast<int>(v));
+  }
+
+  // Those of the regions of the path's vertices, and of all their neighbours
+  std::vector<char> nodes_near(const std::vector<int>& path, const std::vector<int>& node) const
+  {
+    std::vector<char> is_near(m_coarse.points.size(), false);
+    const auto add_neighbours = [&](int corner) {
+      int c = corner;
+      do {
+        is_near[m_coarse.vertex[next_corner(c)]] = is_near[m_coarse.vertex[previous_corner(c)]] = true;
+        c = m_coarse.rotate(c);
+      } while(c >= 0 && c != corner);
+      for(c = corner; m_coarse.opposite[next_corner(c)] >= 0;) {
+        c = next_corner(m_coarse.opposite[next_corner(c)]);
+        if(c == corner)
+          break;
+        is_near[m_coarse.vertex[next_corner(c)]] = is_near[m_coarse.vertex[previous_corner(c)]] = true;
+      }
+    };
+    for(int c : path) {
+      add_neighbours(next_corner(c));
+      add_neighbours(previous_corner(c));
+    }
+    std::vector<char> result(m_surface.points.size(), false);
+    for(std::size_t i = 0; i < is_near.size(); ++i)
+      if(is_near[i])
+        for(int v : m_members[i])
+          result[node[v]] = true;
+    return result;
+  }
+
+  const Chart& m_surface;
+  const std::vector<double>& m_cost;
+  Chart m_coarse;
+  std::vector<int> m_fine_vertex;
+  std::vector<std::vector<int>> m_members;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_COARSE_SEAMS_H

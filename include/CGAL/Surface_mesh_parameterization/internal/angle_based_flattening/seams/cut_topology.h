@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CUT_TOPOLOGY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CUT_TOPOLOGY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+inline std::vector<int> border_nodes(const Sector_graph& surface)
+{
+  std::vector<int> nodes;
+  for(int x = 0; x < surface.number_of_nodes(); ++x)
+    if(surface.is_node(x) && surface.is_on_border(x))
+      nodes.push_back(x);
+  return nodes;
+}
+
+// Of each node, the number of the border on which it is, or -1
+inline std::vector<int> number_borders(const Sector_graph& surface, int& count)
+{
+  std::vector<int> number(surface.number_of_nodes(), -1);
+  count = 0;
+  for(int x : border_nodes(surface)) {
+    if(number[x] >= 0)
+      continue;
+    const int first = next_corner(surface.first_corner(x));
+    int c = first;
+    do {
+      number[surface.target_node(c)] = count;
+      c = surface.next_open(c);
+    } while(c != first);
+    ++count;
+  }
+  return number;
+}
+
+// Of a surface that is connected, also without its seams
+struct Topology
+{
+  explicit Topology(const Sector_graph& surface)
+  {
+    const Chart& chart = surface.surface();
+    int nodes = 0, sides = 0; // of edges
+    number_borders(surface, borders);
+    for(int x = 0; x < surface.number_of_nodes(); ++x)
+      nodes += surface.is_node(x);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      sides += surface.is_open(c) ? 2 : 1;
+    handles = (2 - borders - nodes + sides / 2 - chart.number_of_triangles()) / 2;
+  }
+
+  bool is_disk() const { return handles == 0 && borders == 1; }
+
+  int handles, borders = 0;
+};
+
+// Opens a connected surface until it is a disk, along short paths.
+class Topological_cut
+{
+public:
+  Topological_cut(Sector_graph& surface, const std::vector<double>& cost) : m_surface(surface), m_cost(cost)
+  {}
+
+  // Returns `false` if edges that must not become seams leave no way.
+  bool run()
+  {
+    const Topology topology(m_surface);
+    if(topology.borders > 1 && !join_borders())
+      return false;
+    if(topology.handles > 0)
+      cut_handles();
+    else if(topology.borders == 0 && !open_sphere())
+      return false;
+    return Topology(m_surface).is_disk();
+  }
+
+private:
+  typedef boost::disjoint_sets_with_storage<> Sets;
+
+  // An edge between two regions, and the length of the path that it closes
+  struct Bridge
+  {
+    double length;
+    int edge;
+
+    friend bool operator<(const Bridge& a, const Bridge& b)
+    {
+      return a.length != b.length ? a.length < b.length : a.edge < b.edge;
+    }
+  };
+
+  const Chart& chart() const { return m_surface.surface(); }
+
+  std::vector<Bridge> bridges(const Shortest_paths& paths) const
+  {
+    std::vector<Bridge> found;
+    for(int c = 0; c < chart().number_of_corners(); ++c)
+      if(c < chart().opposite[c] && !m_surface.is_seam(c) && can_be_seam(c, paths))
+        found.push_back(
+            {paths.distance(m_surface.source_node(c)) + m_cost[c] + paths.distance(m_surface.target_node(c)),
+             c});
+    return found;
+  }
+
+  bool can_be_seam(int c, const Shortest_paths& paths) const
+  {
+    return m_cost[c] < forbidden && paths.is_reached(m_surface.source_node(c)) &&
+           paths.is_reached(m_surface.target_node(c));
+  }
+
+  // Opens the edge, and the paths to its ends.
+  void open_along(const Shortest_paths& paths, int edge, std::vector<int>& seams) const
+  {
+    seams.push_back(edge);
+    for(int x : {m_surface.source_node(edge), m_surface.target_node(edge)}) {
+      const std::vector<int> path = paths.path(x);
+      seams.insert(seams.end(), path.begin(), path.end());
+    }
+  }
+
+  void open(const std::vector<int>& seams)
+  {
+    for(int c : seams)
+      if(!m_surface.is_seam(c))
+        m_surface.set_seam(c, true);
+  }
+
+  // Mehlhorn's approximation of a Steiner tree of the borders: Kruskal's algorithm on the edges between the regions that are nearest
+  // to each of them
+  bool join_borders()
+  {
+    int borders = 0;
+    std::vector<int> region = number_borders(m_surface, borders);
+    Shortest_paths paths(m_surface, m_cost);
+    paths.find_all(border_nodes(m_surface));
+    spread(paths, region);
+    std::vector<Bridge> between = bridges(paths);
+    between.erase(std::remove_if(between.begin(), between.end(),
+                                 [&](const Bridge& bridge) {
+                                   return region[m_surface.source_node(bridge.edge)] ==
+                                          region[m_surface.target_node(bridge.edge)];
+                                 }),
+                  between.end());
+    std::sort(between.begin(), between.end());
+    Sets sets(borders);
+    std::vector<int> seams;
+    for(const Bridge& bridge : between) {
+      const int r = region[m_surface.source_node(bridge.edge)],
+                s = region[m_surface.target_node(bridge.edge)];
+      if(sets.find_set(r) == sets.find_set(s))
+        continue;
+      sets.union_set(r, s);
+      open_along(paths, bridge.edge, seams);
+      --borders;
+    }
+    open(seams);
+    return borders == 1;
+  }
+
+  // Assigns each node to the region of the source of its path.
+  void spread(const Shortest_paths& paths, std::vector<int>& region) const
+  {
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x) {
+      if(!m_surface.is_node(x))
+        continue;
+      int root = x;
+      while(region[root] < 0 && paths.last_edge(root) >= 0)
+        root = m_surface.source_node(paths.last_edge(root));
+      const int r = region[root];
+      for(int y = x; region[y] < 0 && paths.last_edge(y) >= 0; y = m_surface.source_node(paths.last_edge(y)))
+        region[y] = r;
+    }
+  }
+
+  // The greedy homotopy basis of Erickson and Whittlesey: a tree of shortest paths, a spanning tree of the triangles across the other
+  // edges that prefers edges of long loops, and the loops of the 2g edges that are left
+  void cut_handles()
+  {
+    std::vector<int> sources = border_nodes(m_surface);
+    if(sources.empty())
+      sources.push_back(root());
+    Shortest_paths paths(m_surface, m_cost);
+    paths.find_all(sources);
+    std::vector<char> is_in_tree(chart().vertex.size(), false);
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(m_surface.is_node(x) && paths.last_edge(x) >= 0)
+        is_in_tree[paths.last_edge(x)] = is_in_tree[chart().opposite[paths.last_edge(x)]] = true;
+
+    Sets sets(chart().number_of_triangles());
+    const auto join = [&](int c) {
+      const auto s = sets.find_set(c / 3), t = sets.find_set(chart().opposite[c] / 3);
+      if(s == t)
+        return false;
+      sets.link(s, t);
+      return true;
+    };
+    for(int c = 0; c < chart().number_of_corners(); ++c)
+      if(c < chart().opposite[c] && !m_surface.is_seam(c) && !can_be_seam(c, paths))
+        join(c);
+    std::vector<Bridge> others = bridges(paths);
+    others.erase(std::remove_if(others.begin(), others.end(),
+                                [&](const Bridge& bridge) { return is_in_tree[bridge.edge]; }),
+                 others.end());
+    std::sort(others.rbegin(), others.rend());
+    std::vector<int> seams;
+    for(const Bridge& bridge : others)
+      if(!join(bridge.edge))
+        open_along(paths, bridge.edge, seams);
+    open(seams);
+  }
+
+  // A node from which seams may lead to as many others as possible
+  int root() const
+  {
+    Sets sets(m_surface.number_of_nodes());
+    for(int c = 0; c < chart().number_of_corners(); ++c)
+      if(!m_surface.is_open(c) && m_cost[c] < forbidden)
+        sets.union_set(m_surface.source_node(c), m_surface.target_node(c));
+    std::vector<int> size(m_surface.number_of_nodes(), 0);
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      ++size[sets.find_set(x)];
+    return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+  }
+
+  // Two vertices that are far from each other, and a path of at least two edges between them: with one edge there would be no polygon
+  // around the disk.
+  bool open_sphere()
+  {
+    int from = root(), to = from;
+    std::vector<int> path;
+    for(int sweep = 0; sweep < 2; ++sweep) {
+      from = to;
+      Shortest_paths paths(m_surface, m_cost);
+      paths.find_all({from});
+      for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+        if(paths.is_reached(x) && paths.distance(x) > paths.distance(to))
+          to = x;
+      path = paths.path(to);
+    }
+    if(path.size() == 1)
+      add_edge(path);
+    open(path);
+    return path.size() > 1;
+  }
+
+  // The cheapest edge that makes a path of two out of one
+  void add_edge(std::vector<int>& path) const
+  {
+    int cheapest = -1;
+    for(int x : {m_surface.source_node(path.front()), m_surface.target_node(path.front())}) {
+      const auto [begin, end] = out_edges(x, m_surface);
+      for(auto c = begin; c != end; ++c)
+        if(*c != path.front() && chart().opposite[*c] != path.front() && m_cost[*c] < forbidden &&
+           (cheapest < 0 || m_cost[*c] < m_cost[cheapest]))
+          cheapest = *c;
+    }
+    if(cheapest >= 0)
+      path.push_back(cheapest);
+  }
+
+  Sector_graph& m_surface;
+  const std::vector<double>& m_cost;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CUT_TOPOLOGY_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_IMPL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_IMPL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/coarse_seams.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/greedy_cones.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/repair_cut.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Surfaces with more vertices get their seams by way of a coarse copy, which has fewer.
+inline constexpr int large_surface = 12000, vertices_of_coarse_copy = 5000;
+
+inline Seams seams_of(const Sector_graph& surface)
+{
+  Seams seams;
+  for(int c = 0; c < surface.surface().number_of_corners(); ++c)
+    seams.is_seam.push_back(surface.is_seam(c));
+  return seams;
+}
+
+inline Seams find_seams_directly(const Chart& surface, const std::vector<double>& cost,
+                                 const Seam_options& options, const Linear_solvers& solvers)
+{
+  Sector_graph opened(surface);
+  Greedy_cones cones(opened, cost, options, solvers);
+  const Seams::Status status = cones.run();
+  Seams seams = seams_of(opened);
+  seams.status = status;
+  seams.terminals = cones.terminals();
+  seams.predicted_stretch = cones.predicted_stretch();
+  return seams;
+}
+
+inline Seams find_seams_on_copy(const Chart& surface, const std::vector<double>& cost,
+                                const Seam_options& options, const Linear_solvers& solvers)
+{
+  const Coarse_copy copy(surface, cost, vertices_of_coarse_copy);
+  const std::vector<double> coarse_cost = copy.cost();
+  Sector_graph coarse(copy.chart());
+  Greedy_cones cones(coarse, coarse_cost, options, solvers);
+  const Seams::Status status = cones.run();
+
+  std::vector<int> terminals;
+  for(int v : cones.terminals())
+    terminals.push_back(copy.fine_vertex(v));
+  Sector_graph opened(surface);
+  bool is_cut = false;
+  if(status == Seams::DONE) {
+    copy.draw(Path_shortening(coarse, coarse_cost, cones.terminals()).key_paths(), opened);
+    is_cut = Cut_repair(opened, cost, terminals).run();
+  }
+  Seams seams = seams_of(opened);
+  seams.status = status == Seams::DONE && !is_cut ? Seams::NO_CUT : status;
+  seams.terminals = terminals;
+  seams.predicted_stretch = cones.predicted_stretch();
+  return seams;
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,
+                                                                const std::vector<double>& cost)
+{
+  Sector_graph opened(surface);
+  if(!Topological_cut(opened, cost).run()) {
+    Seams seams;
+    seams.status = Seams::NO_CUT;
+    return seams;
+  }
+  Path_shortening(opened, cost, {}).run(most_visits);
+  return seams_of(opened);
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_seams(const Chart& surface, const std::vector<double>& cost,
+                                                    const Seam_options& options,
+                                                    const Linear_solvers& solvers)
+{
+  return surface.number_of_vertices() > large_surface ? find_seams_on_copy(surface, cost, options, solvers)
+                                                      : find_seams_directly(surface, cost, options, solvers);
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Seams shorten_seams(const Chart& surface, const std::vector<double>& cost,
+                                                       const std::vector<char>& seams)
+{
+  Sector_graph opened(surface);
+  for(int c = 0; c < surface.number_of_corners(); ++c)
+    if(seams[c] && !opened.is_seam(c))
+      opened.set_seam(c, true);
+  std::vector<int> ends;
+  for(int c = 0; c < surface.number_of_corners(); ++c)
+    if(opened.is_seam(c) && opened.seams_at(next_corner(c)).size() == 1)
+      ends.push_back(surface.edge_source(c));
+  Path_shortening(opened, cost, ends).run(most_visits);
+  return seams_of(opened);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_IMPL_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Searches of key-path exchange visit each node so many times at most. Genus 133 took over 200 s without a limit.
+inline constexpr int most_visits = 100;
+
+// Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose predicted scale is
+// farthest from 1, until the predicted stretch is small enough.
+class Greedy_cones
+{
+public:
+  typedef Seams::Status Status;
+
+  Greedy_cones(Sector_graph& surface, const std::vector<double>& cost, const Seam_options& options,
+               const Linear_solvers& solvers)
+      : m_surface(surface), m_cost(cost), m_options(options), m_log_scale(surface.surface(), solvers)
+  {}
+
+  const std::vector<int>& terminals() const { return m_terminals; }
+  double predicted_stretch() const { return m_stretch; }
+
+  Status run()
+  {
+    if(const Status status = open(); status != Seams::DONE)
+      return status;
+    // Shortening changes the stretch, mostly a little.
+    for(int round = 0; round < 5; ++round) {
+      const std::size_t before = m_terminals.size();
+      if(const Status status = add_terminals(); status != Seams::DONE)
+        return status;
+      if(round > 0 && m_terminals.size() == before)
+        break;
+      Path_shortening(m_surface, m_cost, m_terminals).run(most_visits);
+    }
+    return Seams::DONE;
+  }
+
+private:
+  const Chart& chart() const { return m_surface.surface(); }
+
+  Status open()
+  {
+    const Topology topology(m_surface);
+    if(topology.handles == 0 && topology.borders == 0)
+      return open_sphere();
+    return Topological_cut(m_surface, m_cost).run() ? Seams::DONE : Seams::NO_CUT;
+  }
+
+  // The first terminal is where the sphere shrinks most, the second one where it shrinks or grows most then, away from the first.
+  Status open_sphere()
+  {
+    std::vector<char> is_fixed(chart().points.size(), false);
+    is_fixed.front() = true;
+    std::optional<std::vector<double>> u = m_log_scale.solve(is_fixed, true);
+    if(!u)
+      return Seams::LINEAR_SYSTEM_FAILED;
+    const int first = static_cast<int>(std::min_element(u->begin(), u->end()) - u->begin());
+    is_fixed.front() = false;
+    is_fixed[first] = true;
+    u = m_log_scale.solve(is_fixed);
+    if(!u)
+      return Seams::LINEAR_SYSTEM_FAILED;
+    const int node = node_of(first);
+    Shortest_paths paths(m_surface, m_cost);
+    paths.find_all({node});
+    double farthest = 0;
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(paths.is_reached(x))
+        farthest = (std::max)(farthest, paths.distance(x));
+    int second = -1;
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(paths.is_reached(x) && paths.distance(x) > 0.25 * farthest && paths.path_has_two_edges(x) &&
+         (second < 0 || std::abs((*u)[m_surface.vertex(x)]) > std::abs((*u)[m_surface.vertex(second)])))
+        second = x;
+    if(second < 0)
+      return Topological_cut(m_surface, m_cost).run() ? Seams::DONE : Seams::NO_CUT;
+    m_terminals = {first, m_surface.vertex(second)};
+    for(int c : paths.path(second))
+      m_surface.set_seam(c, true);
+    return Seams::DONE;
+  }
+
+  int node_of(int v) const
+  {
+    int x = 0;
+    while(m_surface.vertex(x) != v)
+      ++x;
+    return x;
+  }
+
+  Status add_terminals()
+  {
+    for(;;) {
+      std::vector<char> is_fixed(chart().points.size(), false);
+      for(int x : border_nodes(m_surface))
+        is_fixed[m_surface.vertex(x)] = true;
+      const std::optional<std::vector<double>> u = m_log_scale.solve(is_fixed);
+      if(!u)
+        return Seams::LINEAR_SYSTEM_FAILED;
+      m_stretch = m_log_scale.stretch(*u);
+      if(m_stretch <= m_options.stretch_bound ||
+         static_cast<int>(m_terminals.size()) >= m_options.maximum_number_of_terminals || !add_terminal(*u))
+        return Seams::DONE;
+    }
+  }
+
+  // Joins the vertex of the largest |u| to the seams. Returns `false` if no vertex is left that can be.
+  bool add_terminal(const std::vector<double>& u)
+  {
+    Shortest_paths paths(m_surface, m_cost);
+    paths.find_all(border_nodes(m_surface));
+    int terminal = -1;
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(m_surface.is_node(x) && paths.last_edge(x) >= 0)
+        if(const int v = m_surface.vertex(x);
+           terminal < 0 || std::abs(u[v]) > std::abs(u[m_surface.vertex(terminal)]))
+          terminal = x;
+    if(terminal < 0)
+      return false;
+    m_terminals.push_back(m_surface.vertex(terminal));
+    for(int c : paths.path(terminal))
+      m_surface.set_seam(c, true);
+    return true;
+  }
+
+  Sector_graph& m_surface;
+  const std::vector<double>& m_cost;
+  const Seam_options& m_options;
+  Log_scale m_log_scale;
+  std::vector<int> m_terminals; // vertices
+  double m_stretch = 1;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_LOG_SCALE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_LOG_SCALE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Predicts by how much a conformal map of the opened surface changes lengths: log scale factors u with L u = -K, where L is the
+// cotangent Laplacian and K the angle defect, and u = 0 on seams and borders.
+class Log_scale
+{
+public:
+  Log_scale(const Chart& surface, const Linear_solvers& solvers)
+      : m_surface(surface), m_solvers(solvers), m_cotangents(cotangents(proper_angles(surface))),
+        m_defect(surface.points.size(), 2 * pi), m_area(surface.points.size(), 0.)
+  {
+    for(int c = 0; c < surface.number_of_corners(); ++c)
+      m_defect[surface.vertex[c]] -= surface_angle(surface, c);
+    for(int t = 0; t < surface.number_of_triangles(); ++t)
+      for(int c = 3 * t; c < 3 * t + 3; ++c)
+        m_area[surface.vertex[c]] += surface_area(surface, t) / 3;
+    for(double a : m_area)
+      m_total_area += a;
+  }
+
+  // Of each vertex. If the surface is closed, and but one vertex is fixed, the defects may be made to sum to 0: then the solution does
+  // not depend on that vertex, but for a constant.
+  std::optional<std::vector<double>> solve(const std::vector<char>& is_fixed, bool is_balanced = false) const
+  {
+    const int n = m_surface.number_of_vertices();
+    std::vector<int> unknown(n, -1);
+    int unknowns = 0;
+    for(int v = 0; v < n; ++v)
+      if(!is_fixed[v])
+        unknown[v] = unknowns++;
+    std::vector<double> u(n, 0.);
+    if(unknowns == 0)
+      return u;
+    Two_vectors sources = {Eigen::VectorXd::Zero(unknowns), Eigen::VectorXd::Zero(unknowns)}, solutions;
+    const double mean = is_balanced && m_total_area > 0 ? 4 * pi / m_total_area : 0;
+    for(int v = 0; v < n; ++v)
+      if(unknown[v] >= 0)
+        sources[0][unknown[v]] =
+            -2 * (m_defect[v] - mean * m_area[v]); // the matrix has twice the usual weights
+    Definite_system system(m_solvers, m_solvers->low_precision());
+    if(!system.solve(cotangent_laplacian(m_surface, m_cotangents, unknown, unknowns).matrix(), sources,
+                     solutions))
+      return std::nullopt;
+    for(int v = 0; v < n; ++v)
+      if(unknown[v] >= 0)
+        u[v] = solutions[0][unknown[v]];
+    return u;
+  }
+
+  // The L2 stretch of a map with these log scale factors, after the best scaling
+  double stretch(const std::vector<double>& u) const
+  {
+    if(!(m_total_area > 0))
+      return 1;
+    double shrunk = 0, grown = 0;
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      shrunk += m_area[v] * std::exp(-2 * u[v]);
+      grown += m_area[v] * std::exp(2 * u[v]);
+    }
+    return std::sqrt(shrunk / m_total_area * (grown / m_total_area));
+  }
+
+private:
+  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite, and none of which is near 0: the
+  // larger two make room
+  static std::vector<double> proper_angles(const Chart& surface)
+  {
+    std::vector<double> angles(surface.vertex.size());
+    for(int t = 0; t < surface.number_of_triangles(); ++t) {
+      double* const begin = angles.data() + 3 * t;
+      for(int k = 0; k < 3; ++k)
+        begin[k] = (std::max)(surface_angle(surface, 3 * t + k), least_target_angle);
+      double* const largest = std::max_element(begin, begin + 3);
+      *largest = 0;
+      *largest = pi - begin[0] - begin[1] - begin[2];
+    }
+    return angles;
+  }
+
+  const Chart& m_surface;
+  const Linear_solvers& m_solvers;
+  const std::vector<double> m_cotangents;
+  std::vector<double> m_defect, m_area; // of each vertex
+  double m_total_area = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_LOG_SCALE_H

@@ -1,0 +1,261 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A connected part of a surface, and what its edges cost
+struct Surface_part
+{
+  Chart chart;
+  int first_triangle = 0;   // among those of the whole surface
+  std::vector<double> cost; // of the edge that each corner faces
+};
+
+// Reads a mesh of any topology as connected parts, and writes seams to it. A vertex whose triangles do not all hang together by edges
+// becomes several ones.
+template <typename TriangleMesh, typename VertexPointMap>
+class Surface_reader
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+public:
+  Surface_reader(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
+
+  const std::vector<Surface_part>& parts() const { return m_parts; }
+  double scale() const { return m_scale; } // lengths in the mesh, divided by those of the parts
+
+  // Reads the surface, opened along the edges with `is_cut(e)`. Returns whether that is possible, and says why if it is not.
+  template <typename IsCut>
+  bool read(const IsCut& is_cut, Seam_report& report)
+  {
+    return find_faces(is_cut, report) && read_points(report);
+  }
+
+  // The edge that a corner of the surface faces: corner k of a face is at the target of its halfedge number k.
+  edge_descriptor edge_of(int corner) const
+  {
+    halfedge_descriptor h = halfedge(m_faces[corner / 3], m_mesh);
+    for(int k = (corner + 2) % 3; k > 0; --k)
+      h = next(h, m_mesh);
+    return edge(h, m_mesh);
+  }
+
+  // Sets what edges cost: `cost_of(e, length)`, where the length is that in the parts.
+  template <typename Cost>
+  bool read_costs(const Cost& cost_of, Seam_report& report)
+  {
+    for(Surface_part& part : m_parts) {
+      const Chart& chart = part.chart;
+      part.cost.resize(chart.vertex.size());
+      for(int c = 0; c < chart.number_of_corners(); ++c) {
+        part.cost[c] = cost_of(edge_of(3 * part.first_triangle + c), edge_length(chart, c));
+        if(!(part.cost[c] >= 0)) {
+          fail(report, Seam_report::WRONG_WEIGHT,
+               "the edge from " + position_text(chart, chart.edge_source(c)) + " to " +
+                   position_text(chart, chart.edge_target(c)) + " has the weight " +
+                   std::to_string(part.cost[c]) + ", and weights must not be negative");
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  std::size_t number_of_components() const
+  {
+    boost::disjoint_sets_with_storage<> sets(m_faces.size());
+    std::size_t count = m_faces.size();
+    for(std::size_t t = 0; t < m_faces.size(); ++t)
+      for(const halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[t], m_mesh), m_mesh))
+        if(const halfedge_descriptor across = opposite(h, m_mesh); !CGAL::is_border(across, m_mesh)) {
+          const auto other = static_cast<std::size_t>(get(m_ranks, face(across, m_mesh)));
+          if(sets.find_set(t) != sets.find_set(other)) {
+            sets.union_set(t, other);
+            --count;
+          }
+        }
+    return count;
+  }
+
+  static void fail(Seam_report& report, Seam_report::Diagnosis diagnosis, const std::string& message)
+  {
+    report.diagnosis = diagnosis;
+    report.message = message;
+  }
+
+private:
+  // Faces come in the order of a breadth-first search, part by part.
+  template <typename IsCut>
+  bool find_faces(const IsCut& is_cut, Seam_report& report)
+  {
+    m_ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
+    for(face_descriptor f : faces(m_mesh))
+      put(m_ranks, f, -1);
+    for(face_descriptor f : faces(m_mesh)) {
+      if(get(m_ranks, f) >= 0)
+        continue;
+      const std::size_t first = m_faces.size();
+      find(f);
+      for(std::size_t t = first; t < m_faces.size(); ++t) {
+        halfedge_descriptor h = halfedge(m_faces[t], m_mesh);
+        for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+          if(const halfedge_descriptor across = opposite(h, m_mesh);
+             !CGAL::is_border(across, m_mesh) && !is_cut(edge(h, m_mesh)))
+            find(face(across, m_mesh));
+        if(h != halfedge(m_faces[t], m_mesh)) {
+          const auto p = get(m_points, target(h, m_mesh));
+          fail(report, Seam_report::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
+          return false;
+        }
+        if(m_faces.size() > static_cast<std::size_t>(largest_number_of_triangles)) {
+          fail(report, Seam_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
+          return false;
+        }
+      }
+      m_parts.push_back(link(static_cast<int>(first), is_cut));
+    }
+    if(m_faces.empty())
+      fail(report, Seam_report::EMPTY_MESH, "the mesh has no faces");
+    return !m_faces.empty();
+  }
+
+  void find(face_descriptor f)
+  {
+    if(get(m_ranks, f) >= 0)
+      return;
+    put(m_ranks, f, static_cast<int>(m_faces.size()));
+    m_faces.push_back(f);
+  }
+
+  template <typename Point>
+  static std::string point_text(const Point& p)
+  {
+    Chart chart;
+    chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    return position_text(chart, 0);
+  }
+
+  template <typename IsCut>
+  Surface_part link(int first, const IsCut& is_cut)
+  {
+    Surface_part part;
+    part.first_triangle = first;
+    Chart& chart = part.chart;
+    chart.opposite.resize(3 * (m_faces.size() - first));
+    for(int t = 0; t < static_cast<int>(chart.opposite.size()) / 3; ++t) {
+      halfedge_descriptor h = halfedge(m_faces[first + t], m_mesh);
+      for(int k : {1, 2, 0}) {
+        const halfedge_descriptor across = opposite(h, m_mesh);
+        chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) || is_cut(edge(h, m_mesh))
+                                        ? -1
+                                        : facing_corner(across) - 3 * first;
+        h = next(h, m_mesh);
+      }
+    }
+    return part;
+  }
+
+  int facing_corner(halfedge_descriptor h) const
+  {
+    const face_descriptor f = face(h, m_mesh);
+    int k = 1;
+    for(halfedge_descriptor g = halfedge(f, m_mesh); g != h; g = next(g, m_mesh))
+      ++k;
+    return 3 * get(m_ranks, f) + k % 3;
+  }
+
+  bool read_points(Seam_report& report)
+  {
+    double largest = 0;
+    for(Surface_part& part : m_parts) {
+      number_vertices(part);
+      for(const Chart::Point_3& p : part.chart.points)
+        for(int i = 0; i < 3; ++i) {
+          largest = (std::max)(largest, std::abs(p[i]));
+          if(!std::isfinite(p[i])) {
+            fail(report, Seam_report::NON_FINITE_POINT,
+                 "a vertex has coordinates " + point_text(p) + ", which are not all finite numbers");
+            return false;
+          }
+        }
+    }
+    m_scale = power_of_two(largest);
+    for(Surface_part& part : m_parts) {
+      part.chart.scale = m_scale;
+      for(Chart::Point_3& p : part.chart.points)
+        p = Chart::Point_3(p.x() / m_scale, p.y() / m_scale, p.z() / m_scale);
+      find_borders(part.chart);
+    }
+    return true;
+  }
+
+  // In the order in which the triangles come upon them
+  void number_vertices(Surface_part& part) const
+  {
+    Chart& chart = part.chart;
+    chart.vertex.assign(chart.opposite.size(), -1);
+    int corner = 0;
+    for(int t = 0; t < chart.number_of_triangles(); ++t) {
+      halfedge_descriptor h = halfedge(m_faces[part.first_triangle + t], m_mesh);
+      for(int k = 0; k < 3; ++k, ++corner, h = next(h, m_mesh)) {
+        if(chart.vertex[corner] >= 0)
+          continue;
+        const auto& p = get(m_points, target(h, m_mesh));
+        number_corners_around(corner, chart);
+        chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      }
+    }
+  }
+
+  static void number_corners_around(int corner, Chart& chart)
+  {
+    const int v = chart.number_of_vertices();
+    int c = corner;
+    do {
+      chart.vertex[c] = v;
+      c = chart.rotate(c);
+    } while(c >= 0 && c != corner);
+    for(c = chart.opposite[next_corner(corner)]; c >= 0 && chart.vertex[next_corner(c)] < 0;
+        c = chart.opposite[next_corner(next_corner(c))])
+      chart.vertex[next_corner(c)] = v;
+  }
+
+  const TriangleMesh& m_mesh;
+  VertexPointMap m_points;
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int>>::const_type m_ranks;
+  std::vector<face_descriptor> m_faces;
+  std::vector<Surface_part> m_parts;
+  double m_scale = 1;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_SELECT_SEAMS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_SELECT_SEAMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
+#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
+
+/// \file select_seams.h
+
+#include <string>
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+cuts a surface of any topology to disks that can be flattened with little stretch.
+
+First the surface is cut to disks as by `cut_to_disks()`. The cotangent Laplacian then predicts the scale \f$e^u\f$ of a conformal map: \f$L u = -K\f$, where \f$K\f$ is the
+angle defect of a vertex, and \f$u\f$ vanishes on seams and borders. The vertex of the largest \f$|u|\f$ becomes a *terminal*: the shortest path joins it to the seams. That is
+repeated until the predicted \f$L_2\f$ stretch \f$\sqrt{\overline{e^{-2u}}\;\overline{e^{2u}}}\f$, with means over the area, is at most `stretch_bound`. Key-path exchange then shortens the seams.
+The terminals of a sphere begin with a vertex where it shrinks most.
+
+The stretch of a map by ABF++ is mostly within a few percent of the prediction. Coarse triangulations with long thin triangles can stretch more: measure the map.
+
+Seams of surfaces with more than 12,000 vertices are selected on a coarser copy with 5,000 vertices, and drawn on the surface as shortest paths near those of the copy.
+Edges that are seams already remain so, and count as borders.
+
+For \f$n\f$ triangles this takes time \f$O(n \log n)\f$ for the copy and the paths, and a factorization of the Laplacian of the copy for each terminal.
+
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh a triangle mesh, of any number of connected components
+\param seams which edges are seams; unchanged if anything is wrong
+\param np optional named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges that must not become seams}
+    \cgalParamType{a model of `ReadablePropertyMap` with `bool` as value type}
+    \cgalParamDefault{no edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weight_map}
+    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
+    \cgalParamDefault{the length of the edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{stretch_bound}
+    \cgalParamDescription{the largest predicted \f$L_2\f$ stretch (see `parameters::stretch_bound()`)}
+    \cgalParamType{`double`, at least 1}
+    \cgalParamDefault{`1.1`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_terminals}
+    \cgalParamDescription{the largest number of terminals of each part of the surface (see `parameters::maximum_number_of_terminals()`)}
+    \cgalParamType{`int`, at least 0}
+    \cgalParamDefault{`100`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{the solver of the linear systems}
+    \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
+    \cgalParamDefault{`SuperLU_solver_traits<>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what is wrong, if anything, and the length of all seams. `Seam_report::NO_CUT_ALLOWED` means that edges which must not become seams leave no way.
+*/
+template <typename TriangleMesh, typename EdgeIsSeamMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Seam_report select_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                         const NamedParameters& np = parameters::default_values())
+{
+  namespace ABF = internal::ABF;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  ABF::Seam_options options;
+  options.stretch_bound =
+      choose_parameter(get_parameter(np, internal_np::stretch_bound), options.stretch_bound);
+  options.maximum_number_of_terminals = choose_parameter(
+      get_parameter(np, internal_np::maximum_number_of_terminals), options.maximum_number_of_terminals);
+  Seam_report report;
+  report.message = ABF::wrong_option(options);
+  if(!report.message.empty()) {
+    report.diagnosis = Seam_report::WRONG_OPTION;
+    return report;
+  }
+  const ABF::Linear_solvers solvers(
+      choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+  ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
+  report = application.run([&](const ABF::Surface_part& part) {
+    return ABF::find_seams(part.chart, part.cost, options, solvers);
+  });
+  report.bound_reached = report.predicted_stretch <= options.stretch_bound;
+  return report;
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_SELECT_SEAMS_H
