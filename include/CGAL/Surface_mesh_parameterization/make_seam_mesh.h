@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_MAKE_SEAM_MESH_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_MAKE_SEAM_MESH_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/opened_surface.h>
+
+// `Seam_mesh` calls only functions of meshes that were declared before it.
+#include <CGAL/Surface_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+/// \file make_seam_mesh.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The seam mesh that `make_seam_mesh()` returns. Its copies share the maps of seams.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
+template <typename TriangleMesh>
+using Cut_mesh =
+#ifdef DOXYGEN_RUNNING
+    CGAL::Seam_mesh<TriangleMesh, unspecified_type, unspecified_type>;
+#else
+    CGAL::Seam_mesh<
+        TriangleMesh,
+        typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<bool>>::const_type,
+        typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<bool>>::const_type>;
+#endif
+
+#ifndef DOXYGEN_RUNNING
+namespace internal::ABF {
+
+// `Seam_mesh` tells the sectors of exactly those vertices apart that are marked. Besides the ends of seams we mark
+// pinched vertices, so that they come apart as well.
+template <typename TriangleMesh, typename VertexIsSeamMap, typename EdgeIsSeamMap>
+void mark_vertices(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMap marks)
+{
+  const auto has_border = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
+  for(auto v : vertices(mesh)) {
+    put(has_border, v, false);
+    put(marks, v, false);
+  }
+  for(auto h : halfedges(mesh)) {
+    const auto v = target(h, mesh);
+    if(get(seams, edge(h, mesh)) || (CGAL::is_border(h, mesh) && get(has_border, v)))
+      put(marks, v, true);
+    if(CGAL::is_border(h, mesh))
+      put(has_border, v, true);
+  }
+}
+
+// Around a marked vertex, `Seam_mesh` searches for a seam or border without end.
+template <typename TriangleMesh, typename VertexIsSeamMap, typename EdgeIsSeamMap>
+void refuse_marked_vertices_within_faces(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMap marks)
+{
+  const Opened_surface<TriangleMesh> surface(mesh, seams);
+  for(std::size_t side : surface.first_side) {
+    const auto v = target(surface.halfedge_of[side], mesh);
+    if(surface.is_on_border(side) || !get(marks, v))
+      continue;
+    std::size_t rank = 0;
+    for(auto w : vertices(mesh)) {
+      if(w == v)
+        break;
+      ++rank;
+    }
+    throw std::invalid_argument("vertex " + std::to_string(rank) +
+                                " is surrounded by faces, and is on a seam or border of other faces");
+  }
+}
+
+template <typename Point>
+double distance(const Point& p, const Point& q)
+{
+  return std::hypot(CGAL::to_double(p.x()) - CGAL::to_double(q.x()),
+                    CGAL::to_double(p.y()) - CGAL::to_double(q.y()),
+                    CGAL::to_double(p.z()) - CGAL::to_double(q.z()));
+}
+
+// A halfedge on the longest border cycle along these faces; the first one found if lengths are not comparable.
+template <typename SeamMesh, typename FaceRange>
+typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, const FaceRange& faces)
+{
+  typedef typename SeamMesh::halfedge_descriptor halfedge_descriptor;
+  const auto points = get(CGAL::vertex_point, mesh);
+  std::unordered_set<halfedge_descriptor> visited;
+  halfedge_descriptor longest;
+  double largest_length = -1;
+  for(auto f : faces)
+    for(halfedge_descriptor inner : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      const halfedge_descriptor border = opposite(inner, mesh);
+      if(!CGAL::is_border(border, mesh) || visited.count(border) != 0)
+        continue;
+      double length = 0;
+      for(halfedge_descriptor h = border; visited.insert(h).second; h = next(h, mesh))
+        length += distance(get(points, source(h, mesh)), get(points, target(h, mesh)));
+      if(longest == halfedge_descriptor() || length > largest_length) {
+        longest = border;
+        largest_length = length;
+      }
+    }
+  return longest;
+}
+
+} // namespace internal::ABF
+#endif // DOXYGEN_RUNNING
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the `Seam_mesh` of a surface with marked seams, which the parameterizers take as it is.
+///
+/// \code{.cpp}
+/// auto seam_mesh = make_seam_mesh(mesh, seams);
+/// typedef decltype(seam_mesh) Seam_mesh;
+/// parameterize(seam_mesh, ABF_plus_plus_parameterizer_3<Seam_mesh>(), border_halfedge(seam_mesh), uvmap);
+/// \endcode
+///
+/// The coordinates belong to halfedges of `mesh`: those of the corner of a face at the target of `h` are at the key
+/// `target(h, seam_mesh)`, which converts to a halfedge of `mesh`. `uvmap` has these keys only.
+///
+/// The seam mesh has its own copies of the marks, and so it does not change with `seams`. It refers to `mesh`, which has to
+/// exist as long. It knows its number of seams. The constructor of `Seam_mesh`, given
+/// edges that are already marked, takes their number for 0.
+/// Marked border edges, which `Seam_mesh` is not made for, are no seams. A pinched vertex on the border becomes several
+/// vertices, one for each fan of faces.
+///
+/// The header of a mesh type other than `Surface_mesh` has to be included before `make_seam_mesh.h`: this is how `Seam_mesh`
+/// finds its functions.
+///
+/// Time and memory are linear in the size of the mesh.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
+/// \tparam EdgeIsSeamMap a model of `ReadablePropertyMap` with
+///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type.
+///
+/// \param mesh the surface.
+/// \param seams is `true` for the edges to be cut open. They need not leave disks.
+///
+/// \exception std::invalid_argument if a vertex is surrounded by faces, and is on a seam or border of other faces as well
+///            (`Disk_cut_defect::NON_MANIFOLD_VERTEX`).
+template <typename TriangleMesh, typename EdgeIsSeamMap>
+Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
+{
+  const auto edge_marks = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+  std::size_t number_of_seams = 0;
+  for(auto e : edges(mesh)) {
+    const bool is_seam = get(seams, e) && !CGAL::is_border(e, mesh);
+    put(edge_marks, e, is_seam);
+    number_of_seams += is_seam;
+  }
+  const auto vertex_marks = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
+  internal::ABF::mark_vertices(mesh, edge_marks, vertex_marks);
+  internal::ABF::refuse_marked_vertices_within_faces(mesh, edge_marks, vertex_marks);
+
+  Cut_mesh<TriangleMesh> result(mesh, edge_marks, vertex_marks);
+  result.set_seam_edges_number(
+      static_cast<typename Cut_mesh<TriangleMesh>::edges_size_type>(number_of_seams));
+  return result;
+}
+
+#ifndef DOXYGEN_RUNNING
+// The seam mesh refers to the mesh.
+template <typename TriangleMesh, typename EdgeIsSeamMap>
+Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh&& mesh, EdgeIsSeamMap seams) = delete;
+#endif
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a halfedge on the longest border of a seam mesh, as the parameterizers take it; the null halfedge if
+/// there is none. The time is linear.
+///
+/// \tparam TM, SEM, SVM the arguments of any `Seam_mesh`. Points are those of `TM`.
+template <typename TM, typename SEM, typename SVM>
+typename CGAL::Seam_mesh<TM, SEM, SVM>::halfedge_descriptor
+border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh)
+{
+  return internal::ABF::longest_border(seam_mesh, faces(seam_mesh));
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a halfedge on the longest border of the part of `f`: the faces connected with it across edges that
+/// are not seams. The null halfedge means that the part is closed.
+///
+/// The time is \cgalBigO{m \log m} if the part has \f$m\f$ faces.
+template <typename TM, typename SEM, typename SVM>
+typename CGAL::Seam_mesh<TM, SEM, SVM>::halfedge_descriptor
+border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh,
+                typename boost::graph_traits<TM>::face_descriptor f)
+{
+  std::vector<typename boost::graph_traits<TM>::face_descriptor> part;
+  Polygon_mesh_processing::connected_component(f, seam_mesh, std::back_inserter(part));
+  return internal::ABF::longest_border(seam_mesh, part);
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_MAKE_SEAM_MESH_H
