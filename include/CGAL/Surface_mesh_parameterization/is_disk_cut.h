@@ -32,7 +32,7 @@ namespace Surface_mesh_parameterization {
 /// surface: a vertex where a seam ends has one sector, a vertex in the middle of a seam has two, and a pinched vertex
 /// has one or more for each fan of faces. A seam may end anywhere, and may touch the border in a vertex. A marked
 /// border edge is no seam. If the result is `true`, then the parameterizers of this package accept
-/// each part, provided that coordinates are finite.
+/// each part of `make_seam_mesh(mesh, seams)`, provided that coordinates are finite.
 ///
 /// \code{.cpp}
 /// if(const auto check = is_disk_cut(mesh, seams); !check)
