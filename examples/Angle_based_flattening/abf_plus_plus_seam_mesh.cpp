@@ -5,21 +5,20 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/File_off.h>
+#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 
 #include <fstream>
 #include <iostream>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using Is_seam_edge = Surface::Property_map<Surface::Edge_index, bool>;
-using Is_seam_vertex = Surface::Property_map<Surface::Vertex_index, bool>;
-using Mesh = CGAL::Seam_mesh<Surface, Is_seam_edge, Is_seam_vertex>;
-using Halfedge = boost::graph_traits<Mesh>::halfedge_descriptor;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+using Mesh = SMP::Cut_mesh<Surface>;
 
 int main(int argc, char* argv[])
 {
@@ -29,18 +28,20 @@ int main(int argc, char* argv[])
     return 1;
   }
 
-  // Along its seam the closed surface is cut open.
-  const Is_seam_edge is_seam_edge =
-      surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
-  const Is_seam_vertex is_seam_vertex =
-      surface.add_property_map<Surface::Vertex_index, bool>("v:seam", false).first;
-  Mesh mesh(surface, is_seam_edge, is_seam_vertex);
-  const Surface::Halfedge_index seam = mesh.add_seams(argc > 2 ? argv[2] : "data/egg.selection.txt");
-  if(seam == Surface::null_halfedge()) {
-    std::cerr << "Cannot read the seam.\n";
+  const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
+  const char* file_name = argc > 2 ? argv[2] : "data/egg.selection.txt";
+  if(const auto report = SMP::read_seam_selection(file_name, surface, seams); !report) {
+    std::cerr << report.message << "\n";
     return 1;
   }
-  const Halfedge border = opposite(Halfedge(seam), mesh);
+  if(const auto check = SMP::is_disk_cut(surface, seams); !check) {
+    std::cerr << check.message << "\n";
+    return 1;
+  }
+
+  // Along its seam the closed surface is cut open.
+  Mesh mesh = SMP::make_seam_mesh(surface, seams);
+  const auto border = SMP::border_halfedge(mesh);
 
   // A vertex on the seam has a place in the plane on each side: coordinates belong to halfedges.
   const auto uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv").first;

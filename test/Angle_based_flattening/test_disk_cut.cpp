@@ -18,17 +18,15 @@
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -89,20 +87,21 @@ std::string name(Disk_cut_defect defect)
   return SMP::to_string(defect);
 }
 
-// Disjoint sets of numbers
+// Disjoint sets of numbers (Boost's do not compile behind some headers of CGAL 6.)
 class Classes
 {
 public:
-  explicit Classes(std::size_t n) : m_sets(n)
+  explicit Classes(std::size_t n) : m_parents(n) { std::iota(m_parents.begin(), m_parents.end(), 0); }
+  void join(std::size_t a, std::size_t b) { m_parents[find(a)] = find(b); }
+  std::size_t find(std::size_t a)
   {
-    for(std::size_t i = 0; i < n; ++i)
-      m_sets.make_set(i);
+    while(m_parents[a] != a)
+      a = m_parents[a] = m_parents[m_parents[a]];
+    return a;
   }
-  void join(std::size_t a, std::size_t b) { m_sets.union_set(a, b); }
-  std::size_t find(std::size_t a) { return m_sets.find_set(a); }
 
 private:
-  boost::disjoint_sets_with_storage<> m_sets;
+  std::vector<std::size_t> m_parents;
 };
 
 // A part of a surface, counted
@@ -110,12 +109,6 @@ struct Count
 {
   std::size_t faces = 0, vertices = 0, edges = 0, borders = 0;
   bool short_border = false, parallel_edges = false;
-
-  bool operator==(const Count& other) const
-  {
-    return std::tie(faces, vertices, edges, borders) ==
-           std::tie(other.faces, other.vertices, other.edges, other.borders);
-  }
 };
 
 // Glues triangles where there is no seam, corner by corner, and counts what each part has: by vertices and edges of the
