@@ -83,7 +83,7 @@ void put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Nam
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
 /// \tparam EdgeWeightMap a model of `WritablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `double` as value type.
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters".
+/// \tparam NamedParameters a sequence of \cgal's named parameters.
 ///
 /// \param mesh the surface, open or closed.
 /// \param weights receives the weights, in units of the coordinates.
