@@ -1,0 +1,432 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Seams of surfaces of any topology: they leave disks, which can be flattened, with the stretch that was predicted.
+
+#include <boost/test/unit_test.hpp>
+
+#include "seam_surfaces.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Surface_mesh_parameterization/shorten_seams.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_seams)
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace parameters = CGAL::parameters;
+using seam_surfaces::Surface;
+using SMP::Seam_report;
+typedef seam_surfaces::Surface_mesh Mesh;
+typedef Mesh::Edge_index Edge;
+typedef Mesh::Halfedge_index Halfedge;
+typedef Mesh::Vertex_index Vertex;
+typedef Mesh::Property_map<Edge, bool> Seam_map;
+typedef CGAL::Simple_cartesian<double>::Point_2 Point_2;
+
+namespace {
+
+Seam_map add_seams(Mesh& mesh)
+{
+  return mesh.add_property_map<Edge, bool>("e:seam", false).first;
+}
+
+std::vector<bool> marks(const Mesh& mesh, Seam_map seams)
+{
+  std::vector<bool> result;
+  for(Edge e : mesh.edges())
+    result.push_back(seams[e]);
+  return result;
+}
+
+double length(const Mesh& mesh, Edge e)
+{
+  const Halfedge h = mesh.halfedge(e);
+  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+}
+
+double seam_length(const Mesh& mesh, Seam_map seams)
+{
+  double sum = 0;
+  for(Edge e : mesh.edges())
+    if(seams[e])
+      sum += length(mesh, e);
+  return sum;
+}
+
+void check_report(const Mesh& mesh, Seam_map seams, const Seam_report& report)
+{
+  BOOST_TEST_REQUIRE(report.message == "");
+  BOOST_TEST(report.diagnosis == Seam_report::NOTHING_WRONG);
+  const auto check = SMP::is_disk_cut(mesh, seams);
+  BOOST_TEST(bool(check), check.message);
+  BOOST_TEST(report.number_of_disks == report.number_of_components);
+  BOOST_TEST(report.seam_length == seam_length(mesh, seams), boost::test_tools::tolerance(1e-9));
+}
+
+std::vector<Surface> surfaces()
+{
+  std::vector<Surface> result = seam_surfaces::platonic_solids();
+  for(int levels : {0, 1, 2, 3})
+    result.push_back(seam_surfaces::sphere(levels));
+  for(std::size_t holes : {1, 2, 5, 20, 50})
+    result.push_back(seam_surfaces::sphere_with_holes(holes, 7));
+  for(int handles = 0; handles < 8; ++handles)
+    result.push_back(seam_surfaces::slab(handles));
+  result.push_back(seam_surfaces::torus(3, 3));
+  result.push_back(seam_surfaces::torus(24, 12));
+  result.push_back(seam_surfaces::tube(12, 30));
+  for(unsigned seed = 0; seed < 40; ++seed)
+    result.push_back(seam_surfaces::random_surface(seed));
+  return result;
+}
+
+// The L2 stretch of the flattened disk; infinity if it cannot be flattened
+double flattened_stretch(const Mesh& mesh, Seam_map seams)
+{
+  auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
+  typedef decltype(seam_mesh) Seam_mesh;
+  typedef boost::graph_traits<Seam_mesh>::halfedge_descriptor Seam_halfedge;
+  typedef boost::graph_traits<Seam_mesh>::vertex_descriptor Seam_vertex;
+  std::map<Seam_vertex, Point_2> uv;
+  const Seam_halfedge border = SMP::border_halfedge(seam_mesh);
+  SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer;
+  const auto code = SMP::parameterize(seam_mesh, parameterizer, border, boost::make_assoc_property_map(uv));
+  if(code != SMP::OK)
+    return (std::numeric_limits<double>::infinity)();
+  double surface_area = 0, plane_area = 0, sum = 0;
+  for(auto f : faces(seam_mesh)) {
+    const Seam_halfedge h = halfedge(f, seam_mesh), g = next(h, seam_mesh);
+    const std::array<Seam_vertex, 3> v{source(h, seam_mesh), target(h, seam_mesh), target(g, seam_mesh)};
+    const auto point = [&](int k) { return get(get(CGAL::vertex_point, seam_mesh), v[k]); };
+    const double in_space = std::sqrt(CGAL::squared_area(point(0), point(1), point(2)));
+    // squared singular values of the map from the plane: its Dirichlet energy
+    const auto a = uv[v[1]] - uv[v[0]], b = uv[v[2]] - uv[v[0]];
+    const auto p = point(1) - point(0), q = point(2) - point(0);
+    const double det = CGAL::determinant(a, b);
+    const double trace = (p * p) * (b * b) - 2 * (p * q) * (a * b) + (q * q) * (a * a);
+    sum += in_space * trace / (2 * det * det);
+    surface_area += in_space;
+    plane_area += det / 2;
+  }
+  return std::sqrt(sum / surface_area * plane_area / surface_area);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cuts_leave_disks_that_can_be_flattened)
+{
+  for(const Surface& surface : surfaces()) {
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      const Seam_report report = SMP::cut_to_disks(mesh, seams);
+      check_report(mesh, seams, report);
+      BOOST_TEST(report.number_of_components == 1u);
+      BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
+    }
+  }
+}
+
+// A disk needs no seam, and a cut that is there no other one.
+BOOST_AUTO_TEST_CASE(disks_are_left_as_they_are)
+{
+  for(const Surface& surface : {seam_surfaces::sphere_with_holes(1, 3), seam_surfaces::slab(3)}) {
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    SMP::cut_to_disks(mesh, seams);
+    const std::vector<bool> before = marks(mesh, seams);
+    BOOST_TEST((std::count(before.begin(), before.end(), true) == 0) == (surface.handles == 0));
+    SMP::cut_to_disks(mesh, seams);
+    BOOST_TEST((marks(mesh, seams) == before));
+  }
+}
+
+// Around the tube and along the inner equator: nothing that cuts a torus is shorter.
+BOOST_AUTO_TEST_CASE(cuts_of_a_torus_are_short)
+{
+  Mesh mesh = seam_surfaces::torus(60, 20).mesh();
+  const Seam_map seams = add_seams(mesh);
+  const double shortest = 2 * CGAL_PI * (1 + 2);
+  const double found = SMP::cut_to_disks(mesh, seams).seam_length;
+  BOOST_TEST(found < 1.02 * shortest);
+  BOOST_TEST(found > 0.98 * shortest);
+}
+
+BOOST_AUTO_TEST_CASE(selected_seams_keep_the_bound)
+{
+  for(const Surface& surface : surfaces()) {
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      const Seam_report report = SMP::select_seams(mesh, seams, parameters::stretch_bound(1.2));
+      check_report(mesh, seams, report);
+      BOOST_TEST(report.bound_reached);
+      BOOST_TEST(report.predicted_stretch <= 1.2);
+      BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_prediction_is_that_of_the_map)
+{
+  for(const Surface& surface : {seam_surfaces::sphere(4), seam_surfaces::torus(60, 20)})
+    for(double bound : {1.3, 1.1, 1.05}) {
+      Mesh mesh = surface.mesh();
+      const Seam_map seams = add_seams(mesh);
+      const Seam_report report = SMP::select_seams(mesh, seams, parameters::stretch_bound(bound));
+      BOOST_TEST(report.predicted_stretch <= bound);
+      BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch,
+                 boost::test_tools::tolerance(0.03));
+    }
+}
+
+// The seams of a large surface come from a coarser copy.
+BOOST_AUTO_TEST_CASE(large_surfaces)
+{
+  Mesh mesh = seam_surfaces::sphere(6).mesh();
+  const Seam_map seams = add_seams(mesh);
+  const Seam_report report = SMP::select_seams(mesh, seams);
+  check_report(mesh, seams, report);
+  BOOST_TEST(report.bound_reached);
+  BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch, boost::test_tools::tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(fewer_terminals_than_the_bound_needs)
+{
+  Mesh mesh = seam_surfaces::sphere(3).mesh();
+  const Seam_map seams = add_seams(mesh);
+  const Seam_report report = SMP::select_seams(
+      mesh, seams, parameters::stretch_bound(1.01, parameters::maximum_number_of_terminals(4)));
+  check_report(mesh, seams, report);
+  BOOST_TEST(report.number_of_terminals == 4u);
+  BOOST_TEST(!report.bound_reached);
+  BOOST_TEST(report.predicted_stretch > 1.01);
+}
+
+// Whatever part of a cut a user gives, it stays, and is completed.
+BOOST_AUTO_TEST_CASE(given_seams_are_kept)
+{
+  for(unsigned seed = 0; seed < 40; ++seed) {
+    const Surface surface = seam_surfaces::random_surface(seed);
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    std::mt19937 random(seed);
+    for(Edge e : mesh.edges())
+      seams[e] = !mesh.is_border(e) && random() % 30 == 0;
+    const std::vector<bool> given = marks(mesh, seams);
+    BOOST_TEST_CONTEXT("seed " << seed << ", " << surface.name)
+    {
+      const Seam_report report =
+          seed % 2 == 0 ? SMP::cut_to_disks(mesh, seams) : SMP::select_seams(mesh, seams);
+      if(report.diagnosis != Seam_report::NOTHING_WRONG)
+        continue; // a sphere slit along one edge, for instance
+      const auto check = SMP::is_disk_cut(mesh, seams);
+      BOOST_TEST(bool(check), check.message);
+      for(Edge e : mesh.edges())
+        if(given[e.idx()])
+          BOOST_TEST(seams[e]);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(some_edges_must_not_become_seams)
+{
+  for(const Surface& surface : {seam_surfaces::torus(24, 12), seam_surfaces::sphere(3)}) {
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    auto is_forbidden = mesh.add_property_map<Edge, bool>("e:forbidden", false).first;
+    for(Edge e : mesh.edges())
+      is_forbidden[e] = mesh.point(mesh.source(mesh.halfedge(e))).x() > (surface.handles == 1 ? 3.2 : 0.1);
+    check_report(mesh, seams,
+                 SMP::cut_to_disks(mesh, seams, parameters::edge_is_constrained_map(is_forbidden)));
+    for(Edge e : mesh.edges())
+      BOOST_TEST(!(seams[e] && is_forbidden[e]));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_way_is_left)
+{
+  Mesh mesh = seam_surfaces::torus(24, 12).mesh();
+  const Seam_map seams = add_seams(mesh);
+  auto is_forbidden = mesh.add_property_map<Edge, bool>("e:forbidden", false).first;
+  for(Edge e : mesh.edges()) // all around the tube, in one place
+    for(Halfedge h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
+      if(mesh.point(mesh.source(h)).x() > 0 && std::abs(mesh.point(mesh.source(h)).y()) < 1)
+        is_forbidden[e] = true;
+  for(bool selects : {false, true}) {
+    const auto np = parameters::edge_is_constrained_map(is_forbidden);
+    const Seam_report report =
+        selects ? SMP::select_seams(mesh, seams, np) : SMP::cut_to_disks(mesh, seams, np);
+    BOOST_TEST(report.diagnosis == Seam_report::NO_CUT_ALLOWED);
+    BOOST_TEST(report.message.find("vertex at (") != std::string::npos);
+    BOOST_TEST(seam_length(mesh, seams) == 0);
+  }
+}
+
+// Seams follow cheap edges.
+BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
+{
+  Mesh mesh = seam_surfaces::torus(24, 12).mesh();
+  const Seam_map seams = add_seams(mesh);
+  auto weights = mesh.add_property_map<Edge, double>("e:weight", 1.).first;
+  for(Edge e : mesh.edges()) {
+    const auto p = mesh.point(mesh.source(mesh.halfedge(e))), q = mesh.point(mesh.target(mesh.halfedge(e)));
+    weights[e] =
+        std::hypot(p.x(), p.y()) > 3.9 && std::hypot(q.x(), q.y()) > 3.9 ? 0.01 : 1; // the outer equator
+  }
+  check_report(mesh, seams, SMP::cut_to_disks(mesh, seams, parameters::edge_weight_map(weights)));
+  int cheap = 0;
+  for(Edge e : mesh.edges())
+    cheap += seams[e] && weights[e] < 1;
+  BOOST_TEST(cheap >= 23);
+  for(double wrong : {-1., std::numeric_limits<double>::quiet_NaN()}) {
+    weights[Edge(17)] = wrong;
+    const Seam_report report = SMP::select_seams(mesh, seams, parameters::edge_weight_map(weights));
+    BOOST_TEST(report.diagnosis == Seam_report::WRONG_WEIGHT);
+    BOOST_TEST(report.message.find("the edge from (") != std::string::npos);
+  }
+}
+
+// From a cut with detours; ends inside the surface stay where they are.
+BOOST_AUTO_TEST_CASE(seams_become_shorter)
+{
+  for(const Surface& surface :
+      {seam_surfaces::torus(40, 16), seam_surfaces::slab(4), seam_surfaces::sphere(3)}) {
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    auto weights = mesh.add_property_map<Edge, double>("e:weight").first;
+    std::mt19937 random(5);
+    for(Edge e : mesh.edges())
+      weights[e] = 1 + static_cast<double>(random() % 100);
+    SMP::select_seams(mesh, seams, parameters::edge_weight_map(weights));
+    std::vector<Vertex> ends;
+    const auto is_end = [&](Vertex v) {
+      int degree = 0;
+      for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        degree += seams[mesh.edge(h)];
+      return degree == 1;
+    };
+    for(Vertex v : mesh.vertices())
+      if(is_end(v))
+        ends.push_back(v);
+    const double before = seam_length(mesh, seams);
+    const Seam_report report = SMP::shorten_seams(mesh, seams);
+    BOOST_TEST(report.seam_length < 0.95 * before);
+    BOOST_TEST(bool(SMP::is_disk_cut(mesh, seams)));
+    for(Vertex v : ends) {
+      bool is_on_seam = false;
+      for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        is_on_seam = is_on_seam || seams[mesh.edge(h)];
+      BOOST_TEST(is_on_seam);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_components_are_cut)
+{
+  Mesh mesh = seam_surfaces::torus(12, 8).mesh();
+  CGAL::copy_face_graph(seam_surfaces::sphere(2).mesh(), mesh);
+  CGAL::copy_face_graph(seam_surfaces::tube(8, 4).mesh(), mesh);
+  mesh.add_face(mesh.add_vertex(Mesh::Point(0, 0, 9)), mesh.add_vertex(Mesh::Point(1, 0, 9)),
+                mesh.add_vertex(Mesh::Point(0, 1, 9)));
+  const Seam_map seams = add_seams(mesh);
+  const Seam_report report = SMP::select_seams(mesh, seams);
+  check_report(mesh, seams, report);
+  BOOST_TEST(report.number_of_components == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
+{
+  const Surface surface = seam_surfaces::slab(4);
+  std::vector<std::vector<bool>> results;
+  for(int threads : {1, 4}) {
+    Mesh mesh = surface.mesh();
+    const Seam_map seams = add_seams(mesh);
+    SMP::internal::ABF::with_threads(threads, [&]() { SMP::select_seams(mesh, seams); });
+    results.push_back(marks(mesh, seams));
+  }
+  BOOST_TEST((results[0] == results[1]));
+
+  typedef CGAL::Polyhedron_3<seam_surfaces::Kernel> Polyhedron;
+  const Polyhedron polyhedron = surface.mesh<Polyhedron>();
+  const auto seams = get(CGAL::dynamic_edge_property_t<bool>(), polyhedron);
+  for(auto e : edges(polyhedron))
+    put(seams, e, false);
+  const Seam_report report = SMP::select_seams(polyhedron, seams);
+  BOOST_TEST(report.diagnosis == Seam_report::NOTHING_WRONG);
+  BOOST_TEST(bool(SMP::is_disk_cut(polyhedron, seams)));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_is_named)
+{
+  const auto diagnosis_of = [](Mesh mesh) {
+    const Seam_map seams = add_seams(mesh);
+    const Seam_report report = SMP::select_seams(mesh, seams);
+    BOOST_TEST(report.message != "");
+    BOOST_TEST(seam_length(mesh, seams) == 0);
+    return report.diagnosis;
+  };
+  BOOST_TEST(diagnosis_of(Mesh()) == Seam_report::EMPTY_MESH);
+  Mesh quad;
+  quad.add_face(quad.add_vertex(Mesh::Point(0, 0, 0)), quad.add_vertex(Mesh::Point(1, 0, 0)),
+                quad.add_vertex(Mesh::Point(1, 1, 0)), quad.add_vertex(Mesh::Point(0, 1, 0)));
+  BOOST_TEST(diagnosis_of(quad) == Seam_report::NOT_TRIANGULATED);
+  Mesh infinite = seam_surfaces::sphere(1).mesh();
+  infinite.point(Vertex(3)) = Mesh::Point(0, (std::numeric_limits<double>::infinity)(), 0);
+  Seam_map seams = add_seams(infinite);
+  BOOST_TEST(SMP::cut_to_disks(infinite, seams).diagnosis == Seam_report::NON_FINITE_POINT);
+
+  Mesh sphere = seam_surfaces::sphere(1).mesh();
+  seams = add_seams(sphere);
+  BOOST_TEST(SMP::select_seams(sphere, seams, parameters::stretch_bound(0.9)).diagnosis ==
+             Seam_report::WRONG_OPTION);
+  BOOST_TEST(SMP::select_seams(sphere, seams, parameters::stretch_bound(std::nan(""))).diagnosis ==
+             Seam_report::WRONG_OPTION);
+  BOOST_TEST(SMP::select_seams(sphere, seams, parameters::maximum_number_of_terminals(-1)).diagnosis ==
+             Seam_report::WRONG_OPTION);
+}
+
+// Triangles without area, and all of a surface at one point
+BOOST_AUTO_TEST_CASE(degenerate_surfaces_are_cut)
+{
+  for(int kind = 0; kind < 3; ++kind) {
+    Mesh mesh = seam_surfaces::torus(12, 8).mesh();
+    for(Vertex v : mesh.vertices()) {
+      const auto p = mesh.point(v);
+      mesh.point(v) = kind == 0 ? Mesh::Point(p.x(), 0, 0) : kind == 1 ? Mesh::Point(1, 2, 3) : p;
+    }
+    if(kind == 2)
+      for(int i = 0; i < 20; ++i)
+        mesh.point(Vertex(4 * i)) = mesh.point(Vertex(4 * i + 1));
+    const Seam_map seams = add_seams(mesh);
+    const Seam_report report = SMP::select_seams(mesh, seams);
+    BOOST_TEST(report.diagnosis == Seam_report::NOTHING_WRONG);
+    const auto check = SMP::is_disk_cut(mesh, seams);
+    BOOST_TEST(bool(check), check.message);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
