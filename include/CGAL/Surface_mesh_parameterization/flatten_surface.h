@@ -94,7 +94,7 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameteriz
   else
     internal::ABF::fail(
         report, Flattening_report::NO_BORDER,
-        "the surface is closed: it has no border; cut it open first, for example with a Seam_mesh");
+        "the surface is closed: it has no border; cut it open first, for example by select_seams()");
   return report;
 }
 

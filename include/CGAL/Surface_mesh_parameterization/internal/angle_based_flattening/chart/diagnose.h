@@ -132,7 +132,8 @@ inline Chart_defect find_wrong_topology(const Chart& chart, bool with_holes)
   const int twice_genus = 2 - borders - (chart.number_of_vertices() - edges + chart.number_of_triangles());
   if(twice_genus != 0)
     return {Flattening_report::NONZERO_GENUS,
-            "the surface has " + std::to_string(twice_genus / 2) + " handle(s): cut it open to a disk first",
+            "the surface has " + std::to_string(twice_genus / 2) +
+                " handle(s): cut it open to a disk first, for example by select_seams()",
             {},
             {}};
   if(borders > 1 && !with_holes) {
