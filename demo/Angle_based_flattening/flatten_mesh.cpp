@@ -13,17 +13,21 @@
 #include "flatten_mesh/Polygon_soup.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/Run_record.h"
+#include "flatten_mesh/Seamed_component.h"
 #include "flatten_mesh/Unfinished_files.h"
 #include "flatten_mesh/area.h"
 #include "flatten_mesh/build_mesh.h"
 #include "flatten_mesh/check_outputs.h"
+#include "flatten_mesh/choose_seams.h"
 #include "flatten_mesh/components.h"
 #include "flatten_mesh/file_names.h"
+#include "flatten_mesh/flatten_along_seams.h"
 #include "flatten_mesh/flatten_chart.h"
 #include "flatten_mesh/parse_command_line.h"
 #include "flatten_mesh/read_polygon_soup.h"
 #include "flatten_mesh/report_json.h"
 #include "flatten_mesh/report_text.h"
+#include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/write_obj.h"
 #include "flatten_mesh/write_svg.h"
@@ -38,6 +42,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,8 +53,14 @@ namespace flatten_mesh {
 struct Surface
 {
   Polygon_soup soup;
-  Mesh mesh;
+  Mesh input;
+  Component component;
+  std::optional<Seamed_component> seamed; // if it is cut open
+  Cut_mesh cut;
   Chart chart;
+
+  Mesh& mesh() { return seamed ? cut.mesh : input; }
+  const Mesh& mesh() const { return seamed ? cut.mesh : input; }
 };
 
 Surface read_surface(const Command_line& command, Notes& notes)
@@ -57,9 +68,14 @@ Surface read_surface(const Command_line& command, Notes& notes)
   Surface surface;
   surface.soup = read_polygon_soup(command.input, notes);
   try {
-    surface.mesh = build_mesh(surface.soup, command.repair == "on", notes);
-    surface.chart = choose_chart(surface.mesh, static_cast<std::size_t>(command.component),
-                                 static_cast<std::size_t>(command.border));
+    surface.input = build_mesh(surface.soup, command.repair == "on", notes);
+    surface.component = choose_component(surface.input, static_cast<std::size_t>(command.component));
+    if(is_cut(command, surface.input, surface.component)) {
+      surface.seamed = make_seamed_component(surface.input, surface.component);
+    } else {
+      surface.chart =
+          choose_border(surface.input, surface.component, static_cast<std::size_t>(command.border));
+    }
   } catch(const Input_error& error) {
     throw Input_error("'" + command.input + "': " + error.what());
   }
@@ -69,7 +85,7 @@ Surface read_surface(const Command_line& command, Notes& notes)
 using Output_files = std::vector<std::unique_ptr<Output_file>>;
 
 // Writes the requested files under temporary names.
-Output_files write_files(const Command_line& command, const Surface& surface, Run_record& record)
+Output_files write_files(const Command_line& command, Surface& surface, Run_record& record)
 {
   Output_files files;
   const auto open = [&files, &record](const std::string& name) -> Output_file& {
@@ -80,17 +96,19 @@ Output_files write_files(const Command_line& command, const Surface& surface, Ru
   CGAL::Real_timer timer;
   timer.start();
   if(!command.output.empty() && record.flattening.succeeded()) {
-    write_obj(open(command.output), surface.soup, surface.chart, record.flattening);
+    write_obj(open(command.output), surface.soup, surface.mesh(), surface.chart, record.flattening);
   }
   if(!command.svg.empty() && record.flattening.succeeded()) {
-    write_svg(open(command.svg), surface.mesh, surface.chart, record.flattening);
+    write_svg(open(command.svg), surface.mesh(), surface.chart, record.flattening);
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty() && record.flattening.succeeded()) {
-    open(command.picture)
-        .write(checkerboard_picture(surface.mesh, surface.chart.faces, record.flattening.uv));
+    open(command.picture).write(checkerboard_picture(surface.mesh(), surface.chart, record.flattening.uv));
   }
 #endif
+  if(!command.seams.empty() && record.flattening.succeeded()) {
+    open(command.seams).write(surface.seamed ? seams_text(surface.input, *surface.seamed) : no_seams_text());
+  }
   record.write_seconds = timer.time();
   if(!command.json.empty()) {
     open(command.json).write(report_json(record));
@@ -110,7 +128,7 @@ void publish(const Output_files& files)
 void tell_stages(const Run_record& record, const Progress& progress)
 {
   for(const auto& stage : seconds_of_stages(record)) {
-    if(stage.first != "read" && stage.first != "write") {
+    if(stage.first != "read" && stage.first != "seams" && stage.first != "write") {
       progress.stage(stage.first, stage.second,
                      stage.first == "layout" ? layout_name(record.flattening.report) : "");
     }
@@ -127,7 +145,7 @@ Exit_status tell_diagnosis(const Command_line& command, const Flattening& flatte
 // A surface without area can be laid out, but then the plane says nothing about its shape.
 void look_at_area(const Surface& surface, Run_record& record, Notes& notes)
 {
-  const Missing_area missing = missing_area(surface.mesh, surface.chart);
+  const Missing_area missing = missing_area(surface.input, surface.component);
   record.has_area = !missing.of_all;
   if(missing.of_all) {
     notes.add(std::string("the surface has no area: all its vertices lie ") +
@@ -155,17 +173,66 @@ Run_record record_of(const Command_line& command, const Surface& surface)
 {
   Run_record record;
   record.input = command.input;
+  record.vertices = surface.component.vertices.size();
+  record.triangles = surface.component.faces.size();
+  record.borders = surface.chart.borders.size();
+  record.components = surface.component.components;
+  return record;
+}
+
+// Cuts the surface open. Without need for seams, it is flattened as it is.
+void cut_surface(const Command_line& command, Surface& surface, Run_record& record, const Progress& progress)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Seam_record seams;
+  choose_seams(command, surface.input, *surface.seamed, seams);
+  seams.seconds = timer.time();
+  progress.stage("seams", seams.seconds);
+  if(command.cut != "auto" && !has_seams(*surface.seamed)) {
+    surface.seamed.reset();
+    surface.chart = choose_border(surface.input, surface.component, static_cast<std::size_t>(command.border));
+  } else {
+    record.seams = seams;
+  }
+}
+
+Flattening flatten_cut_surface(const Command_line& command, Surface& surface, Run_record& record,
+                               Progress& progress, Notes& notes)
+{
+  Flat_surface flat = flatten_along_seams(command, *surface.seamed, *record.seams, progress);
+  surface.cut = std::move(flat.cut);
+  surface.chart = std::move(flat.chart);
+  if(flat.disks > 1) {
+    notes.add("the seams leave " + count_text(flat.disks, "disk") + "; the largest is flattened, " +
+              std::to_string(surface.chart.faces.size()) + " of " +
+              count_text(surface.component.faces.size(), "triangle"));
+  }
   record.vertices = surface.chart.vertices.size();
   record.triangles = surface.chart.faces.size();
-  record.borders = surface.chart.borders.size();
-  record.components = surface.chart.components;
-  return record;
+  return flat.flattening;
+}
+
+// Says what else can be done.
+std::string remedy(Surface& surface, const SMP::ABF_plus_plus_report& report)
+{
+  if(report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
+    return std::string("; the usual cause: ") + memory_text; // solvers only say that they failed
+  }
+  if(surface.seamed) {
+    return "";
+  }
+  const std::string cut = report.diagnosis == SMP::Flattening_report::NONZERO_GENUS ? "; --cut auto does that"
+                          : report.diagnosis == SMP::Flattening_report::SCALE_TOO_LARGE
+                              ? "; --cut topology does that"
+                              : "";
+  return cut + other_component_text(surface.input, surface.component.number);
 }
 
 Exit_status run(const Command_line& command)
 {
   Progress progress(command.verbose);
-  for(const std::string& name : {command.output, command.svg, command.picture, command.json}) {
+  for(const std::string& name : {command.output, command.svg, command.picture, command.seams, command.json}) {
     Output_file::check(name);
   }
 
@@ -178,17 +245,18 @@ Exit_status run(const Command_line& command)
   progress.stage("read", record.read_seconds, std::to_string(record.triangles) + " triangles to flatten");
   look_at_area(surface, record, notes);
 
-  record.flattening = flatten_chart(surface.mesh, surface.chart, command, progress);
+  if(surface.seamed) {
+    cut_surface(command, surface, record, progress);
+  }
+  record.flattening = surface.seamed ? flatten_cut_surface(command, surface, record, progress, notes)
+                                     : flatten_chart(surface.input, surface.chart, command, progress);
+  record.borders = surface.chart.borders.size();
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);
   }
   record.notes = notes.texts();
-  if(record.flattening.report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
-    record.flattening.place +=
-        std::string("; the usual cause: ") + memory_text; // solvers only say that they failed
-  } else if(!record.flattening.succeeded()) {
-    record.flattening.place +=
-        other_component_text(surface.mesh, static_cast<std::size_t>(command.component));
+  if(!record.flattening.succeeded()) {
+    record.flattening.place += remedy(surface, record.flattening.report);
   }
   tell_stages(record, progress);
   const Output_files files = write_files(command, surface, record);

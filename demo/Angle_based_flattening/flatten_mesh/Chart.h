@@ -22,14 +22,30 @@
 
 namespace flatten_mesh {
 
-// The part of a mesh that is flattened: a connected component and its outer border.
-struct Chart
+// A connected component of a mesh.
+struct Component
 {
   std::vector<Face> faces;
-  std::vector<Vertex> vertices;  // by rising number
+  std::vector<Vertex> vertices; // by rising number
+  std::size_t number;           // by falling number of faces, from 0
+  std::size_t components;       // of the whole mesh
+};
+
+// The part of a mesh that is flattened: a connected component and its outer border.
+struct Chart : public Component
+{
   std::vector<Halfedge> borders; // one halfedge without a face on each border, the longest border first
   Halfedge border;               // the outer one of these
-  std::size_t components;        // of the whole mesh
+
+  // Only if the mesh is a surface that was cut open along seams:
+  std::vector<Vertex> input_vertices; // of each vertex, in the mesh before
+  std::vector<int> seams;             // of each edge: the number of its seam from 0, and -1 off the seams
+
+  bool is_cut() const { return !input_vertices.empty(); }
+
+  Vertex input_vertex(const Vertex v) const { return is_cut() ? input_vertices[v.idx()] : v; }
+
+  int seam(const Edge e) const { return is_cut() ? seams[e.idx()] : -1; }
 };
 
 namespace internal {
@@ -82,27 +98,31 @@ inline std::string choice_text(const std::size_t count, const std::string& noun)
 
 } // namespace internal
 
-// The chart that `--component` and `--border` choose. Throws an `Input_error` if there is none.
-inline Chart choose_chart(Mesh& mesh, const std::size_t component, const std::size_t border)
+// The component that `--component` chooses. Throws an `Input_error` if there is none.
+inline Component choose_component(Mesh& mesh, const std::size_t component)
 {
   std::vector<std::vector<Face>> components = components_by_size(mesh);
   if(component >= components.size()) {
     throw Input_error("no component " + std::to_string(component) + ": " +
                       internal::choice_text(components.size(), "component") + "; choose with --component");
   }
+  const std::vector<Vertex> vertices = internal::vertices_of_faces(mesh, components[component]);
+  return {std::move(components[component]), vertices, component, components.size()};
+}
+
+// A component with the outer border that `--border` chooses. Throws an `Input_error` if there is none.
+inline Chart choose_border(Mesh& mesh, Component component, const std::size_t border)
+{
   Chart chart;
-  chart.components = components.size();
-  chart.faces = std::move(components[component]);
-  chart.vertices = internal::vertices_of_faces(mesh, chart.faces);
+  static_cast<Component&>(chart) = std::move(component);
   chart.borders = internal::borders_by_length(mesh, chart.vertices);
   if(chart.borders.empty()) {
-    throw Input_error(
-        "the surface is closed" +
-        (components.size() == 1 ? std::string()
-                                : ", at least its component " + std::to_string(component) + " of " +
-                                      std::to_string(components.size())) +
-        ": it has no border to flatten it from; cut it open along a path of edges, or remove a face" +
-        other_component_text(mesh, component));
+    throw Input_error("the surface is closed" +
+                      (chart.components == 1 ? std::string()
+                                             : ", at least its component " + std::to_string(chart.number) +
+                                                   " of " + std::to_string(chart.components)) +
+                      ": it has no border to flatten it from; --cut auto cuts it open" +
+                      other_component_text(mesh, chart.number));
   }
   if(border >= chart.borders.size()) {
     throw Input_error("no border " + std::to_string(border) + ": " +

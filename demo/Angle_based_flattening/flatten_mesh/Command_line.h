@@ -28,8 +28,12 @@ struct Command_line
   std::string svg;
   std::string picture;
   std::string json;
+  std::string seams;
   int component = 0;
   int border = 0;
+  std::string cut = "auto";
+  double stretch_bound = 1.1;
+  bool asks_for_stretch = false; // whether the bound is given
   std::string holes = "solve";
   std::string repair = "on";
   std::string method = "auto";
@@ -63,11 +67,15 @@ inline po::options_description file_options(Command_line& command)
   add("picture", po::value(&command.picture)->value_name("FILE.png"),
       "draw the surface with a checkerboard of the plane: squares remain squares where shapes are preserved "
       "(where built with libpng)");
+  add("seams", po::value(&command.seams)->value_name("FILE.selection.txt"),
+      "write the edges along which the surface was cut open, for --cut, CGAL::Seam_mesh and CGAL's demo: "
+      "pairs of "
+      "vertices of the surface in FILE.obj, from 0");
   add("json", po::value(&command.json)->value_name("FILE.json"),
       "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
       "Also written when something is wrong, with 'status', 'message' and 'input' at least. A '-' in place "
       "of any of "
-      "these four files is standard output; the text for people is then on standard error");
+      "these five files is standard output; the text for people is then on standard error");
   return options;
 }
 
@@ -95,6 +103,17 @@ inline po::options_description chart_options(Command_line& command)
       "the connected component, numbered from 0 by falling number of faces");
   add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
       "the component's outer border, numbered from 0 by falling length; all others are holes");
+  add("cut", po::value(&command.cut)->value_name("NAME|FILE.selection.txt")->default_value(command.cut),
+      "auto: closed surfaces and surfaces with handles are cut open along short seams that leave little "
+      "stretch; all others are flattened as they are, unless --stretch-bound is given. topology: only seams "
+      "that make the surface a disk; they also join its borders. none: nothing is cut. A file: its seams are "
+      "used, "
+      "and no others; of several disks that they leave, the largest is flattened");
+  add("stretch-bound", number_option(command.stretch_bound, "BOUND"),
+      "for --cut auto: seams are added until the scale stretch is at most this, where 1 is perfect and up to "
+      "1.03 "
+      "times the bound is let pass. If given, surfaces with borders and without handles get such seams, too, "
+      "which join all their borders");
   add("holes", name_option(command.holes),
       "solve: holes take the shape that changes angles least. fill: soft triangles cover the holes while the "
       "surface is flattened, so that their borders stay simple. refuse: a surface with holes is an error");
@@ -165,15 +184,16 @@ inline std::string help_text()
 {
   Command_line defaults;
   std::ostringstream text;
-  text << "flatten_mesh: flattens a surface with a border into the plane, angle by angle (ABF++).\n\n"
+  text << "flatten_mesh: flattens a surface into the plane, angle by angle (ABF++).\n\n"
           "usage: flatten_mesh FILE [options]\n"
        << internal::all_options(defaults)
        << "\nExamples:\n"
           "  flatten_mesh scan.ply --output flat.obj --svg flat.svg\n"
           "  flatten_mesh garment.obj --component 2 --output sleeve.obj --json sleeve.json\n"
           "  flatten_mesh mask.off --barrier 0 --layout least-squares --step sqp --verbose\n"
-          "\nA surface without a border has to be cut open first. Messages count vertices, faces and lines\n"
-          "from 1, as OBJ files do.\n"
+          "  flatten_mesh cow.off --output flat.obj --svg flat.svg --seams cow.selection.txt\n"
+          "  flatten_mesh cow.off --cut cow.selection.txt --output flat.obj\n"
+          "\nMessages count vertices, faces and lines from 1, as OBJ files do.\n"
           "\nExit status: 0 when the flattening is valid, with no flipped triangle, and written where asked\n"
           "for; 1 when the computation failed; 2 when the command line or the input is wrong, or an output\n"
           "cannot be written; in these two cases neither OBJ nor SVG nor PNG are written. 3 when there is a\n"

@@ -45,6 +45,8 @@ inline Failure current_failure()
     return {WRONG_INPUT, "CANNOT_WRITE", error.what()};
   } catch(const Input_error& error) {
     return {WRONG_INPUT, "WRONG_INPUT", error.what()};
+  } catch(const Seams_failed& error) {
+    return {COMPUTATION_FAILED, "SEAMS_FAILED", error.what()};
   } catch(const std::bad_alloc&) {
     return {COMPUTATION_FAILED, "OUT_OF_MEMORY", memory_text};
   } catch(const std::exception& error) {

@@ -33,6 +33,15 @@ public:
     }
   }
 
+  // Seams are added to a map with this stretch.
+  void round(const double stretch) const
+  {
+    if(m_is_on) {
+      std::cerr << "scale stretch " << format_number("%.4g", stretch) << " misses the bound: more seams"
+                << std::endl;
+    }
+  }
+
   bool step(const SMP::ABF_plus_plus_step& step) override
   {
     if(m_is_on) {

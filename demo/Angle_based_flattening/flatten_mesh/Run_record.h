@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,33 @@ struct Flattening
   double measure_seconds = 0;
 
   bool succeeded() const { return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG; }
+
+  // Counts the time of another one that this one replaced, or that was worse.
+  void add_attempt(const Flattening& other)
+  {
+    if(stages.empty() || stages.front().first != "attempt") {
+      stages.insert(stages.begin(), {"attempt", 0.});
+    }
+    stages.front().second += other.parameterize_seconds;
+    parameterize_seconds += other.parameterize_seconds;
+    measure_seconds += other.measure_seconds;
+  }
+};
+
+// The seams of a surface that is cut open.
+struct Seam_record
+{
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  std::string cut;                      // the value of --cut
+  std::optional<std::size_t> terminals; // if the seams were chosen for little stretch
+  std::size_t disks = 1;                // the largest one is flattened
+  int rounds = 0;                       // in which seams were added to a map that missed the bound
+  double length = 0;                    // in units of the square root of the area
+  double stretch_bound = unknown;
+  double predicted_stretch = unknown;
+  double scale_stretch = unknown; // of the map
+  double seconds = 0;             // of their choice
 };
 
 // The data of the reports for people and for programs.
@@ -52,6 +81,7 @@ struct Run_record
   std::size_t components = 0; // of the whole mesh
   double read_seconds = 0;
   double write_seconds = 0;
+  std::optional<Seam_record> seams;
   Flattening flattening;
   std::vector<std::string> written;
   std::vector<std::string> notes;
@@ -114,6 +144,9 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
 inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_record& record)
 {
   std::vector<std::pair<std::string, double>> result{{"read", record.read_seconds}};
+  if(record.seams) {
+    result.emplace_back("seams", record.seams->seconds);
+  }
   result.insert(result.end(), record.flattening.stages.begin(), record.flattening.stages.end());
   result.emplace_back("parameterize", record.flattening.parameterize_seconds);
   result.emplace_back("measure", record.flattening.measure_seconds);

@@ -16,7 +16,7 @@
 
 namespace flatten_mesh {
 
-// The parts of a chart without area, up to the rounding of coordinates.
+// The parts of a component without area, up to the rounding of coordinates.
 struct Missing_area
 {
   std::size_t triangles = 0;
@@ -26,10 +26,10 @@ struct Missing_area
 
 namespace internal {
 
-inline CGAL::Bbox_3 box_of(const Mesh& mesh, const Chart& chart)
+inline CGAL::Bbox_3 box_of(const Mesh& mesh, const Component& component)
 {
   CGAL::Bbox_3 box;
-  for(const Vertex v : chart.vertices) {
+  for(const Vertex v : component.vertices) {
     box += mesh.point(v).bbox();
   }
   return box;
@@ -39,15 +39,15 @@ inline CGAL::Bbox_3 box_of(const Mesh& mesh, const Chart& chart)
 
 // If all vertices are on a line, the areas of triangles are rounding errors, at most `rounding` times the squared
 // extent.
-inline Missing_area missing_area(const Mesh& mesh, const Chart& chart)
+inline Missing_area missing_area(const Mesh& mesh, const Component& component)
 {
   const double rounding = 1e-14;
-  const CGAL::Bbox_3 box = internal::box_of(mesh, chart);
+  const CGAL::Bbox_3 box = internal::box_of(mesh, component);
   const double extent =
       (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
   Missing_area missing;
   double sum = 0;
-  for(const Face f : chart.faces) {
+  for(const Face f : component.faces) {
     const Halfedge h = mesh.halfedge(f);
     const Kernel::Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
                           &r = mesh.point(mesh.target(mesh.next(h)));

@@ -37,6 +37,20 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+using Edge_marks = Mesh::Property_map<Edge, bool>;
+
+// The edges along which a mesh is cut open.
+inline Edge_marks seam_marks(Mesh& mesh)
+{
+  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_seam", false).first;
+}
+
+// The edges that divide larger polygons into triangles.
+inline Edge_marks diagonals(Mesh& mesh)
+{
+  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_diagonal", false).first;
+}
 
 namespace internal {
 
@@ -95,7 +109,12 @@ inline void triangulate(Mesh& mesh)
   if(CGAL::is_triangle_mesh(mesh)) {
     return;
   }
+  const std::size_t number_of_sides = mesh.number_of_edges();
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  const Edge_marks is_diagonal = diagonals(mesh);
+  for(const Edge e : mesh.edges()) {
+    is_diagonal[e] = e.idx() >= number_of_sides; // new edges come last
+  }
   mesh.collect_garbage();
   for(const Face f : mesh.faces()) {
     const Halfedge h = mesh.halfedge(f);

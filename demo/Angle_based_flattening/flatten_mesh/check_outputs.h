@@ -26,11 +26,12 @@ struct Output_option
   std::string format; // the extension
 };
 
-inline const std::array<Output_option, 4>& output_options()
+inline const std::array<Output_option, 5>& output_options()
 {
-  static const std::array<Output_option, 4> options = {{{"output", &Command_line::output, "obj"},
+  static const std::array<Output_option, 5> options = {{{"output", &Command_line::output, "obj"},
                                                         {"svg", &Command_line::svg, "svg"},
                                                         {"picture", &Command_line::picture, "png"},
+                                                        {"seams", &Command_line::seams, "txt"},
                                                         {"json", &Command_line::json, "json"}}};
   return options;
 }
@@ -68,7 +69,8 @@ inline void check_output(const Command_line& command, const Output_option& optio
     return;
   }
   check_extension(option, file);
-  if(file != standard_output && is_same_file(command.input, file)) {
+  if(file != standard_output && (is_same_file(command.input, file) ||
+                                 (is_selection_file(command.cut) && is_same_file(command.cut, file)))) {
     throw Output_error("'" + file + "' would overwrite the input: choose another name");
   }
   for(const Output_option& other : output_options()) {

@@ -71,6 +71,12 @@ inline std::vector<bool> are_disks(const Mesh& mesh, const std::vector<std::vect
 
 } // namespace internal
 
+// Whether a component, numbered by falling number of faces, has a border and no handles.
+inline bool is_disk_with_holes(Mesh& mesh, const std::size_t component)
+{
+  return internal::are_disks(mesh, components_by_size(mesh))[component];
+}
+
 // Text to append to an error about a component: the option that chooses the largest other component that can be
 // flattened, if any.
 inline std::string other_component_text(Mesh& mesh, const std::size_t failed)

@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_DRAW_SURFACE_H
 
 #include "Canvas.h"
+#include "Chart.h"
 #include "build_mesh.h"
 
 #include <CGAL/Bbox_2.h>
@@ -159,19 +160,44 @@ void draw_checkerboard(Canvas& canvas, const Mesh& mesh, const std::vector<Face>
   }
 }
 
-// A picture of the surface with a checkerboard, as a PNG file. The square root of the surface's area is about
+// Draws the edges for which `is_drawn(edge)` as dark lines, slightly in front of the surface.
+template <class Is_drawn>
+void draw_edges(Canvas& canvas, const Mesh& mesh, const std::vector<Face>& faces, const Surface_view& view,
+                const Frame& frame, const Is_drawn& is_drawn)
+{
+  const double width = 3, in_front = 3; // in pixels
+  const Color ink = {0.08, 0.02, 0.02};
+  const Projected_surface corners(mesh, faces, view, frame);
+  for(const Face f : faces) {
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      if(is_drawn(mesh.edge(h))) {
+        Canvas::Corner a = corners[mesh.source(h)], b = corners[mesh.target(h)];
+        a.depth += in_front;
+        b.depth += in_front;
+        canvas.draw_line(a, b, width, ink);
+      }
+    }
+  }
+}
+
+// A picture of the surface with a checkerboard, as a PNG file. Seams are dark lines. The square root of the surface's area is about
 // `squares` squares long.
 template <class UV_map>
-std::string checkerboard_picture(const Mesh& mesh, const std::vector<Face>& faces, const UV_map& uv)
+std::string checkerboard_picture(const Mesh& mesh, const Chart& chart, const UV_map& uv)
 {
+  const std::vector<Face>& faces = chart.faces;
   const int size = 900, squares = 20;
   double area = 0;
   for(const Face f : faces) {
     area += std::sqrt(Surface_view::doubled_area_vector(mesh, f).squared_length()) / 2;
   }
   Canvas canvas(size, size);
-  draw_checkerboard(canvas, mesh, faces, uv, std::sqrt(area) / squares, Surface_view::of(mesh, faces),
-                    Frame{20, 20, size - 40., size - 40.});
+  const Frame frame{20, 20, size - 40., size - 40.};
+  const Surface_view view = Surface_view::of(mesh, faces);
+  draw_checkerboard(canvas, mesh, faces, uv, std::sqrt(area) / squares, view, frame);
+  if(chart.is_cut()) {
+    draw_edges(canvas, mesh, faces, view, frame, [&chart](const Edge e) { return chart.seam(e) >= 0; });
+  }
   return canvas.png();
 }
 

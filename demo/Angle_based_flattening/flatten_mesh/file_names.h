@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_FILE_NAMES_H
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <filesystem>
 #include <string>
@@ -22,6 +23,12 @@ inline std::string file_format(const std::string& name)
 {
   const std::string extension = std::filesystem::path(name).extension().string();
   return boost::algorithm::to_lower_copy(extension.empty() ? extension : extension.substr(1));
+}
+
+// `CGAL::Seam_mesh` and CGAL's demo ask for this ending of files of seams.
+inline bool is_selection_file(const std::string& name)
+{
+  return boost::algorithm::ends_with(name, ".selection.txt");
 }
 
 // Whether the name exists and is neither a file nor a folder, but a device or a pipe, say.

@@ -34,12 +34,12 @@ namespace flatten_mesh {
 namespace internal {
 
 // The numbers of the first few of many vertices, as in "vertices 3, 17, ...".
-inline std::string vertices_text(const std::vector<Vertex>& vertices)
+inline std::string vertices_text(const Chart& chart, const std::vector<Vertex>& vertices)
 {
   const std::size_t shown = (std::min)(vertices.size(), std::size_t(6));
   std::string text = vertices.size() == 1 ? "vertex " : "vertices ";
   for(std::size_t i = 0; i < shown; ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(vertices[i].idx() + 1);
+    text += (i == 0 ? "" : ", ") + std::to_string(chart.input_vertex(vertices[i]).idx() + 1);
   }
   return text + (shown < vertices.size() ? ", ..." : "");
 }
@@ -47,15 +47,16 @@ inline std::string vertices_text(const std::vector<Vertex>& vertices)
 // Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons
 // were divided.
 template <class Parameterizer>
-std::string place_text(const Mesh& mesh, const Parameterizer& parameterizer)
+std::string place_text(const Mesh& mesh, const Chart& chart, const Parameterizer& parameterizer)
 {
   if(!parameterizer.offending_vertices().empty()) {
-    return " (" + vertices_text(parameterizer.offending_vertices()) + ")";
+    return " (" + vertices_text(chart, parameterizer.offending_vertices()) + ")";
   }
   if(!parameterizer.offending_faces().empty()) {
     const Halfedge h = mesh.halfedge(parameterizer.offending_faces().front());
     const auto vertices = mesh.vertices_around_face(h);
-    return " (the triangle of " + vertices_text(std::vector<Vertex>(vertices.begin(), vertices.end())) +
+    return " (the triangle of " +
+           vertices_text(chart, std::vector<Vertex>(vertices.begin(), vertices.end())) +
            (parameterizer.offending_faces().size() > 1 ? ", and others)" : ")");
   }
   return "";
@@ -95,7 +96,7 @@ void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer& parameteri
   timer.stop();
   flattening.parameterize_seconds += timer.time();
   take_report(parameterizer.report(), flattening);
-  flattening.place = place_text(mesh, parameterizer);
+  flattening.place = place_text(mesh, chart, parameterizer);
   if(flattening.report.predicted_scale_range > 1e4 && flattening.succeeded()) {
     flattening.note = "one border is far from the outer one, so that lengths vary by a factor of about " +
                       format_number("%.1g", flattening.report.predicted_scale_range) +

@@ -49,6 +49,8 @@ inline void check_numbers(const Command_line& command)
   const SMP::ABF_plus_plus_options& abf = command.options;
   const SMP::Hierarchical_options& hierarchical = command.hierarchical;
   const double rate = hierarchical.simplification_rate;
+  check(std::isfinite(command.stretch_bound) && command.stretch_bound > 1,
+        "--stretch-bound takes a number above 1");
   check(command.component >= 0, "--component counts from 0");
   check(command.border >= 0, "--border counts from 0");
   check(std::isfinite(abf.barrier) && abf.barrier >= 0, "--barrier takes a number of at least 0");
@@ -60,6 +62,18 @@ inline void check_numbers(const Command_line& command)
         "--angle-sweeps takes a number from 0 to 1000");
   check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
   check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
+}
+
+inline void check_seams(const boost::program_options::variables_map& values, Command_line& command)
+{
+  command.asks_for_stretch = !values["stretch-bound"].defaulted();
+  if(command.asks_for_stretch && command.cut != "auto") {
+    throw Usage_error("--stretch-bound goes with --cut auto only");
+  }
+  if(!command.seams.empty() && command.seams != standard_output && !is_selection_file(command.seams) &&
+     !is_other_file(resolved(command.seams))) {
+    throw Usage_error("--seams takes a name that ends with .selection.txt");
+  }
 }
 
 // Turns the names of methods into the parameterizer's options.
@@ -74,6 +88,9 @@ inline void understand_names(Command_line& command)
     }
   };
   check("method", command.method, {"direct", "hierarchical", "auto"});
+  if(!is_selection_file(command.cut)) {
+    check("cut", command.cut, {"auto", "topology", "none", "the name of a .selection.txt file"});
+  }
   check("holes", command.holes, {"solve", "fill", "refuse"});
   check("repair", command.repair, {"on", "off"});
   check("solver", command.solver, {"superlu", "eigen", "cholmod"});
@@ -142,7 +159,7 @@ inline void find_json(const int argc, const char* const argv[], Command_line& co
 
 inline void check_names_of_files(const boost::program_options::variables_map& values)
 {
-  for(const char* option : {"input", "output", "svg", "picture", "json"}) {
+  for(const char* option : {"input", "output", "svg", "picture", "seams", "json"}) {
     if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
       throw Usage_error(std::string("the name after --") + option + " is empty: give the name of a file");
     }
@@ -170,6 +187,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
     internal::check_files(command);
     internal::check_numbers(command);
     internal::understand_names(command);
+    internal::check_seams(values, command);
     if(command.method == "auto") {
       internal::refine_method(values, command.hierarchical);
     }

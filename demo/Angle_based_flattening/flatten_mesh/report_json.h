@@ -102,6 +102,20 @@ inline void add_measures(Json_object& json, const Flattening& flattening)
   add("smallest_angle", &Measures::smallest_angle);
 }
 
+inline std::string seams_json(const Seam_record& seams)
+{
+  Json_object json;
+  json.add("cut", json_text(seams.cut));
+  json.add("terminals", seams.terminals ? json_number(*seams.terminals) : "null");
+  json.add("length", json_number(seams.length));
+  json.add("stretch_bound", json_number(seams.stretch_bound));
+  json.add("predicted_stretch", json_number(seams.predicted_stretch));
+  json.add("scale_stretch", json_number(seams.scale_stretch));
+  json.add("rounds", json_number(seams.rounds));
+  json.add("disks", json_number(seams.disks));
+  return json.text();
+}
+
 } // namespace internal
 
 // The report for programs. What is unknown after a failure is `null`.
@@ -121,6 +135,7 @@ inline std::string report_json(const Run_record& record)
   json.add("triangles", json_number(record.triangles));
   json.add("borders", json_number(record.borders));
   json.add("components", json_number(record.components));
+  json.add("seams", record.seams ? internal::seams_json(*record.seams) : "null");
   json.add("method", json_text(record.flattening.method));
   json.add("iterations", json_number(report.iterations));
   json.add("constraint_residual", json_number(report.constraint_residual));

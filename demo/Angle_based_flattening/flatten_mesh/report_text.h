@@ -94,6 +94,22 @@ inline std::string quality_text(const SMP::Flattening_measures& measures)
          report_line("smallest angle", degrees_text(measures.smallest_angle));
 }
 
+inline std::string seams_text(const Seam_record& seams)
+{
+  const std::string terminals = seams.terminals ? "; " + count_text(*seams.terminals, "terminal") : "";
+  std::string remark = "of lengths, by changes of area; ";
+  if(seams.terminals) {
+    remark += format_number("predicted %.4g; ", seams.predicted_stretch) +
+              format_number("bound %.4g; ", seams.stretch_bound);
+  }
+  if(seams.rounds > 0) {
+    remark += "seams added in " + count_text(static_cast<std::size_t>(seams.rounds), "round") + "; ";
+  }
+  return report_line("seams", format_number("%.4g", seams.length),
+                     "length in units of the square root of the area" + terminals) +
+         report_line("scale stretch", format_number("%.4g", seams.scale_stretch), remark + "best 1");
+}
+
 inline std::string time_text(const Run_record& record)
 {
   std::string text;
@@ -122,6 +138,9 @@ inline std::string report_text(const Run_record& record)
   text +=
       report_line("borders", std::to_string(record.borders),
                   record.borders > 1 ? "the outer one and " + count_text(record.borders - 1, "hole") : "");
+  if(record.seams) {
+    text += internal::seams_text(*record.seams);
+  }
   text += internal::method_text(record.flattening);
   text += internal::quality_text(record.flattening.measures);
   text += internal::time_text(record);

@@ -31,6 +31,12 @@ struct Output_error : public Input_error
   using Input_error::Input_error;
 };
 
+// Seams could not be computed. The program ends with status 1.
+struct Seams_failed : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 const char* const memory_text =
     "not enough memory for this mesh; simplify it or use a machine with more memory";
 

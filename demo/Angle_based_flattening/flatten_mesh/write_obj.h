@@ -12,6 +12,8 @@
 #include "Polygon_soup.h"
 #include "texts.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -33,12 +35,46 @@ inline void append_obj_vertices(std::string& text, const Polygon_soup& soup)
   }
 }
 
-// Returns the number of each vertex among the texture coordinates, from 1; 0 outside the chart.
-inline std::vector<std::size_t> append_obj_texture(std::string& text, const Polygon_soup& soup,
-                                                   const Chart& chart, const Flattening& flattening)
+// The numbers of a chart's vertices among the texture coordinates.
+class Texture_numbers
 {
-  std::vector<std::size_t> numbers(soup.points.size(), 0);
-  std::size_t number = 0;
+public:
+  Texture_numbers(const Mesh& mesh, const Chart& chart) : m_numbers(mesh.number_of_vertices(), 0)
+  {
+    for(const Vertex v : chart.vertices) {
+      m_numbers[v.idx()] = ++m_count;
+    }
+    for(const Face f : chart.is_cut() ? chart.faces : std::vector<Face>()) {
+      for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        const Vertex v = mesh.source(h), next = mesh.target(h);
+        m_sides.push_back({chart.input_vertex(v).idx(), chart.input_vertex(next).idx(), m_numbers[v.idx()]});
+      }
+    }
+    std::sort(m_sides.begin(), m_sides.end());
+  }
+
+  // From 1; 0 outside the chart. At a corner of a larger polygon all its triangles have the same vertex, because
+  // seams run along its sides.
+  std::size_t operator()(const Polygon& polygon, const std::size_t corner) const
+  {
+    const std::size_t v = polygon[corner], next = polygon[(corner + 1) % polygon.size()];
+    if(m_sides.empty()) {
+      return m_numbers[v];
+    }
+    const auto side = std::lower_bound(m_sides.begin(), m_sides.end(), Side{v, next, 0});
+    return side != m_sides.end() && (*side)[0] == v && (*side)[1] == next ? (*side)[2] : 0;
+  }
+
+private:
+  using Side = std::array<std::size_t, 3>; // its vertices in the input, and the number at the first
+
+  std::size_t m_count = 0;
+  std::vector<std::size_t> m_numbers; // of each vertex
+  std::vector<Side> m_sides;          // only if the chart was cut open
+};
+
+inline void append_obj_texture(std::string& text, const Chart& chart, const Flattening& flattening)
+{
   for(const Vertex v : chart.vertices) {
     const Kernel::Point_2& uv = flattening.uv[v];
     text += "vt ";
@@ -46,22 +82,19 @@ inline std::vector<std::size_t> append_obj_texture(std::string& text, const Poly
     text += ' ';
     append_number(text, uv.y());
     text += '\n';
-    numbers[v.idx()] = ++number;
   }
-  return numbers;
 }
 
-inline void append_obj_faces(std::string& text, const Polygon_soup& soup,
-                             const std::vector<std::size_t>& numbers)
+inline void append_obj_faces(std::string& text, const Polygon_soup& soup, const Texture_numbers& numbers)
 {
   for(const Polygon& polygon : soup.polygons) {
     text += 'f';
-    for(const std::size_t v : polygon) {
+    for(std::size_t corner = 0; corner < polygon.size(); ++corner) {
       text += ' ';
-      append_number(text, v + 1);
-      if(numbers[v] != 0) {
+      append_number(text, polygon[corner] + 1);
+      if(const std::size_t number = numbers(polygon, corner); number != 0) {
         text += '/';
-        append_number(text, numbers[v]);
+        append_number(text, number);
       }
     }
     text += '\n';
@@ -70,15 +103,16 @@ inline void append_obj_faces(std::string& text, const Polygon_soup& soup,
 
 } // namespace internal
 
-// The input's vertices and faces in the input's order, with texture coordinates for the chart.
-inline void write_obj(Output_file& file, const Polygon_soup& soup, const Chart& chart,
+// The input's vertices and faces in the input's order, with texture coordinates for the chart: several of them for a
+// vertex on a seam.
+inline void write_obj(Output_file& file, const Polygon_soup& soup, const Mesh& mesh, const Chart& chart,
                       const Flattening& flattening)
 {
   std::string text =
       "# flattened by flatten_mesh: 'vt' are the coordinates in the plane, on the scale of the surface\n";
   internal::append_obj_vertices(text, soup);
-  const std::vector<std::size_t> numbers = internal::append_obj_texture(text, soup, chart, flattening);
-  internal::append_obj_faces(text, soup, numbers);
+  internal::append_obj_texture(text, chart, flattening);
+  internal::append_obj_faces(text, soup, internal::Texture_numbers(mesh, chart));
   file.write(text);
 }
 

@@ -10,6 +10,7 @@
 #include "Distortion_scale.h"
 #include "Output_file.h"
 #include "Run_record.h"
+#include "seam_chains.h"
 #include "texts.h"
 
 #include <CGAL/Bbox_2.h>
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,6 +111,32 @@ inline std::string border_path(const Mesh& mesh, const Chart& chart, const Flatt
   return path;
 }
 
+// Lines along the seams. Both sides of a seam have the same colour.
+inline std::string seam_lines(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
+                              const Svg_frame& frame)
+{
+  std::map<int, std::string> paths;
+  for(const Halfedge start : chart.borders) {
+    for(const Halfedge h : mesh.halfedges_around_face(start)) {
+      const int seam = chart.seam(mesh.edge(h));
+      if(seam < 0) {
+        continue;
+      }
+      std::string& path = paths[seam];
+      const Svg_frame::Position p = frame(flattening.uv[mesh.source(h)]),
+                                q = frame(flattening.uv[mesh.target(h)]);
+      append_position(path, 'M', p.first, p.second);
+      append_position(path, 'L', q.first, q.second);
+    }
+  }
+  std::string text;
+  for(const auto& [seam, path] : paths) {
+    text += "<path fill=\"none\" stroke-width=\"350\" stroke-linecap=\"round\" stroke=\"" +
+            chain_color(seam) + "\" d=\"" + path + "\"/>\n";
+  }
+  return text;
+}
+
 inline std::string svg_text(const double x, const double y, const std::string& anchor,
                             const std::string& text)
 {
@@ -150,12 +178,13 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
     }
   }
   return text + "<path fill=\"none\" stroke=\"#222\" stroke-width=\"120\" d=\"" +
-         border_path(mesh, chart, flattening, frame) + "\"/>\n</g>\n";
+         border_path(mesh, chart, flattening, frame) + "\"/>\n" + seam_lines(mesh, chart, flattening, frame) +
+         "</g>\n";
 }
 
 } // namespace internal
 
-// A picture of the chart, coloured by the change of angles, with a legend below.
+// A picture of the chart, coloured by the change of angles, with a legend below. Seams are coloured lines.
 inline void write_svg(Output_file& file, const Mesh& mesh, const Chart& chart, const Flattening& flattening)
 {
   using internal::Svg_frame;
