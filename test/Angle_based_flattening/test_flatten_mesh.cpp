@@ -15,6 +15,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -25,8 +26,10 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -270,6 +273,167 @@ std::string terrain(const double noise)
     }
   }
   return off(grid.vertices(), points.str(), grid.faces());
+}
+
+// The surface of a block of unit cubes, without some of them: a closed surface of quadrangles. The columns of cubes in `holes`
+// make handles.
+struct Block
+{
+  int length = 1, width = 1, height = 1;
+  std::vector<int> holes = {}; // i + length * j
+  bool triangulated = false;
+  bool round = false; // projected to a sphere
+
+  std::vector<std::array<int, 3>> places = {};
+  std::vector<std::vector<int>> faces = {};
+
+  Block& make()
+  {
+    for(int i = 0; i < length; ++i) {
+      for(int j = 0; j < width; ++j) {
+        for(int k = 0; k < height; ++k) {
+          for(int axis = 0; axis < 3 && is_full(i, j, k); ++axis) {
+            add_side({i, j, k}, axis, 0);
+            add_side({i, j, k}, axis, 1);
+          }
+        }
+      }
+    }
+    return *this;
+  }
+
+  std::string text() const
+  {
+    std::ostringstream points;
+    points.precision(17);
+    for(const std::array<int, 3>& place : places) {
+      const double x = place[0] - length / 2., y = place[1] - width / 2., z = place[2] - height / 2.;
+      const double scale = round ? 1 / std::sqrt(x * x + y * y + z * z) : 1;
+      points << scale * x << ' ' << scale * y << ' ' << scale * z << '\n';
+    }
+    return off(static_cast<int>(places.size()), points.str(), faces);
+  }
+
+  // From 0
+  int vertex(const std::array<int, 3>& place) const
+  {
+    return static_cast<int>(std::find(places.begin(), places.end(), place) - places.begin());
+  }
+
+private:
+  bool is_full(const int i, const int j, const int k) const
+  {
+    return i >= 0 && i < length && j >= 0 && j < width && k >= 0 && k < height &&
+           std::find(holes.begin(), holes.end(), i + length * j) == holes.end();
+  }
+
+  void add_side(const std::array<int, 3>& cube, const int axis, const int side)
+  {
+    const auto a = static_cast<std::size_t>(axis), b = (a + 1) % 3, c = (a + 2) % 3;
+    std::array<int, 3> other = cube, corner = cube;
+    other[a] += 2 * side - 1;
+    if(is_full(other[0], other[1], other[2])) {
+      return;
+    }
+    corner[a] += side;
+    std::vector<int> face;
+    for(const auto& step : {std::array<int, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      std::array<int, 3> place = corner;
+      place[b] += step[side == 1 ? 0 : 1];
+      place[c] += step[side == 1 ? 1 : 0];
+      if(vertex(place) == static_cast<int>(places.size())) {
+        places.push_back(place);
+      }
+      face.push_back(vertex(place));
+    }
+    if(triangulated) {
+      faces.push_back({face[0], face[1], face[2]});
+      faces.push_back({face[0], face[2], face[3]});
+    } else {
+      faces.push_back(face);
+    }
+  }
+};
+
+Block cube()
+{
+  return Block().make();
+}
+
+Block sphere()
+{
+  Block block;
+  block.length = block.width = block.height = 8;
+  block.round = true;
+  return block.make();
+}
+
+Block ring()
+{
+  Block block;
+  block.length = block.width = 3;
+  block.holes = {4};
+  block.triangulated = true;
+  return block.make();
+}
+
+Block two_rings()
+{
+  Block block;
+  block.length = 5;
+  block.width = 3;
+  block.holes = {6, 8};
+  return block.make();
+}
+
+// A line of a selection file: a path of vertices, from 0.
+std::string path_line(const std::vector<int>& path)
+{
+  std::string line;
+  for(std::size_t i = 0; i + 1 < path.size(); ++i) {
+    line += std::to_string(path[i]) + " " + std::to_string(path[i + 1]) + " ";
+  }
+  return "\n\n" + line + "\n";
+}
+
+using Edges = std::set<std::pair<int, int>>; // of vertices from 0, the smaller one first
+
+Edges edges_in(const std::string& selection)
+{
+  Edges edges;
+  std::istringstream words(selection);
+  for(int v = 0, w = 0; words >> v >> w;) {
+    edges.insert(std::minmax(v, w));
+  }
+  return edges;
+}
+
+// The edges of an OBJ text whose two sides have different texture coordinates.
+Edges edges_with_two_textures(const std::string& text)
+{
+  std::map<std::pair<int, int>, std::pair<std::string, std::string>> sides;
+  for(const std::string& line : lines_with(text, "f")) {
+    std::vector<std::pair<int, std::string>> corners;
+    std::istringstream words(line);
+    for(std::string word; words >> word;) {
+      const std::size_t slash = word.find('/');
+      corners.emplace_back(std::stoi(word) - 1, slash == std::string::npos ? "" : word.substr(slash));
+    }
+    for(std::size_t i = 0; i < corners.size(); ++i) {
+      const auto& [v, texture] = corners[i];
+      const auto& [w, next_texture] = corners[(i + 1) % corners.size()];
+      sides[{v, w}] = {texture, next_texture};
+    }
+  }
+  Edges edges;
+  for(const auto& [side, textures] : sides) {
+    const auto other = sides.find({side.second, side.first});
+    if(other != sides.end() &&
+       (other->second.first != textures.second || other->second.second != textures.first)) {
+      edges.insert(std::minmax(side.first, side.second));
+    }
+  }
+  return edges;
 }
 
 // The vertices of the faces in an OBJ text, from 0, and whether all of them have texture coordinates.
@@ -753,7 +917,7 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
   BOOST_TEST(standard_error == "");
   for(const char* option :
       {"input", "output", "svg", "picture", "json", "component", "border", "method", "barrier", "layout",
-       "tolerance", "max-iterations", "step", "solver", "verbose", "help"}) {
+       "tolerance", "max-iterations", "step", "solver", "verbose", "help", "cut", "stretch-bound", "seams"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }
@@ -799,6 +963,178 @@ BOOST_AUTO_TEST_CASE(auto_on_large_terrains)
   BOOST_TEST(json().get_child("notes").size() == 1u);
   check_told("direct");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(seams, Folder)
+
+// The input's vertices and faces in their order, and two texture coordinates exactly along the seams.
+BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
+{
+  for(const Block& block : {cube(), sphere(), ring(), two_rings()}) {
+    BOOST_TEST_CONTEXT(block.text())
+    {
+      const std::string seams = file("block.selection.txt"), input = write("block.off", block.text());
+      flatten(input, "--seams " + quoted(seams));
+      check_success();
+      const auto tree = json();
+      BOOST_TEST(tree.get<int>("borders") == 1);
+      BOOST_TEST(tree.get<std::string>("seams.cut") == "auto");
+      BOOST_TEST(tree.get<int>("seams.terminals") > 1);
+      BOOST_TEST(tree.get<int>("seams.disks") == 1);
+      BOOST_TEST(tree.get<double>("seams.stretch_bound") == 1.1);
+      BOOST_TEST(tree.get<double>("seams.scale_stretch") >= 1);
+      BOOST_TEST(tree.get<double>("seams.scale_stretch") <= 1.14);
+      BOOST_TEST(tree.get<double>("seams.predicted_stretch") >= 1);
+      BOOST_TEST(tree.get<double>("seams.length") > 0.5);
+      BOOST_TEST(tree.get<double>("seconds.seams") >= 0);
+      BOOST_TEST((standard_output.find("terminals") != std::string::npos));
+      BOOST_TEST((standard_output.find("scale stretch") != std::string::npos));
+      BOOST_TEST((content(file("flat.svg")).find("stroke-linecap") != std::string::npos));
+
+      std::vector<bool> has_texture;
+      BOOST_TEST((obj_faces(obj(), has_texture) == block.faces));
+      BOOST_TEST((std::count(has_texture.begin(), has_texture.end(), false) == 0));
+      const Lines lines = lines_of(block.text());
+      const auto points = lines.begin() + 2, end = points + static_cast<std::ptrdiff_t>(block.places.size());
+      BOOST_TEST(numbers(lines_with(obj(), "v")) == numbers(Lines(points, end)),
+                 boost::test_tools::per_element());
+      BOOST_TEST(lines_with(obj(), "vt").size() == tree.get<std::size_t>("vertices"));
+      BOOST_TEST(lines_with(obj(), "vt").size() > block.places.size());
+      BOOST_TEST(edges_in(content(seams)).size() > 1u);
+      BOOST_TEST((edges_with_two_textures(obj()) == edges_in(content(seams))));
+
+      const std::string flat = obj();
+      flatten(input, "--cut " + quoted(seams));
+      check_success();
+      BOOST_TEST(obj() == flat);
+      BOOST_TEST(json().get<double>("seams.length") == tree.get<double>("seams.length"));
+      BOOST_TEST(json().get<std::string>("seams.terminals") == "null");
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(topology_only)
+{
+  for(const Block& block : {sphere(), ring(), two_rings()}) {
+    BOOST_TEST_CONTEXT(block.text())
+    {
+      const std::string input = write("block.off", block.text());
+      flatten(input);
+      const auto tree = json();
+      flatten(input, "--cut topology");
+      check_success();
+      BOOST_TEST(json().get<double>("seams.length") <= tree.get<double>("seams.length"));
+      BOOST_TEST(json().get<std::string>("seams.predicted_stretch") == "null");
+      BOOST_TEST(json().get<int>("seams.rounds") == 0);
+    }
+  }
+  Sheet sheet;
+  sheet.holes = {7, 16};
+  flatten(write("holes.off", off(sheet)), "--cut topology");
+  check_success();
+  BOOST_TEST(json().get<int>("borders") == 1);
+  BOOST_TEST(json().get<double>("seams.length") > 0);
+}
+
+// Without seams nothing changes.
+BOOST_AUTO_TEST_CASE(disks_are_left_alone)
+{
+  Sheet disk, annulus;
+  annulus.holes = {7};
+  for(const Sheet& sheet : {disk, annulus}) {
+    const std::string input = write("sheet.off", off(sheet)), seams = file("sheet.selection.txt");
+    flatten(input, "--cut none");
+    const std::string flat = obj();
+    flatten(input, "--seams " + quoted(seams));
+    check_success();
+    BOOST_TEST(obj() == flat);
+    BOOST_TEST(json().get<std::string>("seams") == "null");
+    BOOST_TEST(content(seams) == "\n\n\n");
+    BOOST_TEST((standard_output.find("seams") == std::string::npos));
+  }
+  flatten(write("disk.off", off(disk)), "--cut topology");
+  BOOST_TEST(json().get<std::string>("seams") == "null");
+}
+
+BOOST_AUTO_TEST_CASE(stretch_of_a_disk)
+{
+  Block block = sphere();
+  block.faces.pop_back();
+  const std::string input = write("open.off", block.text());
+  flatten(input);
+  check_success();
+  BOOST_TEST(json().get<std::string>("seams") == "null");
+  flatten(input, "--stretch-bound 1.3");
+  check_success();
+  const auto loose = json();
+  BOOST_TEST(loose.get<double>("seams.scale_stretch") <= 1.03 * 1.3);
+  flatten(input, "--stretch-bound 1.05");
+  check_success();
+  BOOST_TEST(json().get<double>("seams.scale_stretch") <= 1.03 * 1.05);
+  BOOST_TEST(json().get<double>("seams.length") > loose.get<double>("seams.length"));
+}
+
+BOOST_AUTO_TEST_CASE(largest_of_several_disks)
+{
+  Block block;
+  block.length = 3;
+  block.make();
+  const auto vertex = [&block](const int j, const int k) { return block.vertex({1, j, k}); };
+  const std::string seams = path_line({vertex(0, 0), vertex(1, 0), vertex(1, 1), vertex(0, 1), vertex(0, 0)});
+  flatten(write("block.off", block.text()), "--cut " + quoted(write("ring.selection.txt", seams)));
+  BOOST_TEST(status == 0);
+  check_told("2 disks");
+  check_told("18 of 28 triangles");
+  BOOST_TEST(json().get<int>("seams.disks") == 2);
+  BOOST_TEST(json().get<int>("components") == 1);
+  std::vector<bool> has_texture;
+  BOOST_TEST((obj_faces(obj(), has_texture) == block.faces));
+  BOOST_TEST(std::count(has_texture.begin(), has_texture.end(), false) == 5);
+}
+
+// The component is cut, whatever else there is in the file.
+BOOST_AUTO_TEST_CASE(closed_component)
+{
+  const Block block = ring();
+  const Lines lines = lines_of(block.text());
+  const int n = static_cast<int>(block.places.size());
+  std::string points = "9 0 0\n9 1 0\n8 0 1\n";
+  std::vector<std::vector<int>> faces = {{0, 1, 2}};
+  for(int v = 0; v < n; ++v) {
+    points += lines[static_cast<std::size_t>(2 + v)] + "\n";
+  }
+  for(const std::vector<int>& face : block.faces) {
+    faces.push_back({face[0] + 3, face[1] + 3, face[2] + 3});
+  }
+  const std::string seams = file("seams.selection.txt");
+  flatten(write("two.off", off(n + 3, points, faces)), "--seams " + quoted(seams));
+  check_success();
+  std::vector<bool> has_texture;
+  BOOST_TEST((obj_faces(obj(), has_texture) == faces));
+  BOOST_TEST(std::count(has_texture.begin(), has_texture.end(), false) == 1);
+  BOOST_TEST(json().get<int>("components") == 2);
+  BOOST_TEST((edges_with_two_textures(obj()) == edges_in(content(seams))));
+}
+
+#ifdef ABF_WITH_PNG
+BOOST_AUTO_TEST_CASE(picture_shows_seams)
+{
+  run(quoted(write("sphere.off", sphere().text())) + " --picture " + quoted(file("flat.png")));
+  BOOST_TEST(status == 0);
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  BOOST_REQUIRE(png_image_begin_read_from_file(&image, file("flat.png").c_str()) != 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+  BOOST_REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
+  std::size_t dark = 0;
+  for(std::size_t i = 0; i < pixels.size(); i += 3) {
+    dark += pixels[i + 1] < 25; // the checkerboard has more green
+  }
+  BOOST_TEST(dark > 100u);
+}
+#endif
 
 BOOST_AUTO_TEST_SUITE_END()
 
@@ -931,6 +1267,66 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   check_refusal({"between vertices 1 and 2"});
 }
 
+BOOST_AUTO_TEST_CASE(closed_surface)
+{
+  flatten(write("cube.off", cube().text()), "--cut none");
+  check_refusal({"closed", "border", "--cut auto"});
+}
+
+BOOST_AUTO_TEST_CASE(another_component_is_named)
+{
+  const std::string tetrahedron = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", triangle = "3 4 5 6\n";
+  flatten(write("two.off",
+                "OFF\n7 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 0\n6 0 0\n5 1 0\n" + tetrahedron + triangle),
+          "--cut none");
+  check_refusal({"closed", "--component 1"});
+}
+
+BOOST_AUTO_TEST_CASE(handle)
+{
+  Block block = ring();
+  block.faces.pop_back();
+  const std::string input = write("handle.off", block.text());
+  run(quoted(input) + " --cut none --output " + quoted(file("flat.obj")));
+  check_refusal({"NONZERO_GENUS", "handle", "--cut auto"});
+  flatten(input, "--cut none");
+  BOOST_TEST(status == 2);
+  BOOST_TEST(json().get<std::string>("status") == "NONZERO_GENUS");
+  BOOST_TEST(json().get<std::size_t>("triangles") == block.faces.size());
+  BOOST_TEST(!fs::exists(file("flat.obj")));
+  BOOST_TEST(!fs::exists(file("flat.svg")));
+  flatten(input);
+  check_success();
+}
+
+BOOST_AUTO_TEST_CASE(wrong_seams)
+{
+  const Block block = two_rings();
+  const std::string input = write("block.off", block.text());
+  const auto check = [&](const std::string& seams, const Lines& words) {
+    flatten(input, "--cut " + quoted(write("wrong.selection.txt", seams)));
+    check_refusal(words);
+  };
+  const auto vertex = [&block](const int i, const int j, const int k) { return block.vertex({i, j, k}); };
+  const std::string around_end =
+      path_line({vertex(1, 0, 0), vertex(1, 0, 1), vertex(1, 1, 1), vertex(1, 1, 0), vertex(1, 0, 0)});
+  check("\n\n\n", {"wrong.selection.txt", "not leave disks", "100 triangles", "vertex", "no border"});
+  check(around_end, {"not leave disks", "1 handle"});
+  check(path_line({0, 1}), {"not leave disks"});
+  check("", {"wrong.selection.txt"});
+  check("\n\n0 one\n", {"wrong.selection.txt", "line 3", "one"});
+  check("\n\n0 1 2\n", {"wrong.selection.txt", "line 3"});
+  check("\n\n0 999\n", {"wrong.selection.txt", "line 3", "999"});
+  check(path_line({vertex(0, 0, 0), vertex(5, 3, 1)}), {"no edge", "from 0"});
+  check(path_line({vertex(0, 0, 0), vertex(1, 0, 1)}) + path_line({vertex(1, 0, 0), vertex(0, 0, 1)}),
+        {"no edge", "from 0"}); // the diagonals of a quadrangle
+  run(quoted(input) + " --cut " + quoted(file("absent.selection.txt")));
+  check_refusal({"absent.selection.txt"});
+  const std::string seams = write("kept.selection.txt", around_end);
+  run(quoted(input) + " --cut " + quoted(seams) + " --seams " + quoted(seams));
+  check_refusal({"overwrite"});
+}
+
 BOOST_AUTO_TEST_CASE(orientation)
 {
   std::vector<std::vector<int>> faces = Sheet().faces();
@@ -989,53 +1385,6 @@ BOOST_AUTO_TEST_CASE(hub)
   flatten(write("hub.off", off(n + 2, points.str(), faces)), "--method direct");
   check_success();
   BOOST_TEST(json().get<int>("triangles") == n);
-}
-
-BOOST_AUTO_TEST_CASE(closed_surface)
-{
-  flatten(
-      write("closed.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"));
-  check_refusal({"closed", "border", "cut"});
-}
-
-BOOST_AUTO_TEST_CASE(another_component_is_named)
-{
-  const std::string tetrahedron = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", triangle = "3 4 5 6\n";
-  flatten(write("two.off",
-                "OFF\n7 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 0\n6 0 0\n5 1 0\n" + tetrahedron + triangle));
-  check_refusal({"closed", "--component 1"});
-}
-
-BOOST_AUTO_TEST_CASE(handle)
-{
-  // A torus of 5 by 5 quadrangles without one of them.
-  std::ostringstream points;
-  std::vector<std::vector<int>> faces;
-  for(int i = 0; i < 25; ++i) {
-    const double a = 2 * 3.14159265 * (i / 5) / 5, b = 2 * 3.14159265 * (i % 5) / 5;
-    points << (3 + std::cos(b)) * std::cos(a) << ' ' << (3 + std::cos(b)) * std::sin(a) << ' ' << std::sin(b)
-           << '\n';
-    const int right = (i + 5) % 25, up = i / 5 * 5 + (i + 1) % 5, across = (up + 5) % 25;
-    if(i > 0) {
-      faces.push_back({i, right, across, up});
-    }
-  }
-  std::vector<std::vector<int>> with_triangle = faces;
-  with_triangle.push_back({25, 26, 27});
-  flatten(write("two.off", off(28, points.str() + "9 0 0\n9 1 0\n9 0 1\n", with_triangle)));
-  BOOST_TEST((standard_error.find("handle") != std::string::npos), standard_error);
-  BOOST_TEST((standard_error.find("--component 1") != std::string::npos), standard_error);
-  fs::remove(file("flat.json"));
-
-  const std::string input = write("handle.off", off(25, points.str(), faces));
-  run(quoted(input) + " --output " + quoted(file("flat.obj")));
-  check_refusal({"NONZERO_GENUS", "handle"});
-  flatten(input);
-  BOOST_TEST(status == 2);
-  BOOST_TEST(json().get<std::string>("status") == "NONZERO_GENUS");
-  BOOST_TEST(json().get<int>("triangles") == 48);
-  BOOST_TEST(!fs::exists(file("flat.obj")));
-  BOOST_TEST(!fs::exists(file("flat.svg")));
 }
 
 BOOST_AUTO_TEST_CASE(component_and_border_out_of_range)
@@ -1250,7 +1599,13 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                    "--angle-sweeps 1001",
                                    "--tolerance 1e-300",
                                    "--threads 1000000000",
-                                   "--repair maybe"}) {
+                                   "--repair maybe",
+                                   "--cut open",
+                                   "--cut ''",
+                                   "--cut none --stretch-bound 1.2",
+                                   "--stretch-bound 1",
+                                   "--stretch-bound nan",
+                                   "--seams seams.txt"}) {
     BOOST_TEST_CONTEXT(options)
     {
       flatten(input, options);
