@@ -92,7 +92,8 @@ struct Chart
 // The length of the edge that a corner faces, divided by the scale
 inline double edge_length(const Chart& chart, int c)
 {
-  return std::sqrt(CGAL::squared_distance(chart.points[chart.edge_source(c)], chart.points[chart.edge_target(c)]));
+  return std::sqrt(
+      CGAL::squared_distance(chart.points[chart.edge_source(c)], chart.points[chart.edge_target(c)]));
 }
 
 // The matrix of Eq. 16 has at most 14 numbers for each triangle, which are counted with `int`: of `t` triangles at most
