@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+
+#include <fstream>
+#include <iostream>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using Mesh = SMP::Cut_mesh<Surface>;
+
+// Each corner of a face has its own texture coordinates. They are numbered like the halfedges.
+void write_obj(std::ostream& out, const Surface& surface, const Mesh& mesh, const UV_map& uv)
+{
+  out.precision(17);
+  for(auto v : vertices(surface))
+    out << "v " << surface.point(v) << "\n";
+  for(auto h : halfedges(surface))
+    out << "vt " << uv[h] << "\n";
+  for(auto f : faces(surface)) {
+    out << "f";
+    for(auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+      const Surface::Halfedge_index corner = target(h, mesh);
+      out << " " << surface.target(corner).idx() + 1 << "/" << corner.idx() + 1;
+    }
+    out << "\n";
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  Surface surface;
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/egg.off", surface)) {
+    std::cerr << "Cannot read the mesh.\n";
+    return 1;
+  }
+
+  const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
+  const SMP::Seam_report report = SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(1.1));
+  if(report.diagnosis != report.NOTHING_WRONG) {
+    std::cerr << report.message << "\n";
+    return 1;
+  }
+  std::cout << report.number_of_terminals << " terminals, seams of length " << report.relative_seam_length
+            << ", predicted stretch " << report.predicted_stretch << "\n";
+
+  // A vertex on a seam has a place in the plane on each side: coordinates belong to halfedges.
+  const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
+  Mesh mesh = SMP::make_seam_mesh(surface, seams);
+  for(const auto& disk : SMP::is_disk_cut(surface, seams).parts) {
+    const auto border = SMP::border_halfedge(mesh, disk.face);
+    SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
+    if(SMP::parameterize(mesh, parameterizer, border, uv) != SMP::OK) {
+      std::cerr << parameterizer.report().message << "\n";
+      return 1;
+    }
+    const SMP::Flattening_measures measures = SMP::measure_flattening(mesh, border, uv);
+    std::cout << parameterizer.report().triangles << " triangles, stretch " << measures.l2_stretch << ", "
+              << measures.flipped_triangles << " flipped\n";
+  }
+
+  std::ofstream out("abf_plus_plus_closed_surface.obj");
+  write_obj(out, surface, mesh, uv);
+}
