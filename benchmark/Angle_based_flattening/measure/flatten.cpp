@@ -52,17 +52,24 @@ Surface read_surface(const std::string& file)
 // equals that over all pairs. It is called the mean shear here.
 void measure_map(Surface& surface, Measurement& m)
 {
-  const auto measure = [&] { return SMP::measure_flattening(surface.mesh, surface.border, surface.uv); };
-  const SMP::Flattening_measures measures = measure();
+  double area = 0, planar_area = 0, square = 0;
+  const auto add_face = [&](Mesh::Face_index, const SMP::Flattening_face_measures& face) {
+    area += face.area;
+    planar_area += face.area * CGAL::square(face.scale);
+    square += face.area / CGAL::square(face.scale);
+  };
+  const SMP::Flattening_measures measures =
+      SMP::measure_flattening(surface.mesh, surface.border, surface.uv, add_face);
   const CGAL::Aff_transformation_2<abf::Chart::Kernel> turn(CGAL::ROTATION, std::sqrt(0.5), std::sqrt(0.5));
   for(const Mesh::Vertex_index v : surface.mesh.vertices())
     surface.uv[v] = turn(surface.uv[v]);
-  const double turned_shear = measure().l2_shear;
+  const double turned_shear = SMP::measure_flattening(surface.mesh, surface.border, surface.uv).l2_shear;
   m.add("shear", measures.l2_shear);
   m.add("mean_shear", std::sqrt((CGAL::square(measures.l2_shear) + CGAL::square(turned_shear)) / 2));
   m.add("principal_shear", measures.l2_principal_shear);
   m.add("equal_stretch_error", measures.l2_equal_stretch_error);
   m.add("stretch", measures.l2_stretch);
+  m.add("scale_stretch", std::sqrt(square * planar_area) / area); // the L2 stretch if no angle changed
   m.add("linf_stretch", measures.linf_stretch);
   m.add("energy", measures.angular_distortion);
   m.add("angle_change", measures.mean_angle_change);
@@ -79,11 +86,16 @@ void measure_map(Surface& surface, Measurement& m)
 void flatten(const std::string& method, const std::string& file, const SMP::Hierarchical_options& options,
              Measurement& m)
 {
-  const Method run = find_method(method);
   Surface surface = read_surface(file);
   m.add("vertices", surface.mesh.number_of_vertices());
   m.add("triangles", surface.mesh.number_of_faces());
-  run(surface, options, m);
+  flatten(method, surface, options, m);
+}
+
+void flatten(const std::string& method, Surface& surface, const SMP::Hierarchical_options& options,
+             Measurement& m)
+{
+  find_method(method)(surface, options, m);
   if(m.failed())
     return;
   for(const Mesh::Vertex_index v : surface.mesh.vertices())

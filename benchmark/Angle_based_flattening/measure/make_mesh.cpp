@@ -128,6 +128,8 @@ void make_mesh(const std::string& file, const Mesh_changes& changes, const std::
   if(!output.empty() && !CGAL::IO::write_polygon_mesh(
                             output, mesh, CGAL::parameters::use_binary_mode(true).stream_precision(17)))
     throw std::runtime_error("cannot write '" + output + "'");
+  if(changes.any_topology)
+    return m.add("triangles", mesh.number_of_faces());
   const abf::Chart chart = read_chart(mesh);
   m.add("triangles", chart.number_of_triangles());
   if(const auto defect = abf::diagnose(chart, changes.holes > 0))

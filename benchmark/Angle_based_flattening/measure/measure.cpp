@@ -24,11 +24,13 @@ int main(int argc, char* argv[])
   CGAL::Surface_mesh_parameterization::Hierarchical_options hierarchical;
   std::vector<std::string> words;
   Mesh_changes changes;
+  Seam_choice_options seam_options;
   int first_run = 0;
   std::string output;
   po::options_description options(
-      "measure mesh FILE [--triangles N] [--noise] [--holes N] [--rings N] [--output FILE]\n"
+      "measure mesh FILE [--triangles N] [--noise] [--holes N] [--rings N] [--any-topology] [--output FILE]\n"
       "measure flatten METHOD FILE [--simplification-rate X] [--sweeps N] [--polish]\n"
+      "measure seams cones|farthest|peaks FILE [--bound X] [--terminals N] [--method METHOD]\n"
       "measure solve SOLVER FILE full|block\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
@@ -43,6 +45,10 @@ int main(int argc, char* argv[])
                                                             "simplification rate of hierarchical methods")(
       "sweeps", po::value(&hierarchical.sweeps), "sweeps on each level")(
       "polish", po::bool_switch(&hierarchical.polish), "start the direct solver from the refined map")(
+      "any-topology", po::bool_switch(&changes.any_topology), "the mesh need not be a disk")(
+      "bound", po::value(&seam_options.bound), "of the stretch that is predicted")(
+      "terminals", po::value(&seam_options.terminals), "number of ends of seams")(
+      "method", po::value(&seam_options.method), "what flattens the surface that is cut open")(
       "first-run", po::value(&first_run), "number of runs to leave out")(
       "words", po::value(&words), "the subcommand and its arguments; the word '--words' is left out");
   Measurement m;
@@ -61,6 +67,8 @@ int main(int argc, char* argv[])
       make_mesh(words[1], changes, output, m);
     } else if(is("flatten", 2)) {
       flatten(words[1], words[2], hierarchical, m);
+    } else if(is("seams", 2)) {
+      seams(words[1], words[2], seam_options, m);
     } else if(is("solve", 3)) {
       solve(words[1], words[2], words[3], m);
     } else if(is("layouts", 2)) {

@@ -15,21 +15,40 @@
 
 namespace ABF_benchmark {
 
+struct Surface;
+
 struct Mesh_changes
 {
   std::size_t triangles = 0; // about that many; 0 for those that are there
   bool noise = false;
-  int holes = 0, rings = 3; // of triangles that a hole removes, around a vertex
+  int holes = 0, rings = 3;  // of triangles that a hole removes, around a vertex
+  bool any_topology = false; // the result need not be a disk
 };
 
 // Reads a mesh, changes it, writes it (if `output` is not empty), and reports the number of its triangles. Fails if it
-// is not a disk, or a disk with holes.
+// has to be a disk, or a disk with holes, and is none.
 void make_mesh(const std::string& file, const Mesh_changes& changes, const std::string& output,
                Measurement& m);
 
 // Runs a method on a mesh, and measures the map.
 void flatten(const std::string& method, const std::string& file,
              const CGAL::Surface_mesh_parameterization::Hierarchical_options& options, Measurement& m);
+
+// The same for a surface that is already there
+void flatten(const std::string& method, Surface& surface,
+             const CGAL::Surface_mesh_parameterization::Hierarchical_options& options, Measurement& m);
+
+struct Seam_choice_options
+{
+  double bound = 1.1; // of the stretch that is predicted, for `cones`
+  int terminals = 10; // for the other choices
+  std::string method = "abf++";
+};
+
+// Cuts a connected surface open along seams of our own choice (`cones`), or to the `farthest` points or to the `peaks` of curvature.
+// Runs a method on the disk, and measures the map.
+void seams(const std::string& choice, const std::string& file, const Seam_choice_options& options,
+           Measurement& m);
 
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
