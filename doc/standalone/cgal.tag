@@ -22,6 +22,11 @@
     <filename>Manual/thirdparty.html</filename>
     <docanchor file="Manual/thirdparty.html" title="Eigen">thirdpartyEigen</docanchor>
   </compound>
+  <compound kind="group">
+    <name>bgl_namedparameters</name>
+    <title>Named Parameters</title>
+    <filename>BGL/group__bgl__namedparameters.html</filename>
+  </compound>
   <compound kind="class">
     <name>Parameterizer_3</name>
     <filename>Surface_mesh_parameterization/classParameterizer__3.html</filename>

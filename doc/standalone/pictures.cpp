@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes the pictures of the manual from the meshes of the examples, and prints the manual's tables of measures:
-// `pictures DATA_FOLDER PICTURE_FOLDER`.
+// Makes the pictures of the manual from the meshes of the examples and of CGAL's demo, and prints the manual's tables of measures:
+// `pictures DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER`.
 
 #include "flatten_mesh/Canvas.h"
 #include "flatten_mesh/Distortion_scale.h"
@@ -17,10 +17,12 @@
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/number_utils.h>
 
@@ -44,6 +46,7 @@ using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
 const Kernel::Vector_3 dinosaur_from(0.45, -1, 0.35), egg_from(0.5, -1, 0.35), mask_from(0.3, -1, 0.1),
     forwards(1, 0, 0), upwards(0, 0, 1);
+const Kernel::Vector_3 camel_from(1, 0.25, 0.5), camel_upwards(0, 1, 0);
 
 void write_file(const std::string& name, const std::string& content)
 {
@@ -480,21 +483,57 @@ Mesh read_mesh(const std::string& file)
   return mesh;
 }
 
+using Seam_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+Mesh cut_open(const Mesh& mesh, const Seam_map& seams)
+{
+  Mesh open;
+  CGAL::copy_face_graph(SMP::make_seam_mesh(mesh, seams), open);
+  return open;
+}
+
 // The egg, cut open along its seam.
 Mesh read_egg(const std::string& folder)
 {
   Mesh egg = read_mesh(folder + "/egg.off");
-  const auto seam_edges = egg.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  const auto seam_vertices = egg.add_property_map<Vertex, bool>("v:seam", false).first;
-  CGAL::Seam_mesh<Mesh, decltype(seam_edges), decltype(seam_vertices)> seam_mesh(egg, seam_edges,
-                                                                                 seam_vertices);
-  seam_mesh.add_seams((folder + "/egg.selection.txt").c_str());
-  Mesh open;
-  CGAL::copy_face_graph(seam_mesh, open);
-  return open;
+  const Seam_map seams = egg.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  if(const auto read = SMP::read_seam_selection(folder + "/egg.selection.txt", egg, seams); !read)
+    throw std::runtime_error(read.message);
+  return cut_open(egg, seams);
 }
 
-void run(const std::string& data, const std::string& pictures)
+// A camel, cut open along the seams that are selected for it.
+Mesh read_camel(const std::string& folder)
+{
+  Mesh camel = read_mesh(folder + "/camel.off");
+  const Seam_map seams = camel.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  const SMP::Seam_report report = SMP::select_seams(camel, seams);
+  if(report.diagnosis != report.NOTHING_WRONG)
+    throw std::runtime_error(report.message);
+  std::cout << "camel: " << report.number_of_terminals << " terminals, relative seam length "
+            << format_number("%.2f", report.relative_seam_length) << ", predicted stretch "
+            << format_number("%.3f", report.predicted_stretch) << "\n";
+  return cut_open(camel, seams);
+}
+
+void draw_seams(Flat_mesh& flat, const std::string& file)
+{
+  std::cout << "camel: stretch " << format_number("%.3f", flat.measures.l2_stretch)
+            << (flat.measures.border_is_simple ? ", injective\n" : ", overlaps\n");
+  const Surface_view view(camel_from, camel_upwards);
+  const Frame frame{10, 10, 580, 560};
+  Canvas canvas(1200, 580);
+  draw_checkerboard(canvas, flat.mesh, all_faces(flat.mesh), flat.uv, square_side(flat), view, frame);
+  const Projected_surface corners(flat.mesh, all_faces(flat.mesh), view, frame);
+  draw_edges(canvas, flat.mesh, corners, 3, {0.85, 0.2, 0.1}, true);
+  turn_plane(flat, camel_upwards);
+  const auto [lower, upper] = ends(flat.mesh, camel_upwards);
+  draw_plane(canvas, flat, plane_of(flat.mesh, flat.uv, lower, upper), common_scale({&flat}),
+             Frame{610, 10, 580, 560});
+  write_file(file, canvas.png(51));
+}
+
+void run(const std::string& data, const std::string& demo, const std::string& pictures)
 {
   const Mesh dinosaur = read_mesh(data + "/dinosaur.off");
   std::vector<Flat_mesh_ptr> flats;
@@ -517,18 +556,24 @@ void run(const std::string& data, const std::string& pictures)
   masks.push_back(flatten("filled", mask, parameterizer_for(SMP::Flattening_options::FILL)));
   print_measures_of_holes(masks);
   draw_holes(masks, pictures + "/holes.png");
+
+  if(std::ifstream(demo + "/camel.off"))
+    draw_seams(*flatten("camel", read_camel(demo), SMP::ABF_plus_plus_parameterizer_3<Mesh>()),
+               pictures + "/seams.png");
+  else
+    std::cerr << "no camel.off in '" << demo << "': seams.png is left as it is\n";
 }
 
 } // namespace flatten_mesh
 
 int main(int argc, char* argv[])
 {
-  if(argc != 3) {
-    std::cerr << "usage: pictures DATA_FOLDER PICTURE_FOLDER\n";
+  if(argc != 4) {
+    std::cerr << "usage: pictures DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER\n";
     return 2;
   }
   try {
-    flatten_mesh::run(argv[1], argv[2]);
+    flatten_mesh::run(argv[1], argv[2], argv[3]);
   } catch(const std::exception& error) {
     std::cerr << "pictures: " << error.what() << '\n';
     return 1;
