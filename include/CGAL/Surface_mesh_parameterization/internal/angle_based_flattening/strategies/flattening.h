@@ -14,12 +14,6 @@
 #include <optional>
 #include <vector>
 
-#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE
-#else
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
-#endif
-
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The map of a chart, or why there is none.
