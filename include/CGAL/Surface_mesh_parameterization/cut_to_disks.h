@@ -32,7 +32,6 @@ little stretch.
 
 For \f$n\f$ triangles and genus \f$g\f$, this takes time \f$O(n \log n)\f$, and \f$O(g\,n\log n)\f$ for the exchanges, whose searches visit each vertex 100 times at most.
 
-
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type

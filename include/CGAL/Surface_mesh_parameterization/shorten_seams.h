@@ -28,7 +28,6 @@ Seams that leave anything else than disks are shortened where a path has the sam
 
 Searches visit each vertex 100 times at most.
 
-
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type

@@ -24,6 +24,9 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Searches of key-path exchange visit each node so many times at most. Genus 133 took over 200 s without a limit.
 inline constexpr int most_visits = 100;
 
+// So many times at most, terminals are added after seams were shortened.
+inline constexpr int most_rounds = 5;
+
 // Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose predicted scale is
 // farthest from 1, until the predicted stretch is small enough.
 class Greedy_cones
@@ -43,16 +46,15 @@ public:
   {
     if(const Status status = open(); status != Seams::DONE)
       return status;
-    // Shortening changes the stretch, mostly a little.
-    for(int round = 0; round < 5; ++round) {
+    // Shortening changes the stretch, mostly a little. The last prediction is that of the seams as they are.
+    for(int round = 0;; ++round) {
       const std::size_t before = m_terminals.size();
       if(const Status status = add_terminals(); status != Seams::DONE)
         return status;
-      if(round > 0 && m_terminals.size() == before)
-        break;
+      if(round == most_rounds || (round > 0 && m_terminals.size() == before))
+        return Seams::DONE;
       Path_shortening(m_surface, m_cost, m_terminals).run(most_visits);
     }
-    return Seams::DONE;
   }
 
 private:
