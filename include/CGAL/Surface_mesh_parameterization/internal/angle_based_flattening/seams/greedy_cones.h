@@ -9,8 +9,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
 
