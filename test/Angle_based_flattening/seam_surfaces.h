@@ -130,26 +130,32 @@ inline std::vector<Surface> platonic_solids()
           icosahedron()};
 }
 
-// An icosahedron, all of whose triangles are split in four, `levels` times
+// All triangles are split in four, `levels` times.
+inline void subdivide(Surface& surface, int levels)
+{
+  for(int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+    const auto middle = [&](std::size_t v, std::size_t w) {
+      const auto [it, is_new] = middles.insert({std::minmax({v, w}), surface.points.size()});
+      if(is_new)
+        surface.points.push_back(CGAL::midpoint(surface.points[v], surface.points[w]));
+      return it->second;
+    };
+    std::vector<Polygon> faces;
+    for(const Polygon& f : surface.faces) {
+      const std::size_t a = middle(f[1], f[2]), b = middle(f[2], f[0]), c = middle(f[0], f[1]);
+      faces.insert(faces.end(), {{f[0], c, b}, {f[1], a, c}, {f[2], b, a}, {a, b, c}});
+    }
+    surface.faces = std::move(faces);
+  }
+}
+
+// A subdivided icosahedron
 inline Surface sphere(int levels)
 {
   Surface result = icosahedron();
   result.name = "sphere of level " + std::to_string(levels);
-  for(int level = 0; level < levels; ++level) {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
-    const auto middle = [&](std::size_t v, std::size_t w) {
-      const auto [it, is_new] = middles.insert({std::minmax({v, w}), result.points.size()});
-      if(is_new)
-        result.points.push_back(CGAL::midpoint(result.points[v], result.points[w]));
-      return it->second;
-    };
-    std::vector<Polygon> faces;
-    for(const Polygon& f : result.faces) {
-      const std::size_t a = middle(f[1], f[2]), b = middle(f[2], f[0]), c = middle(f[0], f[1]);
-      faces.insert(faces.end(), {{f[0], c, b}, {f[1], a, c}, {f[2], b, a}, {a, b, c}});
-    }
-    result.faces = std::move(faces);
-  }
+  subdivide(result, levels);
   for(Point_3& p : result.points) {
     const Vector_3 v = p - CGAL::ORIGIN;
     p = CGAL::ORIGIN + v / std::sqrt(v.squared_length());

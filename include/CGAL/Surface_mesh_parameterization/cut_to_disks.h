@@ -27,7 +27,7 @@ Borders are joined by shortest paths, in the manner of Mehlhorn's approximation 
 basis of Erickson and Whittlesey (2005). Key-path exchange then shortens the seams: without one path between two branches, the disk is an annulus, and the
 shortest path between its two borders makes it a disk again. A sphere is cut along a path between two vertices that are far from each other.
 
-Edges that are seams already remain so, and count as borders. `select_seams()` cuts so that the disks can be flattened with
+Edges that are seams already remain so, and count as borders. A seam of one edge on a sphere becomes longer, because a border of two edges is no polygon. `select_seams()` cuts so that the disks can be flattened with
 little stretch.
 
 For \f$n\f$ triangles and genus \f$g\f$, this takes time \f$O(n \log n)\f$, and \f$O(g\,n\log n)\f$ for the exchanges, whose searches visit each vertex 100 times at most.

@@ -15,8 +15,6 @@
 
 /// \file select_seams.h
 
-#include <string>
-
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
@@ -34,6 +32,7 @@ The terminals of a sphere begin with a vertex where it shrinks most; there are a
 The stretch of a map by ABF++ is mostly within a few percent of the prediction. Coarse triangulations with long thin triangles can stretch more: measure the map.
 
 Seams of surfaces with more than 12,000 vertices are selected on a coarser copy with 5,000 vertices, and drawn on the surface as shortest paths near those of the copy.
+Where edges that must not become seams bar the way, the shortest path anywhere takes their place, and the stretch is predicted again on the surface itself. It may then miss the bound.
 Edges that are seams already remain so, and count as borders.
 
 For \f$n\f$ triangles this takes time \f$O(n \log n)\f$ for the copy and the paths, and a factorization of the Laplacian of the copy for each terminal.

@@ -55,7 +55,7 @@ Searches visit each vertex 100 times at most.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the length of all seams. 
+\return what is wrong, if anything, and the length of all seams.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -46,7 +45,7 @@ public:
   {
     Seam_report report;
     if(!m_reader.read([&](edge_descriptor e) { return m_keeps_seams && get(m_seams, e); }, report) ||
-       !read_costs(report))
+       !m_reader.read_costs(seam_cost<edge_descriptor>(m_np), report))
       return report;
     std::vector<Seams> results;
     for(const Surface_part& part : m_reader.parts()) {
@@ -72,25 +71,6 @@ public:
   }
 
 private:
-  bool read_costs(Seam_report& report)
-  {
-    using parameters::get_parameter;
-    const auto is_constrained =
-        parameters::choose_parameter(get_parameter(m_np, internal_np::edge_is_constrained),
-                                     Static_boolean_property_map<edge_descriptor, false>());
-    return m_reader.read_costs(
-        [&](edge_descriptor e, double length) {
-          if(get(is_constrained, e))
-            return (std::numeric_limits<double>::infinity)();
-          if constexpr(parameters::is_default_parameter<NamedParameters,
-                                                        internal_np::seam_edge_weight_t>::value)
-            return length;
-          else
-            return static_cast<double>(get(get_parameter(m_np, internal_np::seam_edge_weight), e));
-        },
-        report);
-  }
-
   void explain_failure(const Surface_part& part, Seams::Status status, Seam_report& report) const
   {
     const std::string where = "the part of the surface with the vertex at " + position_text(part.chart, 0);
@@ -126,8 +106,8 @@ private:
       report.number_of_terminals += results[i].terminals.size();
       report.predicted_stretch = (std::max)(report.predicted_stretch, results[i].predicted_stretch);
     }
-    report.number_of_components = m_reader.number_of_components();
-    report.number_of_disks = m_reader.parts().size();
+    report.number_of_components = m_reader.count_parts([](edge_descriptor) { return false; });
+    report.number_of_disks = m_reader.count_parts([&](edge_descriptor e) { return get(m_seams, e); });
     report.seam_length = sides / 2 * m_reader.scale();
     report.relative_seam_length = area > 0 ? sides / 2 / std::sqrt(area) : 0;
   }
@@ -144,9 +124,13 @@ private:
   EdgeIsSeamMap m_seams;
   const NamedParameters& m_np;
   bool m_keeps_seams;
-  Surface_reader<TriangleMesh, Vertex_point_map> m_reader;
+  Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>
+#endif
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_APPLY_SEAMS_H

@@ -61,24 +61,29 @@ public:
     return result;
   }
 
-  // Draws paths of the copy, given by their edges, on the surface: each becomes the shortest path between its ends that stays near it.
-  void draw(const std::vector<std::vector<int>>& paths, Sector_graph& surface) const
+  // Draws paths of the copy, given by their edges, on the surface: each becomes the shortest path between its ends that stays near it,
+  // or the shortest anywhere where edges that must not become seams bar all of these. Returns whether all stay near.
+  bool draw(const std::vector<std::vector<int>>& paths, Sector_graph& surface) const
   {
     std::vector<int> node(m_surface.points.size()), seams;
     for(int c = 0; c < m_surface.number_of_corners(); ++c)
       node[m_surface.vertex[c]] = surface.node(c);
+    bool all_are_near = true;
     for(const std::vector<int>& path : paths) {
-      const int from = node[m_fine_vertex[m_coarse.edge_source(path.front())]],
-                to = node[m_fine_vertex[m_coarse.edge_target(path.back())]];
-      Shortest_paths fine(surface, m_cost);
-      fine.restrict_to(nodes_near(path, node));
-      if(fine.find({from}, forbidden, [&](int x) { return x == to && x != from; }) >= 0)
-        for(int c : fine.path(to))
-          seams.push_back(c);
+      if(m_coarse.edge_source(path.front()) != m_coarse.edge_target(path.back())) {
+        all_are_near &= find_fine_path(path, node, {}, surface, seams);
+      } else {
+        const auto middle = path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2);
+        std::vector<int> half;
+        all_are_near &= find_fine_path({path.begin(), middle}, node, {}, surface, half);
+        all_are_near &= find_fine_path({middle, path.end()}, node, half, surface, seams);
+        seams.insert(seams.end(), half.begin(), half.end());
+      }
     }
     for(int c : seams)
       if(!surface.is_seam(c))
         surface.set_seam(c, true);
+    return all_are_near;
   }
 
 private:
@@ -95,27 +100,39 @@ private:
       m_members[region[v]].push_back(static_cast<int>(v));
   }
 
+  // Appends the edges of the fine path of a path that is not closed. It does not cross the inside of another one, `avoided`. Returns
+  // whether it stays near.
+  bool find_fine_path(const std::vector<int>& path, const std::vector<int>& node,
+                      const std::vector<int>& avoided, const Sector_graph& surface,
+                      std::vector<int>& edges) const
+  {
+    const int from = node[m_fine_vertex[m_coarse.edge_source(path.front())]],
+              to = node[m_fine_vertex[m_coarse.edge_target(path.back())]];
+    std::vector<char> is_allowed = nodes_near(path, node);
+    for(bool is_near : {true, false}) {
+      for(int c : avoided)
+        for(int x : {surface.source_node(c), surface.target_node(c)})
+          is_allowed[x] = x == from || x == to;
+      Shortest_paths fine(surface, m_cost);
+      fine.restrict_to(is_allowed);
+      if(fine.find({from}, forbidden, [&](int x) { return x == to; }) >= 0) {
+        const std::vector<int> found = fine.path(to);
+        edges.insert(edges.end(), found.begin(), found.end());
+        return is_near;
+      }
+      is_allowed.assign(is_allowed.size(), true);
+    }
+    return false;
+  }
+
   // Those of the regions of the path's vertices, and of all their neighbours
   std::vector<char> nodes_near(const std::vector<int>& path, const std::vector<int>& node) const
   {
     std::vector<char> is_near(m_coarse.points.size(), false);
-    const auto add_neighbours = [&](int corner) {
-      int c = corner;
-      do {
-        is_near[m_coarse.vertex[next_corner(c)]] = is_near[m_coarse.vertex[previous_corner(c)]] = true;
-        c = m_coarse.rotate(c);
-      } while(c >= 0 && c != corner);
-      for(c = corner; m_coarse.opposite[next_corner(c)] >= 0;) {
-        c = next_corner(m_coarse.opposite[next_corner(c)]);
-        if(c == corner)
-          break;
-        is_near[m_coarse.vertex[next_corner(c)]] = is_near[m_coarse.vertex[previous_corner(c)]] = true;
-      }
-    };
-    for(int c : path) {
-      add_neighbours(next_corner(c));
-      add_neighbours(previous_corner(c));
-    }
+    for(int edge : path)
+      for(int end : {next_corner(edge), previous_corner(edge)})
+        for(int c : corners_around(m_coarse, end))
+          is_near[m_coarse.vertex[next_corner(c)]] = is_near[m_coarse.vertex[previous_corner(c)]] = true;
     std::vector<char> result(m_surface.points.size(), false);
     for(std::size_t i = 0; i < is_near.size(); ++i)
       if(is_near[i])

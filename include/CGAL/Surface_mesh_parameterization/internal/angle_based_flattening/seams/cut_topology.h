@@ -27,6 +27,15 @@ inline std::vector<int> border_nodes(const Sector_graph& surface)
   return nodes;
 }
 
+// Of each vertex: whether it is on a border or seam
+inline std::vector<char> border_vertices(const Sector_graph& surface)
+{
+  std::vector<char> is_on_border(surface.surface().points.size(), false);
+  for(int x : border_nodes(surface))
+    is_on_border[surface.vertex(x)] = true;
+  return is_on_border;
+}
+
 // Of each node, the number of the border on which it is, or -1
 inline std::vector<int> number_borders(const Sector_graph& surface, int& count)
 {
@@ -52,21 +61,25 @@ struct Topology
   explicit Topology(const Sector_graph& surface)
   {
     const Chart& chart = surface.surface();
-    int nodes = 0, sides = 0; // of edges
+    int nodes = 0;
     number_borders(surface, borders);
     for(int x = 0; x < surface.number_of_nodes(); ++x)
       nodes += surface.is_node(x);
     for(int c = 0; c < chart.number_of_corners(); ++c)
-      sides += surface.is_open(c) ? 2 : 1;
-    handles = (2 - borders - nodes + sides / 2 - chart.number_of_triangles()) / 2;
+      border_edges += surface.is_open(c);
+    const int edges = (chart.number_of_corners() + border_edges) / 2;
+    handles = (2 - borders - nodes + edges - chart.number_of_triangles()) / 2;
   }
 
   bool is_disk() const { return handles == 0 && borders == 1; }
 
-  int handles, borders = 0;
+  // A border of two edges, along a seam of one edge, is no polygon.
+  bool can_be_flattened() const { return is_disk() && border_edges >= 3; }
+
+  int handles, borders = 0, border_edges = 0;
 };
 
-// Opens a connected surface until it is a disk, along short paths.
+// Opens a connected surface until it is a disk that can be flattened, along short paths.
 class Topological_cut
 {
 public:
@@ -81,9 +94,11 @@ public:
       return false;
     if(topology.handles > 0)
       cut_handles();
-    else if(topology.borders == 0 && !open_sphere())
-      return false;
-    return Topology(m_surface).is_disk();
+    else if(topology.borders == 0)
+      open_sphere();
+    if(const Topology opened(m_surface); opened.is_disk() && !opened.can_be_flattened())
+      lengthen_border();
+    return Topology(m_surface).can_be_flattened();
   }
 
 private:
@@ -234,9 +249,8 @@ private:
     return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   }
 
-  // Two vertices that are far from each other, and a path of at least two edges between them: with one edge there would be no polygon
-  // around the disk.
-  bool open_sphere()
+  // Opens a path between two vertices that are far from each other.
+  void open_sphere()
   {
     int from = root(), to = from;
     std::vector<int> path;
@@ -245,29 +259,24 @@ private:
       Shortest_paths paths(m_surface, m_cost);
       paths.find_all({from});
       for(int x = 0; x < m_surface.number_of_nodes(); ++x)
-        if(paths.is_reached(x) && paths.distance(x) > paths.distance(to))
+        if(x != from && paths.is_reached(x) && (to == from || paths.distance(x) > paths.distance(to)))
           to = x;
       path = paths.path(to);
     }
-    if(path.size() == 1)
-      add_edge(path);
     open(path);
-    return path.size() > 1;
   }
 
-  // The cheapest edge that makes a path of two out of one
-  void add_edge(std::vector<int>& path) const
+  // Opens the cheapest edge between the border of a disk and its interior.
+  void lengthen_border()
   {
     int cheapest = -1;
-    for(int x : {m_surface.source_node(path.front()), m_surface.target_node(path.front())}) {
-      const auto [begin, end] = out_edges(x, m_surface);
-      for(auto c = begin; c != end; ++c)
-        if(*c != path.front() && chart().opposite[*c] != path.front() && m_cost[*c] < forbidden &&
-           (cheapest < 0 || m_cost[*c] < m_cost[cheapest]))
-          cheapest = *c;
-    }
+    for(int c = 0; c < chart().number_of_corners(); ++c)
+      if(!m_surface.is_open(c) && m_surface.is_on_border(m_surface.source_node(c)) &&
+         !m_surface.is_on_border(m_surface.target_node(c)) && m_cost[c] < forbidden &&
+         (cheapest < 0 || m_cost[c] < m_cost[cheapest]))
+        cheapest = c;
     if(cheapest >= 0)
-      path.push_back(cheapest);
+      open({cheapest});
   }
 
   Sector_graph& m_surface;

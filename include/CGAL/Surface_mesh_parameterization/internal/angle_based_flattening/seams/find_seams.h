@@ -10,11 +10,44 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seams.h>
 
+#include <string>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+struct Seam_options
+{
+  double stretch_bound = 1.1;
+  int maximum_number_of_terminals = 100;
+};
+
+// What is wrong with the options, or nothing
+inline std::string wrong_option(const Seam_options& options)
+{
+  if(!(options.stretch_bound >= 1))
+    return "the bound of the stretch is " + std::to_string(options.stretch_bound) +
+           ", and must be at least 1";
+  if(options.maximum_number_of_terminals < 0)
+    return "the number of terminals is at most " + std::to_string(options.maximum_number_of_terminals) +
+           ", and must not be negative";
+  return "";
+}
+
+struct Seams
+{
+  enum Status
+  {
+    DONE,
+    NO_CUT,
+    LINEAR_SYSTEM_FAILED
+  };
+
+  Status status = DONE;
+  std::vector<char> is_seam; // of each corner: whether the edge that it faces is a seam
+  std::vector<int> terminals;
+  double predicted_stretch = 1;
+};
 
 // Those that make a disk of a connected surface. `cost` is that of the edge that each corner faces, infinity where it must not be a seam.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,
@@ -30,9 +63,5 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Seams shorten_seams(const Chart& surface, con
                                                        const std::vector<char>& seams);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
-
-#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>
-#endif
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_H

@@ -12,9 +12,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/greedy_cones.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/repair_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
 
+#include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -43,6 +47,21 @@ inline Seams find_seams_directly(const Chart& surface, const std::vector<double>
   return seams;
 }
 
+// The same seams, with the stretch predicted on the surface itself, and without the terminals that they do not reach
+inline Seams predicted_again(Seams seams, const Sector_graph& opened, const Linear_solvers& solvers)
+{
+  const std::vector<char> is_reached = border_vertices(opened);
+  const Log_scale log_scale(opened.surface(), solvers);
+  if(const std::optional<std::vector<double>> u = log_scale.solve(is_reached))
+    seams.predicted_stretch = log_scale.stretch(*u);
+  else
+    seams.status = Seams::LINEAR_SYSTEM_FAILED;
+  const auto is_missed = [&](int v) { return !is_reached[v]; };
+  seams.terminals.erase(std::remove_if(seams.terminals.begin(), seams.terminals.end(), is_missed),
+                        seams.terminals.end());
+  return seams;
+}
+
 inline Seams find_seams_on_copy(const Chart& surface, const std::vector<double>& cost,
                                 const Seam_options& options, const Linear_solvers& solvers)
 {
@@ -50,22 +69,25 @@ inline Seams find_seams_on_copy(const Chart& surface, const std::vector<double>&
   const std::vector<double> coarse_cost = copy.cost();
   Sector_graph coarse(copy.chart());
   Greedy_cones cones(coarse, coarse_cost, options, solvers);
-  const Seams::Status status = cones.run();
+  Seams seams;
+  seams.status = cones.run();
+  if(seams.status != Seams::DONE)
+    return seams;
 
   std::vector<int> terminals;
   for(int v : cones.terminals())
     terminals.push_back(copy.fine_vertex(v));
   Sector_graph opened(surface);
-  bool is_cut = false;
-  if(status == Seams::DONE) {
-    copy.draw(Path_shortening(coarse, coarse_cost, cones.terminals()).key_paths(), opened);
-    is_cut = Cut_repair(opened, cost, terminals).run();
+  const bool is_as_planned =
+      copy.draw(Path_shortening(coarse, coarse_cost, cones.terminals()).key_paths(), opened);
+  if(!Cut_repair(opened, cost, terminals).run()) {
+    seams.status = Seams::NO_CUT;
+    return seams;
   }
-  Seams seams = seams_of(opened);
-  seams.status = status == Seams::DONE && !is_cut ? Seams::NO_CUT : status;
-  seams.terminals = terminals;
+  seams = seams_of(opened);
+  seams.terminals = std::move(terminals);
   seams.predicted_stretch = cones.predicted_stretch();
-  return seams;
+  return is_as_planned ? seams : predicted_again(std::move(seams), opened, solvers);
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,

@@ -9,8 +9,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
 
@@ -113,10 +113,7 @@ private:
   Status add_terminals()
   {
     for(;;) {
-      std::vector<char> is_fixed(chart().points.size(), false);
-      for(int x : border_nodes(m_surface))
-        is_fixed[m_surface.vertex(x)] = true;
-      const std::optional<std::vector<double>> u = m_log_scale.solve(is_fixed);
+      const std::optional<std::vector<double>> u = m_log_scale.solve(border_vertices(m_surface));
       if(!u)
         return Seams::LINEAR_SYSTEM_FAILED;
       m_stretch = m_log_scale.stretch(*u);

@@ -85,8 +85,8 @@ public:
   }
 
 private:
-  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite, and none of which is near 0: the
-  // larger two make room
+  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite. Those near 0 are raised to the
+  // least target angle, and the largest is what the others leave of pi.
   static std::vector<double> proper_angles(const Chart& surface)
   {
     std::vector<double> angles(surface.vertex.size());

@@ -8,10 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -22,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,8 +34,8 @@ struct Surface_part
 };
 
 // Reads a mesh of any topology as connected parts, and writes seams to it. A vertex whose triangles do not all hang together by edges
-// becomes several ones.
-template <typename TriangleMesh, typename VertexPointMap>
+// becomes several ones. `Report` has a diagnosis for each error, and a message.
+template <typename TriangleMesh, typename VertexPointMap, typename Report>
 class Surface_reader
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -54,31 +51,40 @@ public:
 
   // Reads the surface, opened along the edges with `is_cut(e)`. Returns whether that is possible, and says why if it is not.
   template <typename IsCut>
-  bool read(const IsCut& is_cut, Seam_report& report)
+  bool read(const IsCut& is_cut, Report& report)
   {
     return find_faces(is_cut, report) && read_points(report);
   }
 
-  // The edge that a corner of the surface faces: corner k of a face is at the target of its halfedge number k.
-  edge_descriptor edge_of(int corner) const
+  face_descriptor face_of(int triangle) const { return m_faces[triangle]; }
+
+  // The one to a corner of the surface, in its face: corner k of a face is at the target of its halfedge number k.
+  halfedge_descriptor halfedge_to(int corner) const
   {
     halfedge_descriptor h = halfedge(m_faces[corner / 3], m_mesh);
-    for(int k = (corner + 2) % 3; k > 0; --k)
+    for(int k = corner % 3; k > 0; --k)
       h = next(h, m_mesh);
-    return edge(h, m_mesh);
+    return h;
   }
+
+  // The edge that a corner of the surface faces
+  edge_descriptor edge_of(int corner) const { return edge(halfedge_to(previous_corner(corner)), m_mesh); }
 
   // Sets what edges cost: `cost_of(e, length)`, where the length is that in the parts.
   template <typename Cost>
-  bool read_costs(const Cost& cost_of, Seam_report& report)
+  bool read_costs(const Cost& cost_of, Report& report)
   {
     for(Surface_part& part : m_parts) {
       const Chart& chart = part.chart;
       part.cost.resize(chart.vertex.size());
       for(int c = 0; c < chart.number_of_corners(); ++c) {
+        if(const int across = chart.opposite[c]; across >= 0 && across < c) {
+          part.cost[c] = part.cost[across];
+          continue;
+        }
         part.cost[c] = cost_of(edge_of(3 * part.first_triangle + c), edge_length(chart, c));
         if(!(part.cost[c] >= 0)) {
-          fail(report, Seam_report::WRONG_WEIGHT,
+          fail(report, Report::WRONG_WEIGHT,
                "the edge from " + position_text(chart, chart.edge_source(c)) + " to " +
                    position_text(chart, chart.edge_target(c)) + " has the weight " +
                    std::to_string(part.cost[c]) + ", and weights must not be negative");
@@ -89,13 +95,16 @@ public:
     return true;
   }
 
-  std::size_t number_of_components() const
+  // The number of connected parts of the whole surface, opened along the edges with `is_cut(e)`
+  template <typename IsCut>
+  std::size_t count_parts(const IsCut& is_cut) const
   {
     boost::disjoint_sets_with_storage<> sets(m_faces.size());
     std::size_t count = m_faces.size();
     for(std::size_t t = 0; t < m_faces.size(); ++t)
       for(const halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[t], m_mesh), m_mesh))
-        if(const halfedge_descriptor across = opposite(h, m_mesh); !CGAL::is_border(across, m_mesh)) {
+        if(const halfedge_descriptor across = opposite(h, m_mesh);
+           !CGAL::is_border(across, m_mesh) && !is_cut(edge(h, m_mesh))) {
           const auto other = static_cast<std::size_t>(get(m_ranks, face(across, m_mesh)));
           if(sets.find_set(t) != sets.find_set(other)) {
             sets.union_set(t, other);
@@ -105,7 +114,7 @@ public:
     return count;
   }
 
-  static void fail(Seam_report& report, Seam_report::Diagnosis diagnosis, const std::string& message)
+  static void fail(Report& report, typename Report::Diagnosis diagnosis, const std::string& message)
   {
     report.diagnosis = diagnosis;
     report.message = message;
@@ -114,7 +123,7 @@ public:
 private:
   // Faces come in the order of a breadth-first search, part by part.
   template <typename IsCut>
-  bool find_faces(const IsCut& is_cut, Seam_report& report)
+  bool find_faces(const IsCut& is_cut, Report& report)
   {
     m_ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
     for(face_descriptor f : faces(m_mesh))
@@ -132,18 +141,18 @@ private:
             find(face(across, m_mesh));
         if(h != halfedge(m_faces[t], m_mesh)) {
           const auto p = get(m_points, target(h, m_mesh));
-          fail(report, Seam_report::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
+          fail(report, Report::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
           return false;
         }
         if(m_faces.size() > static_cast<std::size_t>(largest_number_of_triangles)) {
-          fail(report, Seam_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
+          fail(report, Report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
           return false;
         }
       }
       m_parts.push_back(link(static_cast<int>(first), is_cut));
     }
     if(m_faces.empty())
-      fail(report, Seam_report::EMPTY_MESH, "the mesh has no faces");
+      fail(report, Report::EMPTY_MESH, "the mesh has no faces");
     return !m_faces.empty();
   }
 
@@ -192,7 +201,7 @@ private:
     return 3 * get(m_ranks, f) + k % 3;
   }
 
-  bool read_points(Seam_report& report)
+  bool read_points(Report& report)
   {
     double largest = 0;
     for(Surface_part& part : m_parts) {
@@ -201,7 +210,7 @@ private:
         for(int i = 0; i < 3; ++i) {
           largest = (std::max)(largest, std::abs(p[i]));
           if(!std::isfinite(p[i])) {
-            fail(report, Seam_report::NON_FINITE_POINT,
+            fail(report, Report::NON_FINITE_POINT,
                  "a vertex has coordinates " + point_text(p) + ", which are not all finite numbers");
             return false;
           }
@@ -229,23 +238,11 @@ private:
         if(chart.vertex[corner] >= 0)
           continue;
         const auto& p = get(m_points, target(h, m_mesh));
-        number_corners_around(corner, chart);
+        for(int c : corners_around(chart, corner))
+          chart.vertex[c] = chart.number_of_vertices();
         chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
       }
     }
-  }
-
-  static void number_corners_around(int corner, Chart& chart)
-  {
-    const int v = chart.number_of_vertices();
-    int c = corner;
-    do {
-      chart.vertex[c] = v;
-      c = chart.rotate(c);
-    } while(c >= 0 && c != corner);
-    for(c = chart.opposite[next_corner(corner)]; c >= 0 && chart.vertex[next_corner(c)] < 0;
-        c = chart.opposite[next_corner(next_corner(c))])
-      chart.vertex[next_corner(c)] = v;
   }
 
   const TriangleMesh& m_mesh;

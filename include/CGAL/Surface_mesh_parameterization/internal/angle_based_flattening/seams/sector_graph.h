@@ -72,7 +72,7 @@ public:
   std::vector<int> seams_at(int corner) const
   {
     std::vector<int> seams;
-    for(int c : corners_around(corner))
+    for(int c : corners_around(*m_surface, corner))
       if(m_is_seam[previous_corner(c)])
         seams.push_back(previous_corner(c));
     return seams;
@@ -140,25 +140,10 @@ private:
     } while(c >= 0 && c != first);
   }
 
-  // All corners at the vertex of a corner, clockwise; at a border vertex from the first one
-  std::vector<int> corners_around(int corner) const
-  {
-    int first = corner;
-    while(m_surface->opposite[next_corner(first)] >= 0) {
-      first = next_corner(m_surface->opposite[next_corner(first)]);
-      if(first == corner)
-        break;
-    }
-    std::vector<int> corners;
-    for(int c = first; c >= 0 && (corners.empty() || c != first); c = m_surface->rotate(c))
-      corners.push_back(c);
-    return corners;
-  }
-
   // Numbers the sectors at the vertex of a corner again.
   void renumber(int corner)
   {
-    const std::vector<int> corners = corners_around(corner);
+    const std::vector<int> corners = corners_around(*m_surface, corner);
     for(int c : corners)
       if(const int x = m_node[c]; x >= 0 && m_first_corner[x] >= 0) {
         m_first_corner[x] = -1;

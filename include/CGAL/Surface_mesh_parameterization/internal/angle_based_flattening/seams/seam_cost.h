@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SEAM_COST_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SEAM_COST_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <limits>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What an edge of a given length costs as a seam, by the named parameters: its weight or length, and infinity if it must not
+// be one.
+template <typename Edge, typename NamedParameters>
+auto seam_cost(const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  const auto is_constrained = parameters::choose_parameter(
+      get_parameter(np, internal_np::edge_is_constrained), Static_boolean_property_map<Edge, false>());
+  return [is_constrained, &np](const Edge& e, double length) {
+    if(get(is_constrained, e))
+      return (std::numeric_limits<double>::infinity)();
+    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::seam_edge_weight_t>::value)
+      return length;
+    else
+      return static_cast<double>(get(get_parameter(np, internal_np::seam_edge_weight), e));
+  };
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SEAM_COST_H
