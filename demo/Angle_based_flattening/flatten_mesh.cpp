@@ -28,6 +28,7 @@
 #include "flatten_mesh/report_json.h"
 #include "flatten_mesh/report_text.h"
 #include "flatten_mesh/seam_file.h"
+#include "flatten_mesh/split_chart.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/write_obj.h"
 #include "flatten_mesh/write_svg.h"
@@ -59,8 +60,8 @@ struct Surface
   Cut_mesh cut;
   Chart chart;
 
-  Mesh& mesh() { return seamed ? cut.mesh : input; }
-  const Mesh& mesh() const { return seamed ? cut.mesh : input; }
+  Mesh& mesh() { return chart.is_cut() ? cut.mesh : input; }
+  const Mesh& mesh() const { return chart.is_cut() ? cut.mesh : input; }
 };
 
 Surface read_surface(const Command_line& command, Notes& notes)
@@ -128,7 +129,7 @@ void publish(const Output_files& files)
 void tell_stages(const Run_record& record, const Progress& progress)
 {
   for(const auto& stage : seconds_of_stages(record)) {
-    if(stage.first != "read" && stage.first != "seams" && stage.first != "write") {
+    if(stage.first != "read" && stage.first != "seams" && stage.first != "split" && stage.first != "write") {
       progress.stage(stage.first, stage.second,
                      stage.first == "layout" ? layout_name(record.flattening.report) : "");
     }
@@ -208,9 +209,50 @@ Flattening flatten_cut_surface(const Command_line& command, Surface& surface, Ru
               std::to_string(surface.chart.faces.size()) + " of " +
               count_text(surface.component.faces.size(), "triangle"));
   }
+  const Seam_record& seams = *record.seams;
+  if(seams.bound_reached && !*seams.bound_reached) {
+    notes.add("the scale stretch, " + format_number("%.4g", seams.scale_stretch) + ", misses the bound of " +
+              format_number("%.4g", seams.stretch_bound) + " by more than 3 %, with seams added in " +
+              count_text(static_cast<std::size_t>(seams.rounds), "round"));
+  }
   record.vertices = surface.chart.vertices.size();
   record.triangles = surface.chart.faces.size();
   return flat.flattening;
+}
+
+// Splits the chart where its map overlaps itself.
+void split_surface(Surface& surface, Run_record& record, const Progress& progress)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  record.split = Split_record();
+  const Edge_marks is_diagonal = diagonals(surface.input);
+  const auto input_edge = [&surface](const Edge e) {
+    return surface.chart.is_cut() ? surface.seamed->part.edge_origins[surface.cut.edge_origins[e.idx()].idx()]
+                                  : e;
+  };
+  Split_chart split = split_chart(
+      surface.mesh(), surface.chart, record.flattening,
+      [&](const Edge e) { return is_diagonal[input_edge(e)]; }, *record.split);
+  if(record.split->pieces > 1) {
+    std::vector<bool> is_new(surface.input.number_of_edges(), false);
+    for(const Edge e : split.new_seams) {
+      is_new[input_edge(e).idx()] = true;
+    }
+    if(!surface.seamed) {
+      surface.seamed = make_seamed_component(surface.input, surface.component);
+    }
+    for(const Edge e : surface.seamed->part.mesh.edges()) {
+      if(is_new[surface.seamed->part.edge_origins[e.idx()].idx()]) {
+        surface.seamed->seams[e] = true;
+      }
+    }
+    surface.cut = std::move(split.cut);
+    surface.chart = std::move(split.chart);
+    record.flattening = std::move(split.flattening);
+  }
+  record.split->seconds = timer.time();
+  progress.stage("split", record.split->seconds);
 }
 
 // Says what else can be done.
@@ -227,6 +269,15 @@ std::string remedy(Surface& surface, const SMP::ABF_plus_plus_report& report)
                               ? "; --cut topology does that"
                               : "";
   return cut + other_component_text(surface.input, surface.component.number);
+}
+
+// Says so if the map overlaps itself and nothing was asked for that prevents this.
+void look_at_overlap(const Command_line& command, const Flattening& flattening, Notes& notes)
+{
+  if(flattening.succeeded() && !flattening.measures.border_is_simple && !command.split_overlaps) {
+    notes.add("the map overlaps itself: --injective gives one that does not; --split-overlaps keeps the "
+              "angles, and splits the chart along further seams");
+  }
 }
 
 Exit_status run(const Command_line& command)
@@ -253,6 +304,10 @@ Exit_status run(const Command_line& command)
   record.borders = surface.chart.borders.size();
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);
+  }
+  look_at_overlap(command, record.flattening, notes);
+  if(command.split_overlaps && record.flattening.succeeded()) {
+    split_surface(surface, record, progress);
   }
   record.notes = notes.texts();
   if(!record.flattening.succeeded()) {

@@ -19,9 +19,11 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/number_utils.h>
@@ -32,6 +34,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -533,6 +536,178 @@ void draw_seams(Flat_mesh& flat, const std::string& file)
   write_file(file, canvas.png(51));
 }
 
+// The dinosaur, cut so that its map overlaps itself.
+Mesh read_cut_dinosaur(const std::string& folder)
+{
+  Mesh dinosaur = read_mesh(folder + "/dinosaur.off");
+  const Seam_map seams = dinosaur.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  const SMP::Seam_report report = SMP::select_seams(dinosaur, seams, CGAL::parameters::stretch_bound(1.05));
+  if(report.diagnosis != report.NOTHING_WRONG)
+    throw std::runtime_error(report.message);
+  return cut_open(dinosaur, seams);
+}
+
+const Color chart_color{0.86, 0.91, 0.97}, overlap_color{0.85, 0.3, 0.25};
+
+Color piece_color(const int piece)
+{
+  const char* const colors[] = {"#9fc3e6", "#f2b26b", "#8fc99b", "#d68fb0", "#c9b458", "#a897d1", "#7fc4c4"};
+  return color_of(colors[piece % 7]);
+}
+
+template <class Color_of_face>
+void draw_coloured(Canvas& canvas, const Mesh& mesh, const Surface_view& view, const Frame& frame,
+                   const bool is_shaded, const Color_of_face& color_of_face)
+{
+  const Projected_surface corners(mesh, all_faces(mesh), view, frame);
+  for(const Face f : mesh.faces()) {
+    const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(mesh, f)));
+    const Color color = mix({0, 0, 0}, color_of_face(f), is_shaded ? brightness(normal) : 1);
+    draw_face(canvas, mesh, f, corners, [&](const auto&) { return color; });
+  }
+  draw_edges(canvas, mesh, corners, is_shaded ? 1.5 : 1.2, {0.15, 0.15, 0.15}, true);
+}
+
+// Puts the pieces of a planar mesh into rows, the highest first.
+template <class Pieces>
+void move_apart(Mesh& plane, const Pieces& pieces, const int count)
+{
+  std::vector<CGAL::Bbox_3> boxes(static_cast<std::size_t>(count));
+  std::vector<int> piece_of(plane.number_of_vertices(), 0);
+  double width = 0;
+  for(const Face f : plane.faces())
+    for(const Vertex v : plane.vertices_around_face(plane.halfedge(f))) {
+      piece_of[v.idx()] = pieces[f];
+      boxes[static_cast<std::size_t>(pieces[f])] += plane.point(v).bbox();
+    }
+  std::vector<std::size_t> order;
+  for(std::size_t i = 0; i < boxes.size(); ++i) {
+    order.push_back(i);
+    width = (std::max)(width, boxes[i].x_span());
+  }
+  std::sort(order.begin(), order.end(),
+            [&](const std::size_t i, const std::size_t j) { return boxes[i].y_span() > boxes[j].y_span(); });
+  const double gap = 0.04 * width;
+  std::vector<Kernel::Vector_3> shifts(boxes.size());
+  double x = 0, y = 0, height = 0;
+  for(const std::size_t i : order) {
+    if(x > 0 && x + boxes[i].x_span() > 1.2 * width) {
+      x = 0;
+      y -= height + gap;
+      height = 0;
+    }
+    shifts[i] = Kernel::Vector_3(x - boxes[i].xmin(), y - boxes[i].ymax(), 0);
+    x += boxes[i].x_span() + gap;
+    height = (std::max)(height, boxes[i].y_span());
+  }
+  for(const Vertex v : plane.vertices())
+    plane.point(v) = plane.point(v) + shifts[static_cast<std::size_t>(piece_of[v.idx()])];
+}
+
+// A chart whose map overlaps itself, and how it is split
+class Split_chart
+{
+public:
+  explicit Split_chart(Flat_mesh& flat)
+      : m_mesh(flat.mesh), m_overlaps(m_mesh.number_of_faces(), false),
+        m_piece(m_mesh.add_property_map<Face, int>("f:piece").first),
+        m_seams(m_mesh.add_property_map<Mesh::Edge_index, bool>("e:new_seam", false).first)
+  {
+    std::vector<Face> overlapping;
+    SMP::overlapping_faces(m_mesh, flat.uv, std::back_inserter(overlapping));
+    for(const Face f : overlapping)
+      m_overlaps[f.idx()] = true;
+    const SMP::Overlap_split_report report = SMP::split_overlaps(m_mesh, m_seams, flat.uv, m_piece);
+    if(!report)
+      throw std::runtime_error(report.message);
+    m_number_of_pieces = static_cast<int>(report.number_of_pieces);
+    const auto [lower, upper] = ends(m_mesh, forwards);
+    m_plane = plane_of(m_mesh, flat.uv, lower, upper);
+    std::cout << "dinosaur: " << overlapping.size() << " faces overlap, " << m_number_of_pieces
+              << " pieces, borders " << format_number("%.1f", 100 * report.extra_seam) << " % longer\n";
+  }
+
+  // The map with its overlaps
+  void draw_map(Canvas& canvas, const Frame& frame) const
+  {
+    draw_coloured(canvas, m_plane, from_above(), frame, false,
+                  [&](const Face f) { return m_overlaps[f.idx()] ? overlap_color : chart_color; });
+  }
+
+  // The pieces of the map, moved apart
+  void draw_pieces(Canvas& canvas, const Frame& frame) const
+  {
+    Mesh pieces = cut_open(m_plane, m_seams);
+    move_apart(pieces, m_piece, m_number_of_pieces);
+    draw_coloured(canvas, pieces, from_above(), frame, false,
+                  [&](const Face f) { return piece_color(m_piece[f]); });
+  }
+
+  void draw_surface(Canvas& canvas, const Frame& frame) const
+  {
+    draw_coloured(canvas, cut_open(m_mesh, m_seams), Surface_view(dinosaur_from, upwards), frame, true,
+                  [&](const Face f) { return piece_color(m_piece[f]); });
+  }
+
+private:
+  Mesh& m_mesh;
+  Mesh m_plane;
+  std::vector<bool> m_overlaps; // of each face
+  Mesh::Property_map<Face, int> m_piece;
+  Seam_map m_seams;
+  int m_number_of_pieces = 0;
+};
+
+void draw_split(const Split_chart& chart, const std::string& file)
+{
+  Canvas canvas(1200, 420);
+  chart.draw_map(canvas, Frame{10, 10, 380, 400});
+  chart.draw_pieces(canvas, Frame{410, 10, 380, 400});
+  chart.draw_surface(canvas, Frame{810, 10, 380, 400});
+  write_file(file, canvas.png(51));
+}
+
+Flat_mesh_ptr flatten_injectively(const std::string& name, const Mesh& mesh, const double area_weight)
+{
+  SMP::Hierarchical_options options;
+  options.injective = true;
+  options.area_weight = area_weight;
+  return flatten(name, mesh, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options));
+}
+
+void print_measures_of_overlap(const std::vector<const Flat_mesh*>& flats)
+{
+  for(const Flat_mesh* flat : flats) {
+    const SMP::Flattening_measures& m = flat->measures;
+    std::cout << "<tr><td>" << flat->name << "</td><td>"
+              << format_number("%.2f", in_degrees(m.mean_angle_change)) << "</td>";
+    for(const double value :
+        {m.angular_distortion, m.mean_quasi_conformal_ratio, m.l2_stretch, m.symmetric_dirichlet_energy})
+      std::cout << "<td>" << format_number("%.4g", value) << "</td>";
+    std::cout << "<td>" << (m.border_is_simple ? "yes" : "no") << "</td></tr>\n";
+  }
+}
+
+// The chart with its overlaps, the injective map, the isometric one, and the pieces
+void draw_injective(const Flat_mesh& overlapping, const Split_chart& split, const std::string& file)
+{
+  const SMP::Flattening_options defaults;
+  const Flat_mesh_ptr injective = flatten_injectively("injective", overlapping.mesh, defaults.area_weight);
+  const Flat_mesh_ptr isometric = flatten_injectively("isometric", overlapping.mesh, 1);
+  print_measures_of_overlap({&overlapping, injective.get(), isometric.get()});
+  Canvas canvas(1200, 420);
+  split.draw_map(canvas, Frame{8, 10, 284, 400});
+  double left = 308;
+  for(const Flat_mesh* flat : {injective.get(), isometric.get()}) {
+    const auto [lower, upper] = ends(flat->mesh, forwards);
+    draw_coloured(canvas, plane_of(flat->mesh, flat->uv, lower, upper), from_above(),
+                  Frame{left, 10, 284, 400}, false, [](const Face) { return chart_color; });
+    left += 300;
+  }
+  split.draw_pieces(canvas, Frame{left, 10, 284, 400});
+  write_file(file, canvas.png(51));
+}
+
 void run(const std::string& data, const std::string& demo, const std::string& pictures)
 {
   const Mesh dinosaur = read_mesh(data + "/dinosaur.off");
@@ -556,6 +731,12 @@ void run(const std::string& data, const std::string& demo, const std::string& pi
   masks.push_back(flatten("filled", mask, parameterizer_for(SMP::Flattening_options::FILL)));
   print_measures_of_holes(masks);
   draw_holes(masks, pictures + "/holes.png");
+
+  const Flat_mesh_ptr overlapping =
+      flatten("overlapping", read_cut_dinosaur(data), SMP::ABF_plus_plus_parameterizer_3<Mesh>());
+  const Split_chart split(*overlapping);
+  draw_split(split, pictures + "/split.png");
+  draw_injective(*overlapping, split, pictures + "/injective.png");
 
   if(std::ifstream(demo + "/camel.off"))
     draw_seams(*flatten("camel", read_camel(demo), SMP::ABF_plus_plus_parameterizer_3<Mesh>()),

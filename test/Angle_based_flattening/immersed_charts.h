@@ -8,6 +8,7 @@
 
 #include "overlaps.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <utility>
@@ -96,6 +97,74 @@ private:
   int m_places;
   std::vector<Point_3> m_points;
   Triangles m_triangles;
+  std::set<std::pair<int, int>> m_edges;
+};
+
+// A disk that grows over the plane, triangle by triangle: outward from a border edge, or between two of them. All triangles
+// are positively oriented, but they may overlap, touch, and go around a vertex more than once.
+class Random_disk
+{
+public:
+  Random_disk(int triangles, int places, std::mt19937& random) : m_random(random), m_places(places)
+  {
+    while(m_triangles.empty())
+      start();
+    for(int attempt = 0; attempt < 50 * triangles && static_cast<int>(m_triangles.size()) < triangles;
+        ++attempt)
+      grow();
+  }
+
+  const std::vector<Point_3>& points() const { return m_points; }
+  const Triangles& triangles() const { return m_triangles; }
+
+private:
+  int draw(int n) { return static_cast<int>(m_random() % static_cast<unsigned>(n)); }
+
+  Point_3 random_place()
+  {
+    const int x = draw(m_places), y = draw(m_places);
+    return Point_3(x, y, 0);
+  }
+
+  void start()
+  {
+    m_points = {random_place(), random_place(), random_place()};
+    if(Overlaps(m_points, {{0, 1, 2}}).are_positive()) {
+      m_triangles = {{0, 1, 2}};
+      m_border = {0, 1, 2};
+      m_edges = {{0, 1}, {1, 2}, {0, 2}};
+    }
+  }
+
+  void grow()
+  {
+    const int size = static_cast<int>(m_border.size()), i = draw(size), j = (i + 1) % size,
+              k = (i + 2) % size;
+    const bool is_between = draw(2) == 0;
+    const int u = m_border[i], v = m_border[j];
+    int w = m_border[k];
+    if(!is_between) {
+      w = static_cast<int>(m_points.size());
+      m_points.push_back(random_place());
+    }
+    if((is_between && m_edges.count(std::minmax({u, w})) > 0) ||
+       !Overlaps(m_points, {{v, u, w}}).are_positive()) {
+      m_points.resize(m_points.size() - (is_between ? 0 : 1));
+      return;
+    }
+    m_triangles.push_back({v, u, w});
+    m_edges.insert({std::minmax({u, w}), std::minmax({v, w})});
+    if(is_between)
+      m_border.erase(m_border.begin() + j);
+    else
+      m_border.insert(m_border.begin() + j, w);
+  }
+
+  std::mt19937& m_random;
+  int m_places;
+  std::vector<Point_3> m_points;
+  Triangles m_triangles;
+  std::vector<int> m_border; // its vertices, with the disk on the left
   std::set<std::pair<int, int>> m_edges;
 };
 

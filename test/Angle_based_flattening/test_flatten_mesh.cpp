@@ -178,10 +178,22 @@ struct Folder
     BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
   }
 
+  // Whether the map does so and was not split
+  bool overlaps() const
+  {
+    return json().get<std::string>("border") == "not simple" && json().get<std::string>("split") == "null";
+  }
+
+  // Nothing is told but an overlap.
   void check_success()
   {
     BOOST_TEST(status == 0);
-    BOOST_TEST(standard_error == "");
+    if(overlaps()) {
+      BOOST_TEST(lines_of(standard_error).size() == 1u, standard_error);
+      check_told("the map overlaps itself: --injective");
+    } else {
+      BOOST_TEST(standard_error == "");
+    }
     BOOST_TEST(json().get<std::string>("status") == "OK");
     BOOST_TEST(json().get<int>("flipped_triangles") == 0);
   }
@@ -283,6 +295,7 @@ struct Block
   std::vector<int> holes = {}; // i + length * j
   bool triangulated = false;
   bool round = false; // projected to a sphere
+  double noise = 0;   // of the radius of the sphere, relative
 
   std::vector<std::array<int, 3>> places = {};
   std::vector<std::vector<int>> faces = {};
@@ -306,9 +319,11 @@ struct Block
   {
     std::ostringstream points;
     points.precision(17);
+    std::mt19937 random(1);
     for(const std::array<int, 3>& place : places) {
       const double x = place[0] - length / 2., y = place[1] - width / 2., z = place[2] - height / 2.;
-      const double scale = round ? 1 / std::sqrt(x * x + y * y + z * z) : 1;
+      const double radius = 1 + noise * (static_cast<double>(random()) / 2147483648. - 1);
+      const double scale = round ? radius / std::sqrt(x * x + y * y + z * z) : 1;
       points << scale * x << ' ' << scale * y << ' ' << scale * z << '\n';
     }
     return off(static_cast<int>(places.size()), points.str(), faces);
@@ -354,6 +369,24 @@ private:
     }
   }
 };
+
+// A strip of quadrangles that winds around as it rises, twice if there are 48
+std::string spiral(const int columns = 48)
+{
+  std::string text = "OFF\n" + std::to_string(2 * columns + 2) + " " + std::to_string(columns) + " 0\n";
+  for(int i = 0; i <= columns; ++i) {
+    const double angle = -0.26 * i;
+    for(const double radius : {1., 2.}) {
+      text += std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) +
+              " " + std::to_string(0.01 * i) + "\n";
+    }
+  }
+  for(int i = 0; i < columns; ++i) {
+    text += "4 " + std::to_string(2 * i) + " " + std::to_string(2 * i + 2) + " " + std::to_string(2 * i + 3) +
+            " " + std::to_string(2 * i + 1) + "\n";
+  }
+  return text;
+}
 
 Block cube()
 {
@@ -528,6 +561,21 @@ std::string obj_input(const Sheet& sheet)
   return text;
 }
 
+#ifdef ABF_WITH_PNG
+using Pixel = std::array<png_byte, 3>; // red, green, blue
+
+std::vector<Pixel> pixels_of(const std::string& png_file)
+{
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  BOOST_REQUIRE(png_image_begin_read_from_file(&image, png_file.c_str()) != 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<Pixel> pixels(PNG_IMAGE_SIZE(image) / sizeof(Pixel));
+  BOOST_REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
+  return pixels;
+}
+#endif
+
 } // namespace
 
 BOOST_FIXTURE_TEST_SUITE(good_input, Folder)
@@ -614,21 +662,16 @@ BOOST_AUTO_TEST_CASE(picture_shows_a_checkerboard)
 {
   run(quoted(write("sheet.off", off(Sheet()))) + " --picture " + quoted(file("flat.png")));
   BOOST_TEST(status == 0);
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  BOOST_REQUIRE(png_image_begin_read_from_file(&image, file("flat.png").c_str()) != 0);
-  image.format = PNG_FORMAT_RGB;
-  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
-  BOOST_REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
+  const std::vector<Pixel> pixels = pixels_of(file("flat.png"));
   std::size_t light = 0, dark = 0, ground = 0;
-  for(std::size_t i = 0; i < pixels.size(); i += 3) {
-    const bool is_ground = pixels[i] == 255;
+  for(const Pixel& pixel : pixels) {
+    const bool is_ground = pixel[0] == 255;
     ground += is_ground;
-    light += !is_ground && pixels[i] > 150;
-    dark += pixels[i] < 80;
+    light += !is_ground && pixel[0] > 150;
+    dark += pixel[0] < 80;
   }
   BOOST_TEST(ground > 0u);
-  BOOST_TEST(light > pixels.size() / 3 / 10);
+  BOOST_TEST(light > pixels.size() / 10);
   BOOST_TEST(dark > light / 2);
   BOOST_TEST(dark < light * 2);
 }
@@ -916,8 +959,10 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
   BOOST_TEST(status == 0);
   BOOST_TEST(standard_error == "");
   for(const char* option :
-      {"input", "output", "svg", "picture", "json", "component", "border", "method", "barrier", "layout",
-       "tolerance", "max-iterations", "step", "solver", "verbose", "help", "cut", "stretch-bound", "seams"}) {
+      {"input",  "output",         "svg",       "picture",     "json",      "component",
+       "border", "method",         "barrier",   "layout",      "tolerance", "max-iterations",
+       "step",   "solver",         "verbose",   "help",        "cut",       "stretch-bound",
+       "seams",  "split-overlaps", "injective", "area-weight", "clearance"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }
@@ -964,9 +1009,148 @@ BOOST_AUTO_TEST_CASE(auto_on_large_terrains)
   check_told("direct");
 }
 
+BOOST_AUTO_TEST_CASE(an_overlap_is_told_with_both_ways_to_get_rid_of_it)
+{
+  const std::string input = write("spiral.off", spiral());
+  flatten(input);
+  BOOST_TEST(status == 0);
+  BOOST_TEST(json().get<std::string>("border") == "not simple");
+  BOOST_TEST(json().get<std::string>("injective") == "false");
+  BOOST_TEST(json().get<std::string>("contact") == "null");
+  BOOST_TEST(json().get_child("notes").size() == 1u);
+  BOOST_TEST(lines_of(standard_error).size() == 1u);
+  check_told("--injective");
+  check_told("--split-overlaps");
+  BOOST_TEST((standard_output.find("contact") == std::string::npos));
+
+  flatten(input, "--split-overlaps");
+  check_success();
+  flatten(write("sheet.off", off(Sheet())));
+  check_success();
+}
+
+BOOST_AUTO_TEST_CASE(maps_are_injective_by_each_method)
+{
+  const std::string input = write("spiral.off", spiral());
+  for(const std::string options : {"--injective", "--injective --polish", "--injective --method hierarchical",
+                                   "--injective --method direct", "--injective --area-weight 0",
+                                   "--injective --area-weight 1", "--injective --clearance 0.05"}) {
+    BOOST_TEST_CONTEXT(options)
+    {
+      flatten(input, options);
+      check_success();
+      const auto tree = json();
+      const bool is_direct = options.find("direct") != std::string::npos;
+      BOOST_TEST(tree.get<std::string>("border") == "simple");
+      BOOST_TEST(tree.get<std::string>("injective") == "true");
+      BOOST_TEST(tree.get<std::string>("method") == (is_direct ? "direct" : "hierarchical"));
+      BOOST_TEST((tree.get<std::string>("strategy") == "injective descent") == is_direct);
+      BOOST_TEST(tree.get<double>("contact") >= 0);
+      BOOST_TEST(tree.get<double>("contact") <= 1);
+      BOOST_TEST(tree.get<int>("border_rejections") >= 0);
+      if(tree.get<std::string>("least_clearance") != "null") {
+        BOOST_TEST(tree.get<double>("least_clearance") > 0);
+      }
+      for(const char* line : {"\ncontact ", "\nleast clearance "}) {
+        BOOST_TEST((standard_output.find(line) != std::string::npos), line);
+      }
+      BOOST_TEST((standard_output.find(is_direct ? "injective descent" : "injective on each level") !=
+                  std::string::npos));
+      BOOST_TEST((standard_output.find("; polished") != std::string::npos) ==
+                 (options.find("--polish") != std::string::npos));
+    }
+  }
+}
+
+// Where nothing overlaps, --injective does not change the map of the direct method.
+BOOST_AUTO_TEST_CASE(an_injective_direct_map_is_left_alone)
+{
+  flatten(dinosaur(), "--method direct");
+  const std::string flat = obj();
+  flatten(dinosaur(), "--method direct --injective");
+  check_success();
+  BOOST_TEST(obj() == flat);
+  BOOST_TEST(json().get<std::string>("injective") == "true");
+  BOOST_TEST(json().get<double>("contact") == 0);
+  BOOST_TEST(json().get<std::string>("strategy") == "from target angles");
+}
+
+BOOST_AUTO_TEST_CASE(a_larger_area_weight_keeps_areas_better)
+{
+  std::vector<double> area_distortions;
+  for(const std::string weight : {"0", "1"}) {
+    flatten(dinosaur(), "--injective --area-weight " + weight);
+    check_success();
+    area_distortions.push_back(json().get<double>("l2_area_distortion"));
+  }
+  BOOST_TEST(area_distortions[1] < area_distortions[0]);
+}
+
+BOOST_AUTO_TEST_CASE(holes_of_injective_maps_are_filled_or_refused)
+{
+  Sheet sheet;
+  sheet.holes = {7, 16};
+  const std::string input = write("sheet.off", off(sheet));
+  for(const std::string options :
+      {"", " --holes fill", " --method direct", " --method direct --holes fill"}) {
+    flatten(input, "--injective" + options);
+    check_success();
+    BOOST_TEST(json().get<int>("borders") == 3, options);
+    BOOST_TEST(json().get<std::string>("injective") == "true", options);
+  }
+  fs::remove(file("flat.obj"));
+  fs::remove(file("flat.svg"));
+  flatten(input, "--injective --holes refuse");
+  check_refusal({"SEVERAL_BORDERS"});
+}
+
+BOOST_AUTO_TEST_CASE(wrong_values_of_injective_maps_name_the_option)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  for(const std::string option : {"--area-weight", "--clearance"}) {
+    for(const std::string value : {"-0.1", "1.1", "nan", "inf", "x"}) {
+      BOOST_TEST_CONTEXT(option << " " << value)
+      {
+        flatten(input, "--injective " + option + "=" + value);
+        check_refusal({option.substr(2)});
+      }
+    }
+    flatten(input, option + " 0.5");
+    check_refusal({option, "--injective"});
+  }
+  flatten(input, "--injective --clearance 0");
+  check_refusal({"--clearance"});
+  flatten(input, "--injective --split-overlaps");
+  check_refusal({"--injective", "--split-overlaps"});
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(seams, Folder)
+
+// Each corner of the plane at its vertex of the surface, and nothing overlaps
+BOOST_AUTO_TEST_CASE(maps_along_seams_are_injective)
+{
+  const std::string seams = file("dinosaur.selection.txt");
+  flatten(dinosaur(), "--stretch-bound 1.05 --injective --seams " + quoted(seams));
+  BOOST_TEST(status == 0);
+  BOOST_TEST(json().get<std::string>("injective") == "true");
+  BOOST_TEST(json().get<std::string>("border") == "simple");
+  BOOST_TEST(json().get<double>("contact") > 0);
+  BOOST_TEST(json().get<double>("least_clearance") > 0);
+  BOOST_TEST((edges_in(content(seams)) == edges_with_two_textures(obj())));
+  const double energy = json().get<double>("angular_distortion");
+
+  flatten(dinosaur(), "--injective --polish --cut " + quoted(seams));
+  check_success();
+  BOOST_TEST(json().get<std::string>("border") == "simple");
+  BOOST_TEST(json().get<double>("angular_distortion") < energy);
+
+  // A closed surface, and one of several components
+  flatten(write("sphere.off", sphere().text()), "--injective");
+  check_success();
+  BOOST_TEST(json().get<std::string>("injective") == "true");
+}
 
 // The input's vertices and faces in their order, and two texture coordinates exactly along the seams.
 BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
@@ -985,6 +1169,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
       BOOST_TEST(tree.get<double>("seams.stretch_bound") == 1.1);
       BOOST_TEST(tree.get<double>("seams.scale_stretch") >= 1);
       BOOST_TEST(tree.get<double>("seams.scale_stretch") <= 1.14);
+      BOOST_TEST(tree.get<bool>("seams.bound_reached"));
       BOOST_TEST(tree.get<double>("seams.predicted_stretch") >= 1);
       BOOST_TEST(tree.get<double>("seams.length") > 0.5);
       BOOST_TEST(tree.get<double>("seconds.seams") >= 0);
@@ -1012,6 +1197,69 @@ BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
       BOOST_TEST(json().get<std::string>("seams.terminals") == "null");
     }
   }
+}
+
+// The corners of a piece have texture coordinates of their own, which have not changed.
+BOOST_AUTO_TEST_CASE(overlaps_are_split)
+{
+  const auto coordinates = [this] {
+    const Lines lines = lines_with(obj(), "vt");
+    return std::set<std::string>(lines.begin(), lines.end());
+  };
+  flatten(dinosaur(), "--stretch-bound 1.05");
+  check_success();
+  BOOST_TEST(json().get<std::string>("border") == "not simple");
+  BOOST_TEST(json().get<std::string>("split") == "null");
+  const auto seams_before = edges_with_two_textures(obj());
+  const auto coordinates_before = coordinates();
+  std::vector<bool> has_texture;
+  const auto faces = obj_faces(obj(), has_texture);
+
+  const std::string seams = file("dinosaur.selection.txt");
+  flatten(dinosaur(), "--stretch-bound 1.05 --split-overlaps --seams " + quoted(seams));
+  check_success();
+  const auto tree = json();
+  BOOST_TEST(tree.get<int>("split.pieces") > 1);
+  BOOST_TEST(tree.get<int>("split.overlapping_triangles") > 0);
+  BOOST_TEST(tree.get<double>("split.added_seam_length") > 0);
+  BOOST_TEST(tree.get<double>("split.extra_seam") > 0);
+  BOOST_TEST(tree.get<double>("split.extra_seam") < 0.3);
+  BOOST_TEST(tree.get<double>("seconds.split") >= 0);
+  BOOST_TEST((standard_output.find("pieces") != std::string::npos));
+  BOOST_TEST((obj_faces(obj(), has_texture) == faces));
+  BOOST_TEST((std::count(has_texture.begin(), has_texture.end(), false) == 0));
+  BOOST_TEST((coordinates() == coordinates_before));
+  const auto seams_after = edges_with_two_textures(obj());
+  BOOST_TEST((edges_in(content(seams)) == seams_after));
+  BOOST_TEST(seams_after.size() > seams_before.size());
+  BOOST_TEST(std::includes(seams_after.begin(), seams_after.end(), seams_before.begin(), seams_before.end()));
+
+  flatten(dinosaur());
+  const std::string flat = obj();
+  flatten(dinosaur(), "--split-overlaps");
+  check_success();
+  BOOST_TEST(obj() == flat);
+  BOOST_TEST(json().get<int>("split.pieces") == 1);
+}
+
+// A strip of quadrangles that winds around twice, without seams before, is cut along edges of quadrangles.
+BOOST_AUTO_TEST_CASE(overlaps_of_quadrangles_are_split)
+{
+  const int columns = 48;
+  const std::string seams = file("strip.selection.txt"), input = write("strip.off", spiral(columns));
+  flatten(input, "--split-overlaps --seams " + quoted(seams));
+  check_success();
+  const int pieces = json().get<int>("split.pieces");
+  BOOST_TEST(pieces >= 2);
+  BOOST_TEST(json().get<std::string>("seams") == "null");
+  const Edges edges = edges_in(content(seams));
+  BOOST_TEST(static_cast<int>(edges.size()) == pieces - 1);
+  for(const auto& [v, w] : edges) {
+    BOOST_TEST(w == v + 1);
+  }
+  BOOST_TEST((edges_with_two_textures(obj()) == edges));
+  std::vector<bool> has_texture;
+  BOOST_TEST(obj_faces(obj(), has_texture).size() == static_cast<std::size_t>(columns));
 }
 
 BOOST_AUTO_TEST_CASE(topology_only)
@@ -1075,6 +1323,31 @@ BOOST_AUTO_TEST_CASE(stretch_of_a_disk)
   BOOST_TEST(json().get<double>("seams.length") > loose.get<double>("seams.length"));
 }
 
+// A crumpled sphere, each of whose vertices would have to be a terminal. Only `--cut auto` has a bound to miss.
+BOOST_AUTO_TEST_CASE(a_missed_bound_is_told)
+{
+  Block block;
+  block.length = block.width = block.height = 12;
+  block.round = block.triangulated = true;
+  block.noise = 0.5;
+  const std::string input = write("crumpled.off", block.make().text()),
+                    seams = file("crumpled.selection.txt");
+  flatten(input, "--seams " + quoted(seams));
+  BOOST_TEST(status == 0);
+  BOOST_TEST(json().get<double>("seams.scale_stretch") > 1.03 * 1.1);
+  BOOST_TEST(!json().get<bool>("seams.bound_reached"));
+  BOOST_TEST(json().get<int>("seams.rounds") == 5); // also after one that gains little
+  BOOST_TEST(json().get_child("notes").size() == (overlaps() ? 2u : 1u));
+  check_told("note: the scale stretch, ");
+  check_told("misses the bound of 1.1 ");
+  for(const std::string& cut : {std::string("topology"), seams}) {
+    flatten(input, "--cut " + quoted(cut));
+    check_success();
+    BOOST_TEST(json().get<double>("seams.scale_stretch") > 1.03 * 1.1);
+    BOOST_TEST(json().get<std::string>("seams.bound_reached") == "null");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(largest_of_several_disks)
 {
   Block block;
@@ -1122,17 +1395,10 @@ BOOST_AUTO_TEST_CASE(picture_shows_seams)
 {
   run(quoted(write("sphere.off", sphere().text())) + " --picture " + quoted(file("flat.png")));
   BOOST_TEST(status == 0);
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  BOOST_REQUIRE(png_image_begin_read_from_file(&image, file("flat.png").c_str()) != 0);
-  image.format = PNG_FORMAT_RGB;
-  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
-  BOOST_REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
-  std::size_t dark = 0;
-  for(std::size_t i = 0; i < pixels.size(); i += 3) {
-    dark += pixels[i + 1] < 25; // the checkerboard has more green
-  }
-  BOOST_TEST(dark > 100u);
+  const std::vector<Pixel> pixels = pixels_of(file("flat.png"));
+  BOOST_TEST(std::count_if(pixels.begin(), pixels.end(), [](const Pixel& pixel) {
+               return pixel[1] < 25; // the checkerboard has more green
+             }) > 100);
 }
 #endif
 
@@ -1265,6 +1531,22 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   check_refusal({"between vertices 1 and 9", "3 faces", "manifold"});
   flatten(write("turned.off", with({{1, 0, more}, {1, 0, more + 1}})));
   check_refusal({"between vertices 1 and 2"});
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_joined_at_an_edge_are_refused)
+{
+  const std::string points = "0 0 0\n0 0 1\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n";
+  std::vector<std::vector<int>> faces;
+  for(const std::array<int, 4>& v : {std::array<int, 4>{0, 1, 2, 3}, std::array<int, 4>{0, 1, 4, 5}}) {
+    faces.insert(faces.end(),
+                 {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}, {v[0], v[3], v[1]}, {v[1], v[3], v[2]}});
+  }
+  for(const std::string repair : {"on", "off"}) {
+    for(const std::string cut : {"auto", "topology"}) {
+      flatten(write("joined.off", off(6, points, faces)), "--repair " + repair + " --cut " + cut);
+      check_refusal({"between vertices 1 and 2 has 4 faces"});
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(closed_surface)
@@ -1605,7 +1887,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                    "--cut none --stretch-bound 1.2",
                                    "--stretch-bound 1",
                                    "--stretch-bound nan",
-                                   "--seams seams.txt"}) {
+                                   "--seams seams.txt",
+                                   "--injective --split-overlaps"}) {
     BOOST_TEST_CONTEXT(options)
     {
       flatten(input, options);

@@ -92,4 +92,12 @@ BOOST_AUTO_TEST_CASE(copies_flatten_hierarchically_at_once)
   check_copies(SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>());
 }
 
+BOOST_AUTO_TEST_CASE(copies_flatten_injectively_at_once)
+{
+  SMP::Hierarchical_options options;
+  options.injective = true;
+  options.polish = true;
+  check_copies(SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -29,8 +29,10 @@ int main(int argc, char* argv[])
   std::string output;
   po::options_description options(
       "measure mesh FILE [--triangles N] [--noise] [--holes N] [--rings N] [--any-topology] [--output FILE]\n"
-      "measure flatten METHOD FILE [--simplification-rate X] [--sweeps N] [--polish]\n"
+      "measure flatten METHOD FILE [--simplification-rate X] [--sweeps N] [--angle-sweeps N] [--polish]\n"
+      "                            [--injective] [--area-weight X] [--clearance X]\n"
       "measure seams cones|farthest|peaks FILE [--bound X] [--terminals N] [--method METHOD]\n"
+      "measure overlaps FILE [--bound X]\n"
       "measure solve SOLVER FILE full|block\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
@@ -45,6 +47,10 @@ int main(int argc, char* argv[])
                                                             "simplification rate of hierarchical methods")(
       "sweeps", po::value(&hierarchical.sweeps), "sweeps on each level")(
       "polish", po::bool_switch(&hierarchical.polish), "start the direct solver from the refined map")(
+      "angle-sweeps", po::value(&hierarchical.angle_sweeps), "final sweeps on the energy of the angles")(
+      "injective", po::bool_switch(&hierarchical.injective), "make a map that does not overlap itself")(
+      "area-weight", po::value(&hierarchical.area_weight), "of injective maps; 1 is isometric")(
+      "clearance", po::value(&hierarchical.clearance), "between parts of the border, in edge lengths")(
       "any-topology", po::bool_switch(&changes.any_topology), "the mesh need not be a disk")(
       "bound", po::value(&seam_options.bound), "of the stretch that is predicted")(
       "terminals", po::value(&seam_options.terminals), "number of ends of seams")(
@@ -69,6 +75,8 @@ int main(int argc, char* argv[])
       flatten(words[1], words[2], hierarchical, m);
     } else if(is("seams", 2)) {
       seams(words[1], words[2], seam_options, m);
+    } else if(is("overlaps", 1)) {
+      overlaps(words[1], seam_options.bound, m);
     } else if(is("solve", 3)) {
       solve(words[1], words[2], words[3], m);
     } else if(is("layouts", 2)) {

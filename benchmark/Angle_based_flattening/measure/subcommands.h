@@ -50,6 +50,9 @@ struct Seam_choice_options
 void seams(const std::string& choice, const std::string& file, const Seam_choice_options& options,
            Measurement& m);
 
+// Flattens a disk, or a surface that is cut open for that bound of its stretch, by ABF++, and splits the chart where it overlaps itself.
+void overlaps(const std::string& file, double bound, Measurement& m);
+
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 

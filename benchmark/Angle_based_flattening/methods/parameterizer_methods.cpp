@@ -86,6 +86,11 @@ void hierarchical(Surface& surface, const SMP::Hierarchical_options& options, Me
   SMP::Hierarchical_parameterizer_3<Mesh, Coarse_parameterizer> parameterizer(options);
   run(surface, parameterizer, m);
   add_report(parameterizer.report(), m);
+  if(options.injective) {
+    m.add("contact", parameterizer.report().contact);
+    m.add("least_clearance", parameterizer.report().least_clearance);
+    m.add("border_rejections", parameterizer.report().border_rejections);
+  }
   if(options.polish) {
     m.add("polish", parameterizer.report().seconds.polish);
     m.add("polished", parameterizer.report().polished);

@@ -34,6 +34,7 @@ struct Command_line
   std::string cut = "auto";
   double stretch_bound = 1.1;
   bool asks_for_stretch = false; // whether the bound is given
+  bool split_overlaps = false;
   std::string holes = "solve";
   std::string repair = "on";
   std::string method = "auto";
@@ -112,8 +113,24 @@ inline po::options_description chart_options(Command_line& command)
   add("stretch-bound", number_option(command.stretch_bound, "BOUND"),
       "for --cut auto: seams are added until the scale stretch is at most this, where 1 is perfect and up to "
       "1.03 "
-      "times the bound is let pass. If given, surfaces with borders and without handles get such seams, too, "
+      "times the bound is let pass; if it is missed after five rounds or when more seams gain little, a note "
+      "says so. If given, surfaces with borders and without handles get such seams, too, "
       "which join all their borders");
+  add("split-overlaps", po::bool_switch(&command.split_overlaps),
+      "where the map overlaps itself, split the chart along further seams into pieces whose maps do not. The "
+      "coordinates stay as they are, so that pieces still lie over one another: move them apart as islands "
+      "of "
+      "the texture");
+  add("injective", po::bool_switch(&command.options.injective),
+      "a map in which no two triangles overlap, without further seams: where the map would overlap itself, "
+      "its border is kept from touching itself, and angles change more. Holes are filled meanwhile. --method "
+      "auto is hierarchical then, for any number of triangles; add --polish for less change of angles. "
+      "direct: the result of that method if it does not overlap itself, and else a polished injective map");
+  add("area-weight", number_option(command.options.area_weight, "THETA"),
+      "how much an injective map keeps areas: 0 not at all, 1 as isometric as possible");
+  add("clearance", number_option(command.options.clearance, "LENGTHS"),
+      "parts of the border of an injective map that come nearer to one another than this many lengths of "
+      "their edges repel each other");
   add("holes", name_option(command.holes),
       "solve: holes take the shape that changes angles least. fill: soft triangles cover the holes while the "
       "surface is flattened, so that their borders stay simple. refuse: a surface with holes is an error");
@@ -131,15 +148,17 @@ inline po::options_description method_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("method", name_option(command.method),
       "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
-      "large surfaces. auto: direct for up to 200,000 triangles. For more it is hierarchical, with a finer "
-      "coarse chart and final sweeps, if that comes close to the direct method: energy at most 20 % higher. "
-      "Else it is direct. An estimate decides");
+      "large surfaces. auto: hierarchical with --injective. Else direct for up to 200,000 triangles. For "
+      "more "
+      "it is hierarchical, with a finer coarse chart and final sweeps, if that comes close to the direct "
+      "method: energy at most 20 % higher. Else it is direct. An estimate decides");
   add("simplification-rate", number_option(command.hierarchical.simplification_rate, "PART"),
       "part of the vertices that the hierarchical method removes; auto: 0.85");
   add("sweeps", count_option(command.hierarchical.sweeps),
       "sweeps of relaxation on each level of the hierarchical method");
   add("angle-sweeps", count_option(command.hierarchical.angle_sweeps),
-      "sweeps of the hierarchical method that lower the energy of the direct one in the end; auto: up to 20");
+      "sweeps of the hierarchical method that lower the energy of the direct one in the end; auto: up to 20. "
+      "--injective: 5 if none are asked for, or 3 for large charts");
   add("polish", po::bool_switch(&command.hierarchical.polish),
       "bring the result of the hierarchical method down to the distortion of the direct one");
   add("barrier", number_option(abf.barrier, "KAPPA"),
@@ -193,6 +212,7 @@ inline std::string help_text()
           "  flatten_mesh mask.off --barrier 0 --layout least-squares --step sqp --verbose\n"
           "  flatten_mesh cow.off --output flat.obj --svg flat.svg --seams cow.selection.txt\n"
           "  flatten_mesh cow.off --cut cow.selection.txt --output flat.obj\n"
+          "  flatten_mesh scan.ply --injective --output flat.obj\n"
           "\nMessages count vertices, faces and lines from 1, as OBJ files do.\n"
           "\nExit status: 0 when the flattening is valid, with no flipped triangle, and written where asked\n"
           "for; 1 when the computation failed; 2 when the command line or the input is wrong, or an output\n"

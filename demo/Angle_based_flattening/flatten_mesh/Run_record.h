@@ -34,6 +34,7 @@ struct Flattening
   std::string method;               // direct or hierarchical
   int levels = 0;                   // of the hierarchical method
   int coarse_triangles = 0;
+  bool is_polished = false;
   std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
   SMP::Flattening_measures measures;                  // only if it succeeded
   std::string place;                                  // the vertices and faces at fault, if it failed
@@ -67,8 +68,19 @@ struct Seam_record
   double length = 0;                    // in units of the square root of the area
   double stretch_bound = unknown;
   double predicted_stretch = unknown;
-  double scale_stretch = unknown; // of the map
-  double seconds = 0;             // of their choice
+  double scale_stretch = unknown;    // of the map
+  std::optional<bool> bound_reached; // by the map, if a bound was asked for
+  double seconds = 0;                // of their choice
+};
+
+// The pieces of a chart that was split because its map overlapped itself.
+struct Split_record
+{
+  std::size_t pieces = 1;
+  std::size_t overlapping_triangles = 0;
+  double added_length = 0; // of seams
+  double extra_seam = 0;   // by which share the border became longer
+  double seconds = 0;
 };
 
 // The data of the reports for people and for programs.
@@ -83,6 +95,7 @@ struct Run_record
   double write_seconds = 0;
   std::optional<Seam_record> seams;
   Flattening flattening;
+  std::optional<Split_record> split;
   std::vector<std::string> written;
   std::vector<std::string> notes;
   bool has_area = true;
@@ -110,6 +123,8 @@ inline std::string strategy_name(const SMP::ABF_plus_plus_report::Strategy strat
     return "stiff patches over holes";
   case Report::FROM_PROGRESSIVE_EMBEDDING:
     return "from a progressive embedding";
+  case Report::INJECTIVE_DESCENT:
+    return "injective descent";
   default:
     return "progressive embedding";
   }
@@ -132,6 +147,7 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
   case Report::LINEAR_SYSTEM_FAILED:
   case Report::NO_CONVERGENCE:
   case Report::FLIPPED_TRIANGLES:
+  case Report::OVERLAPPING:
   case Report::PRECISION_EXCEEDED:
     return true;
   default:
@@ -150,6 +166,9 @@ inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_r
   result.insert(result.end(), record.flattening.stages.begin(), record.flattening.stages.end());
   result.emplace_back("parameterize", record.flattening.parameterize_seconds);
   result.emplace_back("measure", record.flattening.measure_seconds);
+  if(record.split) {
+    result.emplace_back("split", record.split->seconds);
+  }
   result.emplace_back("write", record.write_seconds);
   return result;
 }

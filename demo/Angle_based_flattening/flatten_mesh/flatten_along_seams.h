@@ -67,7 +67,7 @@ inline Flat_surface flatten_once(const Command_line& command, const Seamed_compo
   return result;
 }
 
-// A round that gains less is the last one.
+// Two rounds in a row that gain less are the last ones. One alone says little: the next has twice as many terminals.
 inline constexpr double least_gain = 0.02;
 
 // How to tell which vertices add most to the stretch
@@ -149,6 +149,13 @@ inline double improve_in_round(const Command_line& command, Seamed_component& co
   return 1 - flat.stretch / before;
 }
 
+// Whether a map has more stretch than `--cut auto` was asked for. A little more is let pass.
+inline bool misses_bound(const Seam_record& record, const double stretch)
+{
+  const double tolerance = 1.03;
+  return record.terminals && stretch > tolerance * record.stretch_bound;
+}
+
 } // namespace internal
 
 // Flattens the largest disk that the seams leave. If `--cut auto` chose them, then the scale stretch of the map is
@@ -157,16 +164,21 @@ inline Flat_surface flatten_along_seams(const Command_line& command, Seamed_comp
                                         Seam_record& record, Progress& progress)
 {
   const int max_rounds = 5;
-  const double tolerance = 1.03;
   Flat_surface flat = internal::flatten_once(command, component, progress);
-  double gain = 1;
-  while(record.terminals && flat.flattening.succeeded() && flat.stretch > tolerance * command.stretch_bound &&
-        gain >= internal::least_gain && record.rounds < max_rounds) {
-    gain = internal::improve_in_round(command, component, flat, record, progress);
+  int weak_rounds = 0;
+  while(flat.flattening.succeeded() && internal::misses_bound(record, flat.stretch) && weak_rounds < 2 &&
+        record.rounds < max_rounds) {
+    const double gain = internal::improve_in_round(command, component, flat, record, progress);
+    weak_rounds = gain < internal::least_gain ? weak_rounds + 1 : 0;
   }
   record.disks = flat.disks;
   record.length = length_of_seams(component);
-  record.scale_stretch = flat.stretch;
+  if(flat.flattening.succeeded()) {
+    record.scale_stretch = flat.stretch;
+    if(record.terminals) {
+      record.bound_reached = !internal::misses_bound(record, flat.stretch);
+    }
+  }
   return flat;
 }
 

@@ -68,6 +68,12 @@ inline void take_report(const SMP::ABF_plus_plus_report& report, Flattening& fla
   flattening.report = report;
   flattening.stages = {{"chart", seconds.read},    {"targets", seconds.targets}, {"angles", seconds.angles},
                        {"layout", seconds.layout}, {"certify", seconds.certify}, {"uv", seconds.write}};
+  if(report.strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT) {
+    flattening.stages.insert(flattening.stages.end() - 2, {{"coarsen", seconds.coarsen},
+                                                           {"solve", seconds.coarse_chart},
+                                                           {"refine", seconds.refine},
+                                                           {"polish", seconds.polish}});
+  }
 }
 
 inline void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
@@ -79,6 +85,7 @@ inline void take_report(const SMP::Hierarchical_report& report, Flattening& flat
   flattening.report.constraint_residual = report.constraint_residual;
   flattening.levels = report.levels;
   flattening.coarse_triangles = report.coarse_triangles;
+  flattening.is_polished = report.polished;
   flattening.stages = {
       {"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.coarse_chart},
       {"refine", seconds.refine}, {"polish", seconds.polish},   {"certify", seconds.certify},
@@ -133,16 +140,15 @@ bool flatten_hierarchically(Mesh& mesh, const Chart& chart, SMP::Hierarchical_op
 {
   using Coarse = SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Solver_traits>;
   flattening.method = "hierarchical";
-  hierarchical.holes = options.holes;
+  static_cast<SMP::Flattening_options&>(hierarchical) = options;
+  hierarchical.visitor = nullptr; // the coarse parameterizer tells its steps
   hierarchical.polish_options = options;
-  hierarchical.barrier = options.barrier;
-  hierarchical.threads = options.threads;
   SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(hierarchical, Coarse(options));
   run_parameterizer(mesh, chart, parameterizer, uv, flattening);
   if(!flattening.succeeded()) {
     return !is_failure_of_computation(flattening.report);
   }
-  return parameterizer.report().polished ||
+  return options.injective || parameterizer.report().polished ||
          is_close_to_direct(parameterizer.report(), parameterizer.coarse_parameterizer().report(),
                             hierarchical);
 }
@@ -154,8 +160,8 @@ template <class Solver_traits>
 void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
                    const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
 {
-  const bool is_large = chart.faces.size() > direct_is_slow;
-  if(command.method == "direct" || (command.method == "auto" && !is_large)) {
+  const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
+  if(command.method == "direct" || (command.method == "auto" && is_direct_fast)) {
     flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
     return;
   }

@@ -60,6 +60,8 @@ inline void check_numbers(const Command_line& command)
   check(hierarchical.sweeps >= 0 && hierarchical.sweeps <= 1000, "--sweeps takes a number from 0 to 1000");
   check(hierarchical.angle_sweeps >= 0 && hierarchical.angle_sweeps <= 1000,
         "--angle-sweeps takes a number from 0 to 1000");
+  check(abf.area_weight >= 0 && abf.area_weight <= 1, "--area-weight takes a number from 0 to 1");
+  check(abf.clearance > 0 && abf.clearance <= 1, "--clearance takes a number above 0 and at most 1");
   check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
   check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
 }
@@ -77,6 +79,19 @@ inline void check_seams(const boost::program_options::variables_map& values, Com
 }
 
 // Turns the names of methods into the parameterizer's options.
+inline void check_injective(const boost::program_options::variables_map& values, const Command_line& command)
+{
+  for(const char* option : {"area-weight", "clearance"}) {
+    if(!values[option].defaulted() && !command.options.injective) {
+      throw Usage_error(std::string("--") + option + " goes with --injective only");
+    }
+  }
+  if(command.options.injective && command.split_overlaps) {
+    throw Usage_error("--injective and --split-overlaps exclude each other: in an injective map nothing "
+                      "overlaps that could be split");
+  }
+}
+
 inline void understand_names(Command_line& command)
 {
   using Options = SMP::ABF_plus_plus_options;
@@ -188,7 +203,8 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
     internal::check_numbers(command);
     internal::understand_names(command);
     internal::check_seams(values, command);
-    if(command.method == "auto") {
+    internal::check_injective(values, command);
+    if(command.method == "auto" && !command.options.injective) {
       internal::refine_method(values, command.hierarchical);
     }
   }

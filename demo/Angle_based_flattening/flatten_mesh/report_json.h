@@ -111,8 +111,27 @@ inline std::string seams_json(const Seam_record& seams)
   json.add("stretch_bound", json_number(seams.stretch_bound));
   json.add("predicted_stretch", json_number(seams.predicted_stretch));
   json.add("scale_stretch", json_number(seams.scale_stretch));
+  json.add("bound_reached", !seams.bound_reached ? "null" : *seams.bound_reached ? "true" : "false");
   json.add("rounds", json_number(seams.rounds));
   json.add("disks", json_number(seams.disks));
+  return json.text();
+}
+
+inline void add_injectivity(Json_object& json, const SMP::Flattening_report& report)
+{
+  json.add("injective", report.injective ? "true" : "false");
+  json.add("contact", report.injective ? json_number(report.contact) : "null");
+  json.add("least_clearance", report.injective ? json_number(report.least_clearance) : "null");
+  json.add("border_rejections", json_number(report.border_rejections));
+}
+
+inline std::string split_json(const Split_record& split)
+{
+  Json_object json;
+  json.add("pieces", json_number(split.pieces));
+  json.add("overlapping_triangles", json_number(split.overlapping_triangles));
+  json.add("added_seam_length", json_number(split.added_length));
+  json.add("extra_seam", json_number(split.extra_seam));
   return json.text();
 }
 
@@ -145,6 +164,8 @@ inline std::string report_json(const Run_record& record)
   json.add("scale_range", json_number(report.scale_range));
   json.add("predicted_scale_range", json_number(report.predicted_scale_range));
   internal::add_measures(json, record.flattening);
+  internal::add_injectivity(json, report);
+  json.add("split", record.split ? internal::split_json(*record.split) : "null");
   internal::Json_object seconds;
   for(const auto& stage : seconds_of_stages(record)) {
     seconds.add(stage.first, json_number(stage.second));

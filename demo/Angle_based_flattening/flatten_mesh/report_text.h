@@ -12,6 +12,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -42,7 +43,9 @@ inline std::string method_text(const Flattening& flattening)
   if(flattening.method == "hierarchical") {
     text += report_line("method", flattening.method,
                         count_text(flattening.levels, "level") + ", " +
-                            count_text(flattening.coarse_triangles, "triangle") + " in the coarsest");
+                            count_text(flattening.coarse_triangles, "triangle") + " in the coarsest" +
+                            (report.injective ? "; injective on each level" : "") +
+                            (flattening.is_polished ? "; polished" : ""));
   }
   if(!report.failed_strategies.empty()) {
     const SMP::ABF_plus_plus_report::Failed_strategy& before = report.failed_strategies.back();
@@ -50,9 +53,11 @@ inline std::string method_text(const Flattening& flattening)
                         strategy_name(before.strategy) + " failed: " + before.message);
   }
   if(report.iterations > 0) {
+    const double residual = report.constraint_residual; // 0 if the steps moved vertices instead of angles
     text += report_line("iterations", std::to_string(report.iterations),
-                        "Newton steps; constraints hold within " +
-                            format_number("%.1e", report.constraint_residual));
+                        "Newton steps" + (residual > 0
+                                              ? "; constraints hold within " + format_number("%.1e", residual)
+                                              : std::string()));
   }
   if(flattening.method == "direct") {
     text += report_line("layout", layout_name(report));
@@ -94,6 +99,17 @@ inline std::string quality_text(const SMP::Flattening_measures& measures)
          report_line("smallest angle", degrees_text(measures.smallest_angle));
 }
 
+inline std::string contact_text(const SMP::Flattening_report& report)
+{
+  const double least = report.least_clearance;
+  return report_line("contact", format_number("%.3g %%", 100 * report.contact),
+                     "of the border is near another part of it; " +
+                         count_text(static_cast<std::size_t>(report.border_rejections), "move") +
+                         " refused that would have made it touch itself") +
+         report_line("least clearance", std::isfinite(least) ? format_number("%.3g", least) : "1 or more",
+                     "distance between parts of the border, in lengths of their edges");
+}
+
 inline std::string seams_text(const Seam_record& seams)
 {
   const std::string terminals = seams.terminals ? "; " + count_text(*seams.terminals, "terminal") : "";
@@ -110,12 +126,22 @@ inline std::string seams_text(const Seam_record& seams)
          report_line("scale stretch", format_number("%.4g", seams.scale_stretch), remark + "best 1");
 }
 
+inline std::string split_text(const Split_record& split)
+{
+  return report_line("pieces", std::to_string(split.pieces),
+                     split.pieces == 1 ? "nothing overlaps"
+                                       : "the map of each is injective; " +
+                                             count_text(split.overlapping_triangles, "triangle") +
+                                             " overlapped; new seams make borders " +
+                                             format_number("%.3g %%", 100 * split.extra_seam) + " longer");
+}
+
 inline std::string time_text(const Run_record& record)
 {
   std::string text;
   for(const auto& stage : seconds_of_stages(record)) {
     const bool is_part = stage.first != "read" && stage.first != "parameterize" && stage.first != "measure" &&
-                         stage.first != "write";
+                         stage.first != "split" && stage.first != "write";
     const std::string label = (is_part ? "    " : "  ") + stage.first;
     text += report_line(label, format_number("%9.3f", stage.second),
                         stage.first == "parameterize" ? "the stages above" : "");
@@ -143,6 +169,12 @@ inline std::string report_text(const Run_record& record)
   }
   text += internal::method_text(record.flattening);
   text += internal::quality_text(record.flattening.measures);
+  if(record.flattening.report.injective) {
+    text += internal::contact_text(record.flattening.report);
+  }
+  if(record.split) {
+    text += internal::split_text(*record.split);
+  }
   text += internal::time_text(record);
   if(const double memory = peak_memory_mb(record.flattening.report); memory > 0) {
     text += report_line("peak memory", format_number("%.0f MB", memory));

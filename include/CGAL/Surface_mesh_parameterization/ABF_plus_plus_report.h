@@ -51,7 +51,9 @@ struct ABF_plus_plus_report : Flattening_report
     FROM_PROGRESSIVE_EMBEDDING, ///< Newton's method from the angles of a progressive embedding, which satisfy all
     ///< constraints: the surface is simplified to one triangle, and all vertices are inserted again where their
     ///< triangles are valid.
-    PROGRESSIVE_EMBEDDING ///< That map itself, improved by local descent on the energy.
+    PROGRESSIVE_EMBEDDING, ///< That map itself, improved by local descent on the energy.
+    INJECTIVE_DESCENT ///< The injective map of the hierarchical method, polished, where the direct method's own overlaps itself
+    ///< (`Flattening_options::injective`).
   };
 
   /// A strategy that did not give a valid map.

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -42,6 +43,7 @@ struct Flattening_report
     WRONG_IMPORTANCE,  ///< The importance of a face is out of its range, or not a number.
     SCALE_TOO_LARGE,   ///< The chart has several borders, and its map would need a range of scale above 1e10.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are correct.
+    OVERLAPPING, ///< The map overlaps itself, although it was to be injective: why a strategy was not enough.
     PRECISION_EXCEEDED, ///< There is a valid map, but the number type of the coordinates cannot hold the one found.
     CANCELLED           ///< A visitor or an exception stopped the computation.
   };
@@ -100,6 +102,17 @@ struct Flattening_report
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 
+  bool injective =
+      false; ///< Whether the map was asked to be injective (`Flattening_options::injective`) and is certified to be.
+  /// Share of the length of the border of an injective map that is nearer to another part than `Flattening_options::clearance`
+  /// allows without force. It is 0 if the direct method's own map is injective.
+  double contact = 0;
+  /// Least distance between two parts of the border of an injective map, outside of it, divided by the length of the shorter of the
+  /// edges there. It is infinite if it is not below 1, and if the direct method's own map is injective.
+  double least_clearance = (std::numeric_limits<double>::infinity)();
+  int border_rejections =
+      0; ///< Moves and steps that were refused because the border would have touched itself.
+
   Seconds seconds; ///< Time of each stage.
 
   /// Largest resident size of the process until the end of the run, in bytes; 0 if the system does not report it.
@@ -148,6 +161,8 @@ inline std::string to_string(Flattening_report::Diagnosis diagnosis)
     return "SCALE_TOO_LARGE";
   case Flattening_report::FLIPPED_TRIANGLES:
     return "FLIPPED_TRIANGLES";
+  case Flattening_report::OVERLAPPING:
+    return "OVERLAPPING";
   case Flattening_report::PRECISION_EXCEEDED:
     return "PRECISION_EXCEEDED";
   case Flattening_report::CANCELLED:
@@ -188,6 +203,7 @@ inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
   case Flattening_report::NO_CONVERGENCE:
   case Flattening_report::SCALE_TOO_LARGE:
   case Flattening_report::FLIPPED_TRIANGLES:
+  case Flattening_report::OVERLAPPING:
   case Flattening_report::PRECISION_EXCEEDED:
   case Flattening_report::CANCELLED:
     break;

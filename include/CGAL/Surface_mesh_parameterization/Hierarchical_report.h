@@ -24,8 +24,9 @@ struct Hierarchical_report : Flattening_report
   /// Where the refinement started.
   enum Start
   {
-    COARSE_PARAMETERIZER, ///< The coarse chart, flattened by the coarse parameterizer.
-    PROGRESSIVE_EMBEDDING ///< A single triangle, because no coarse chart could be flattened or refined.
+    COARSE_PARAMETERIZER,  ///< The coarse chart, flattened by the coarse parameterizer.
+    PROGRESSIVE_EMBEDDING, ///< A single triangle, because no coarse chart could be flattened or refined.
+    TUTTE_MAP ///< Tutte's map of the coarse chart to a circle, for an injective map (`Flattening_options::injective`).
   };
 
   int levels = 0;                     ///< Levels of collapses above the coarse chart.
@@ -43,8 +44,10 @@ struct Hierarchical_report : Flattening_report
   /// Energy of the planar angles, the barrier included. It is NaN without final sweeps or polishing, as it is not needed then.
   double energy = (std::numeric_limits<double>::quiet_NaN)();
 
-  bool polished = false;          ///< Whether the result is that of the direct solver.
-  int polish_iterations = 0;      ///< Newton steps of the direct solver.
+  /// Whether the result is that of the direct solver. For injective maps: whether Newton's method converged; if it did not, the
+  /// map has the lowest energy that was reached.
+  bool polished = false;
+  int polish_iterations = 0;      ///< Newton steps of polishing.
   double constraint_residual = 0; ///< Largest violation of a constraint by the polished angles, in radians.
 };
 

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -73,6 +74,16 @@ inline std::string describe_invalid(const Chart& chart, const Certificate& certi
          (certificate.flipped_triangles > 0 ? " flipped triangle(s)"
                                             : " triangle(s) that wind around a vertex more than once") +
          ", one at the vertex at " + position_text(chart, chart.vertex[3 * certificate.invalid.front()]);
+}
+
+// Where the border of a map touches itself, as the end of a sentence
+inline std::string describe_touching_edges(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  const std::vector<std::pair<int, int>> pairs = border_crossings(chart, uv);
+  if(pairs.empty())
+    return "borders that are not inside one another as they should";
+  return std::to_string(pairs.size()) + " pair(s) of border edges that touch, one at the vertex at " +
+         position_text(chart, chart.edge_source(pairs.front().first));
 }
 
 inline void take_certificate(const Certificate& certificate, Flattening_report& report)

@@ -115,6 +115,21 @@ inline int next_on_border(const Chart& chart, int c)
   return previous_corner(corner);
 }
 
+// All corners at the vertex of a corner, clockwise; at a border vertex from the first one
+inline std::vector<int> corners_around(const Chart& chart, int corner)
+{
+  int first = corner;
+  while(chart.opposite[next_corner(first)] >= 0) {
+    first = next_corner(chart.opposite[next_corner(first)]);
+    if(first == corner)
+      break;
+  }
+  std::vector<int> corners{first};
+  for(int c = chart.rotate(first); c >= 0 && c != first; c = chart.rotate(c))
+    corners.push_back(c);
+  return corners;
+}
+
 // Makes the interior vertices the constraint nodes, and those of the holes.
 inline void find_nodes(Chart& chart)
 {

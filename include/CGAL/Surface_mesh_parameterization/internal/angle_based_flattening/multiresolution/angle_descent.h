@@ -36,6 +36,7 @@ public:
   {}
 
   double energy() const { return m_model.energy; }
+  Angle_star star() const { return Angle_star(m_beta, m_energy); }
 
   // Stretches the whole map and relaxes each vertex, in turn, until the energy falls by less than the fraction
   // `tolerance` of it. Returns the number of sweeps over the vertices, which is at most `sweeps`.
@@ -46,7 +47,7 @@ public:
     for(double fall = 1; done < sweeps && fall >= tolerance; ++done) {
       const double before = m_model.energy;
       stretch();
-      relaxation.sweep(Angle_star(m_beta, m_energy));
+      relaxation.sweep(star());
       m_model = model(m_uv);
       fall = before > 0 ? 1 - m_model.energy / before : 0;
     }

@@ -49,6 +49,15 @@ struct Angle_star : Planar_star_base
                            mesh.chart().weight_of_triangle(c / 3)});
     });
   }
+
+  // What the barrier between parts of the border is multiplied by
+  double barrier_weight() const
+  {
+    double sum = 0;
+    for(const Triangle& t : triangles)
+      sum += t.weight;
+    return 0.01 * sum / static_cast<double>(triangles.size());
+  }
 };
 
 // The energy of the angles of a star as a function of the position of its vertex. The Hessian is that of

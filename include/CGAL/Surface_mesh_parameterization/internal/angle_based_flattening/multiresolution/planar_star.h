@@ -57,6 +57,34 @@ struct Planar_star_base
     least_area = 1e-12 * longest; // far above the rounding errors of areas
   }
 
+  // The edges from a vertex to `p` and `q` on the surface, and their products
+  struct Surface_edges
+  {
+    Chart::Kernel::Vector_3 p, q;
+    double pp, pq, qq;
+
+    double twice_area() const { return std::sqrt(CGAL::cross_product(p, q).squared_length()); }
+  };
+
+  // Calls `visit` also with the edges of each triangle from `v`.
+  template <typename Visitor>
+  void gather_surface_ring(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v,
+                           const Visitor& visit)
+  {
+    const std::vector<Chart::Point_3>& points = mesh.chart().points;
+    Surface_edges edges{};
+    bool is_first = true;
+    gather_ring(mesh, uv, v, [&](int c, int p, int q) {
+      edges.q = is_first ? points[q] - points[v] : edges.p;
+      edges.qq = is_first ? edges.q.squared_length() : edges.pp;
+      edges.p = points[p] - points[v];
+      edges.pp = edges.p.squared_length();
+      edges.pq = edges.p * edges.q;
+      is_first = false;
+      visit(c, p, q, edges);
+    });
+  }
+
 private:
   void meet(int neighbour)
   {

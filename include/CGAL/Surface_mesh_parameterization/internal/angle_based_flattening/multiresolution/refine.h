@@ -38,14 +38,21 @@ public:
   {
     sweep(sweeps);
     while(m_coarsening.number_of_levels() > 0) {
-      if(!insert(m_coarsening.undo_level([&](int v, int kept) { m_uv[v] = m_uv[kept]; })))
+      if(!undo_level(visitor))
         return false;
-      visit_level(visitor, m_coarsening.number_of_vertices(),
-                  m_coarsening.mesh().chart().number_of_vertices());
       // Coarse levels smooth errors of long wavelength. On the finest levels, sweeps cost most.
       const int large_levels = 3;
       sweep(m_coarsening.number_of_levels() < large_levels ? (std::min)(sweeps, 1) : sweeps);
     }
+    return true;
+  }
+
+  // Inserts the vertices of the coarsest level. Returns `false` if a vertex has no valid position in its star.
+  bool undo_level(Flattening_visitor* visitor)
+  {
+    if(!insert(m_coarsening.undo_level([&](int v, int kept) { m_uv[v] = m_uv[kept]; })))
+      return false;
+    visit_level(visitor, m_coarsening.number_of_vertices(), m_coarsening.mesh().chart().number_of_vertices());
     return true;
   }
 
@@ -80,11 +87,13 @@ private:
           results[b].deferred.push_back(vertices[i]);
       }
     });
+    m_relaxation.take_border();
     Planar_star star;
     bool complete = true;
     for(Block_result& result : results) {
       for(std::size_t i = 0; result.complete && i < result.deferred.size(); ++i) {
         star.gather(m_coarsening.mesh(), m_uv, result.deferred[i]);
+        result.complete = flatten_ear(star, result.deferred[i]);
         widen(star, result.deferred[i]);
       }
       m_kernel_insertions += result.kernel_insertions;
@@ -119,18 +128,30 @@ private:
     return false;
   }
 
+  // An ear is inserted outside the present border, and must not touch it. Returns `false` if it always does.
+  bool flatten_ear(const Planar_star& star, int v)
+  {
+    for(double distance = 1e-6; m_relaxation.border_touches(v); distance *= 1e-2) {
+      const Planar_point position = tip_of_ear(star, distance);
+      if(star.triangles.size() > 1 || !is_valid(star, position))
+        return false;
+      m_relaxation.keep_border_position(v, m_uv[v] = position);
+    }
+    return true;
+  }
+
   // Moves a border vertex to where it would be inserted, or as far towards there as the border does not overlap
   // itself.
   void widen(const Planar_star& star, int v)
   {
     const Planar_point close = m_uv[v];
-    if(insert_vertex(star, m_uv[v]) != NOT_INSERTED && !m_relaxation.border_overlaps(v, close))
+    if(insert_vertex(star, m_uv[v]) != NOT_INSERTED && m_relaxation.keep_border_position(v, close))
       return;
     for(double distance : {0.5, 0.1, 0.01})
       for(const Planar_point& position : {tip_of_ear(star, distance), next_to_end(star, true, distance),
                                           next_to_end(star, false, distance)}) {
         m_uv[v] = position;
-        if(is_valid(star, position) && !m_relaxation.border_overlaps(v, close))
+        if(is_valid(star, position) && m_relaxation.keep_border_position(v, close))
           return;
       }
     m_uv[v] = close;

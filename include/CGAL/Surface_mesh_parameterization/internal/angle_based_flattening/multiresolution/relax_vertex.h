@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -38,23 +39,21 @@ struct MIPS_star : Planar_star_base
 
   void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
   {
-    const std::vector<Chart::Point_3>& points = mesh.chart().points;
-    const Chart::Point_3& origin = points[v];
     triangles.clear();
-    Chart::Kernel::Vector_3 b;
-    double bb = 0;
-    gather_ring(mesh, uv, v, [&](int c, int p, int q) {
-      if(triangles.empty()) {
-        b = points[q] - origin;
-        bb = b.squared_length();
-      }
-      const Chart::Kernel::Vector_3 a = points[p] - origin;
-      const double aa = a.squared_length(), ab = a * b;
+    gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
       const double weight = mesh.chart().weight_of_triangle(c / 3);
-      triangles.push_back({uv[p], uv[q], weight * ab, weight * (aa - ab), weight * (bb - ab)});
-      b = a;
-      bb = aa;
+      triangles.push_back({uv[p], uv[q], weight * e.pq, weight * (e.pp - e.pq), weight * (e.qq - e.pq)});
     });
+  }
+
+  // What a barrier at the vertex is multiplied by: the mean energy of an undistorted triangle. (The products of two
+  // cotangents in a triangle add up to 1.)
+  double barrier_weight() const
+  {
+    double sum = 0;
+    for(const Triangle& t : triangles)
+      sum += 2 * std::sqrt((std::max)(t.dot_v * t.dot_p + t.dot_p * t.dot_q + t.dot_q * t.dot_v, 0.));
+    return sum / static_cast<double>(triangles.size());
   }
 };
 
@@ -103,32 +102,49 @@ private:
   }
 };
 
-// Moves a vertex by one step of Newton's method towards the least energy of its star. Returns `false` if the vertex
-// does not move.
-template <typename Star>
-bool relax_vertex(const Star& star, Planar_point& position)
+// A step of Newton's method towards the least energy of a star, or along the gradient where the energy is not convex
+template <typename Energy>
+Planar_point newton_step(const Energy& here)
+{
+  const double determinant =
+      here.hessian(0, 0) * here.hessian(1, 1) - here.hessian(0, 1) * here.hessian(0, 1);
+  if(!(determinant > 0 && here.hessian.trace() > 0))
+    return -here.gradient / (here.hessian.cwiseAbs().sum() + (std::numeric_limits<double>::min)());
+  return Planar_point(here.hessian(0, 1) * here.gradient.y() - here.hessian(1, 1) * here.gradient.x(),
+                      here.hessian(0, 1) * here.gradient.x() - here.hessian(0, 0) * here.gradient.y()) /
+         determinant;
+}
+
+// Moves a vertex by a step of Newton's method, to a position that `accept` allows. Returns by which factor the energy of its
+// star fell, or 1 if the vertex does not move.
+template <typename Star, typename Accept>
+double relax_vertex(const Star& star, Planar_point& position, const Accept& accept)
 {
   typedef typename Star::Energy Energy;
   const Energy here(star, position, true);
   if(!std::isfinite(here.value))
-    return false;
-  const double determinant =
-      here.hessian(0, 0) * here.hessian(1, 1) - here.hessian(0, 1) * here.hessian(0, 1);
-  Planar_point step;
-  if(determinant > 0 && here.hessian.trace() > 0)
-    step = Planar_point(here.hessian(0, 1) * here.gradient.y() - here.hessian(1, 1) * here.gradient.x(),
-                        here.hessian(0, 1) * here.gradient.x() - here.hessian(0, 0) * here.gradient.y()) /
-           determinant;
-  else
-    step = -here.gradient / (here.hessian.cwiseAbs().sum() + (std::numeric_limits<double>::min)());
+    return 1;
+  Planar_point step = newton_step(here);
   for(int halvings = 0; halvings < 5; ++halvings, step /= 2) {
     const Planar_point next = position + step;
-    if(Energy(star, next, false).value < here.value) {
+    const double value = Energy(star, next, false).value;
+    if(value < here.value && accept(next)) {
       position = next;
-      return true;
+      return value / here.value;
     }
   }
-  return false;
+  return 1;
+}
+
+// The same by several steps where triangles are nearly degenerate: each step makes such a triangle higher by a third only.
+template <typename Star, typename Accept>
+double relax_vertex_repeatedly(const Star& star, Planar_point& position, const Accept& accept)
+{
+  const int most_steps = 50;
+  double fall = relax_vertex(star, position, accept), whole = fall;
+  for(int step = 1; step < most_steps && fall < 0.7; ++step)
+    whole *= fall = relax_vertex(star, position, accept);
+  return whole;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
@@ -36,8 +37,10 @@ inline int begin_of_vertex_block(int b, int blocks, int n)
 class Relaxation
 {
 public:
-  Relaxation(const Edge_collapses& mesh, const std::vector<int>& vertices, std::vector<Planar_point>& uv)
-      : m_mesh(mesh), m_vertices(vertices), m_uv(uv)
+  // With a `keeper`, the border stays simple. Otherwise it stays simple around each border vertex if it was.
+  Relaxation(const Edge_collapses& mesh, const std::vector<int>& vertices, std::vector<Planar_point>& uv,
+             Border_keeper* keeper = nullptr)
+      : m_mesh(mesh), m_vertices(vertices), m_uv(uv), m_keeper(keeper)
   {}
 
   int moves() const { return m_moves; }
@@ -49,6 +52,7 @@ public:
   template <typename Star>
   void sweep(const Star& empty)
   {
+    take_border();
     const int n = static_cast<int>(m_vertices.size());
     const int blocks = number_of_vertex_blocks(n);
     std::vector<Block> results(blocks);
@@ -76,6 +80,51 @@ public:
     }
   }
 
+  // Tells the keeper of the border about vertices that were inserted, or moved by others.
+  void take_border()
+  {
+    if(m_keeper != nullptr)
+      m_keeper->take(m_mesh, m_uv);
+  }
+
+  // Whether the border touches itself at a border vertex, if there is someone who keeps it simple.
+  bool border_touches(int v) const { return m_keeper != nullptr && m_keeper->touches_at(v); }
+
+  // Moves a border vertex from `before` to its position in the map, or back if the chart would overlap itself there. Returns
+  // whether it stays.
+  bool keep_border_position(int v, const Planar_point& before)
+  {
+    const bool is_kept =
+        m_keeper != nullptr ? m_keeper->try_to_move(v, m_uv[v]) : !border_overlaps(v, before);
+    if(!is_kept)
+      m_uv[v] = before;
+    return is_kept;
+  }
+
+private:
+  struct Block
+  {
+    int moves = 0, rejected_moves = 0;
+    std::vector<int> deferred;
+  };
+
+  template <typename Star>
+  void relax(const Star& star, int v, Block& result)
+  {
+    ++(is_relaxed(star, v) ? result.moves : result.rejected_moves);
+  }
+
+  template <typename Star>
+  bool is_relaxed(const Star& star, int v)
+  {
+    const auto accept = [](const Planar_point&) { return true; };
+    if(m_keeper != nullptr)
+      return star.on_border ? m_keeper->relax(star, v, m_uv[v])
+                            : relax_vertex_repeatedly(star, m_uv[v], accept) < 1;
+    const Planar_point before = m_uv[v];
+    return relax_vertex(star, m_uv[v], accept) < 1 && (!star.on_border || keep_border_position(v, before));
+  }
+
   // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, nearly take a full
   // turn now, but did not take one with `v` at `before`. The chart could then overlap itself there although all
   // triangles are positively oriented. A position is not refused where the chart overlaps itself anyway. The rest of
@@ -90,25 +139,6 @@ public:
     const unsigned then = wide_angles(v, 2 * pi);
     m_uv[v] = position;
     return (now & ~then) != 0;
-  }
-
-private:
-  struct Block
-  {
-    int moves = 0, rejected_moves = 0;
-    std::vector<int> deferred;
-  };
-
-  template <typename Star>
-  void relax(const Star& star, int v, Block& result)
-  {
-    const Planar_point position = m_uv[v];
-    bool moved = relax_vertex(star, m_uv[v]);
-    if(moved && star.on_border && border_overlaps(v, position)) {
-      m_uv[v] = position;
-      moved = false;
-    }
-    ++(moved ? result.moves : result.rejected_moves);
   }
 
   // One bit for border vertex `v` and one for each of its neighbours on the border
@@ -141,6 +171,7 @@ private:
   const Edge_collapses& m_mesh;
   const std::vector<int>& m_vertices;
   std::vector<Planar_point>& m_uv;
+  Border_keeper* m_keeper;
   int m_moves = 0, m_rejected_moves = 0;
 };
 

@@ -31,6 +31,10 @@ inline std::string wrong_option(const Flattening_options& options)
   if(options.holes != Flattening_options::SOLVE && options.holes != Flattening_options::FILL &&
      options.holes != Flattening_options::REFUSE)
     return "unknown treatment of holes";
+  if(!(options.area_weight >= 0 && options.area_weight <= 1))
+    return "the area weight must be at least 0 and at most 1";
+  if(!(options.clearance > 0 && options.clearance <= 1))
+    return "the clearance must be above 0 and at most 1";
   if(options.threads < 0)
     return "the number of threads must not be negative";
   return std::string();

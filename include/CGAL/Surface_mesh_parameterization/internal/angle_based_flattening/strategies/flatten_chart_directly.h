@@ -11,12 +11,16 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/hole_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/make_injective.h>
+
+#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
-flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-              Rounding round)
+// The map may overlap itself.
+inline Flattening<ABF_plus_plus_report> locally_injective_map(const Chart& chart,
+                                                              const ABF_plus_plus_options& options,
+                                                              const Linear_solvers& solvers, Rounding round)
 {
   if(chart.borders.size() == 1)
     return Direct_strategies(chart, chart, options, solvers, round).run();
@@ -31,6 +35,14 @@ flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Li
       are_holes_filled(chart, options) ? strategies.fill() : strategies.solve();
   result.report.predicted_scale_range = refusal.report.predicted_scale_range;
   return result;
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
+flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+              Rounding round)
+{
+  Flattening<ABF_plus_plus_report> result = locally_injective_map(chart, options, solvers, round);
+  return options.injective ? made_injective(chart, options, solvers, round, std::move(result)) : result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -10,9 +10,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/flatten_injectively.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/certify_refined_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
 
@@ -67,31 +69,14 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, cons
   }
 }
 
-inline void certify(const Chart& chart, const Hierarchical_options& options, Rounding round,
-                    Flattening<Hierarchical_report>& result)
-{
-  const Stage stage(options.visitor, Flattening_visitor::CERTIFY, result.report.seconds.certify);
-  scale_to_surface_area(chart, result.uv);
-  const std::vector<Chart::Point_2> not_rounded = result.uv;
-  round(result.uv);
-  Certificate certificate = certify(chart, result.uv);
-  take_certificate(certificate, result.report);
-  if(!certificate.is_valid() && is_valid_map(chart, not_rounded))
-    fail(result.report, Flattening_report::PRECISION_EXCEEDED,
-         "the map is valid, but after rounding to the coordinates' number type it has " +
-             describe_invalid(chart, certificate));
-  else if(!certificate.is_valid())
-    fail(result.report, Flattening_report::FLIPPED_TRIANGLES,
-         "the refined map has " + describe_invalid(chart, certificate));
-  result.invalid = std::move(certificate.invalid);
-}
-
 // The map before it is certified
 inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchical_options& options,
                                                    const Coarse_flattening& flatten_coarse,
                                                    const Linear_solvers& solvers)
 {
   // The range of scale is predicted on the coarse chart: on the fine one, that would take longer than all the rest.
+  if(options.injective)
+    return flatten_injectively(chart, options, solvers);
   Hierarchical_report prediction;
   const Coarse_flattening flatten_if_possible =
       [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
@@ -146,7 +131,7 @@ inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
                                                               const Coarse_flattening& flatten_coarse,
                                                               const Linear_solvers& solvers)
 {
-  if(are_holes_filled(chart, options) || has_many_holes(chart, options))
+  if(options.injective || are_holes_filled(chart, options) || has_many_holes(chart, options))
     return refined_map_of_filled(chart, options, flatten_coarse, solvers);
   const Chart original = chart;
   Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Halfedge = Surface::Halfedge_index;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using Mesh = SMP::Cut_mesh<Surface>;
+
+// Each piece has its own texture coordinates, also where it lies beside another one: `pieces` tells the corners apart.
+template <typename UV_map>
+void write_obj(std::ostream& out, const Surface& surface, const Mesh& pieces, UV_map corner_uv)
+{
+  out.precision(17);
+  for(auto v : vertices(surface))
+    out << "v " << surface.point(v) << "\n";
+  for(auto h : halfedges(surface))
+    out << "vt " << (surface.is_border(h) ? Kernel::Point_2(0, 0) : get(corner_uv, h)) << "\n";
+  for(auto f : faces(surface)) {
+    out << "f";
+    for(auto h : halfedges_around_face(halfedge(f, pieces), pieces)) {
+      const Halfedge corner = target(h, pieces);
+      out << " " << surface.target(corner).idx() + 1 << "/" << corner.idx() + 1;
+    }
+    out << "\n";
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  Surface surface;
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", surface)) {
+    std::cerr << "Cannot read the mesh.\n";
+    return 1;
+  }
+  const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
+  const SMP::Seam_report cut = SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(1.05));
+  if(cut.diagnosis != cut.NOTHING_WRONG) {
+    std::cerr << cut.message << "\n";
+    return 1;
+  }
+
+  const auto uv = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
+  Mesh mesh = SMP::make_seam_mesh(surface, seams);
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
+  if(SMP::parameterize(mesh, parameterizer, SMP::border_halfedge(mesh), uv) != SMP::OK) {
+    std::cerr << parameterizer.report().message << "\n";
+    return 1;
+  }
+  std::vector<Surface::Face_index> overlapping;
+  SMP::overlapping_faces(mesh, uv, std::back_inserter(overlapping));
+  std::cout << overlapping.size() << " of " << surface.number_of_faces() << " faces overlap others\n";
+
+  // The seam mesh knows at which halfedge the coordinates of each corner are.
+  const auto corner_uv = boost::make_function_property_map<Halfedge>(
+      [&](Halfedge h) { return uv[target(Mesh::halfedge_descriptor(h), mesh)]; });
+  const auto piece = surface.add_property_map<Surface::Face_index, int>("f:piece").first;
+  const SMP::Overlap_split_report split = SMP::split_overlaps(surface, seams, corner_uv, piece);
+  if(!split) {
+    std::cerr << split.message << "\n";
+    return 1;
+  }
+  std::cout << split.number_of_pieces << " pieces without overlap, borders " << 100 * split.extra_seam
+            << " % longer\n";
+
+  std::ofstream out("abf_plus_plus_split_overlaps.obj");
+  write_obj(out, surface, SMP::make_seam_mesh(surface, seams), corner_uv);
+}

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_KEEPER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_KEEPER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A star whose vertex is repelled by other parts of the border
+template <typename Star>
+struct Repelled_star
+{
+  const Star& star;
+  const Vertex_barrier& barrier;
+
+  struct Energy : Star::Energy
+  {
+    Energy(const Repelled_star& repelled, const Planar_point& x, bool with_derivatives)
+        : Star::Energy(repelled.star, x, with_derivatives)
+    {
+      repelled.barrier.add(x, repelled.star.barrier_weight(), *this);
+    }
+  };
+};
+
+// Keeps the border of a map simple while its vertices are inserted and moved.
+class Border_keeper
+{
+public:
+  // `cycles` are those before all collapses. Collapses keep the order of the border vertices that remain.
+  Border_keeper(Border_cycles cycles, double clearance) : m_cycles(std::move(cycles)), m_clearance(clearance)
+  {}
+
+  int rejections() const { return m_rejections; }
+  Border_contact contact() const { return measure_contact(*m_border, m_clearance); }
+
+  // Takes the border vertices that are there now, and all positions.
+  void take(const Edge_collapses& mesh, const std::vector<Planar_point>& uv)
+  {
+    Border_cycles alive;
+    for(const std::vector<int>& cycle : m_cycles) {
+      alive.emplace_back();
+      for(int v : cycle)
+        if(mesh.is_alive(v))
+          alive.back().push_back(v);
+    }
+    m_border.emplace(alive, uv);
+  }
+
+  bool touches_at(int v) const { return m_border->touches_at(m_border->number(v)); }
+
+  // Moves a vertex on the border to `x` if its edges touch nothing there. Returns whether it did.
+  bool try_to_move(int v, const Planar_point& x)
+  {
+    const int i = m_border->number(v);
+    const Planar_point before = m_border->point(i);
+    m_border->move(i, x);
+    if(!m_border->touches_at(i))
+      return true;
+    m_border->move(i, before);
+    ++m_rejections;
+    return false;
+  }
+
+  // Relaxes a border vertex, with a barrier around it. Returns `false` if it does not move.
+  template <typename Star>
+  bool relax(const Star& star, int v, Planar_point& position)
+  {
+    const int i = m_border->number(v);
+    m_barrier.gather(*m_border, i, m_clearance, m_clearance * m_border->local_length(i));
+    const auto accept = [&](const Planar_point& x) { return try_to_move(v, x); };
+    if(m_barrier.empty())
+      return relax_vertex_repeatedly(star, position, accept) < 1;
+    return relax_vertex_repeatedly(Repelled_star<Star>{star, m_barrier}, position, accept) < 1;
+  }
+
+private:
+  Border_cycles m_cycles;
+  double m_clearance;
+  std::optional<Planar_border> m_border;
+  Vertex_barrier m_barrier;
+  int m_rejections = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_KEEPER_H

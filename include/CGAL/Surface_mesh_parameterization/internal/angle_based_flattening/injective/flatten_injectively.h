@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/angle_objective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Flattens a disk coarse to fine, with a map that is injective all the time: it starts from Tutte's map of a coarse chart.
+class Injective_flattening
+{
+public:
+  Injective_flattening(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
+      : m_weights(chart), m_coarsening(chart), m_keeper(border_cycles(chart), options.clearance),
+        m_options(options), m_solvers(solvers), m_most_newton_vertices(most_newton_vertices(chart)),
+        m_report(report_of<Hierarchical_report>(chart)), m_uv(chart.points.size(), Planar_point(0, 0)),
+        m_relaxation(m_coarsening.mesh(), m_coarsening.alive(), m_uv, &m_keeper)
+  {}
+
+  Flattening<Hierarchical_report> run()
+  {
+    bool is_refined = false;
+    for(int size = is_isometric() ? 1000 : 300; !is_refined && succeeded() && size > 2; size /= 4) {
+      coarsen(size);
+      is_refined = start() && refine();
+    }
+    if(is_refined)
+      finish();
+    else if(succeeded())
+      fail(m_report, Flattening_report::PRECISION_EXCEEDED,
+           "no injective map was found in double precision; a larger area weight may help");
+    Flattening<Hierarchical_report> result;
+    for(const Planar_point& p : m_uv)
+      result.uv.emplace_back(p.x(), p.y());
+    result.report = std::move(m_report);
+    return result;
+  }
+
+private:
+  // From this number of vertices on, time is linear.
+  static constexpr int large_chart = 100000;
+
+  // Charts of up to this size are relaxed as a whole, by Newton's method, and larger ones vertex by vertex. Newton's method
+  // may take about a third of the time.
+  static int most_newton_vertices(const Chart& chart)
+  {
+    const int n = chart.number_of_vertices(), most = 20000;
+    return n <= large_chart ? most : (std::min)((std::max)(n / 20, most / 2), most);
+  }
+
+  bool succeeded() const { return m_report.diagnosis == Flattening_report::NOTHING_WRONG; }
+
+  // Then areas count as much as angles, and sweeps on the energy of the angles alone would undo that.
+  bool is_isometric() const { return m_options.area_weight > 0.1; }
+
+  void coarsen(int size)
+  {
+    const Stage stage(m_options.visitor, Flattening_visitor::COARSEN, m_report.seconds.coarsen);
+    m_coarsening.coarsen(size, size > 100 ? m_options.extreme_angle : 0, m_options.visitor);
+  }
+
+  // Finds an injective map of the coarse chart.
+  bool start()
+  {
+    const Stage stage(m_options.visitor, Flattening_visitor::COARSE_CHART, m_report.seconds.coarse_chart);
+    const Coarse_chart coarse = coarse_chart();
+    m_report.start = Hierarchical_report::TUTTE_MAP;
+    m_report.levels = m_coarsening.number_of_levels();
+    m_report.coarse_vertices = coarse.chart.number_of_vertices();
+    m_report.coarse_triangles = coarse.chart.number_of_triangles();
+    std::optional<std::vector<Planar_point>> uv = Tutte_map(coarse.chart).run(m_solvers);
+    if(!uv)
+      fail(m_report, Flattening_report::LINEAR_SYSTEM_FAILED,
+           "the linear system of Tutte's map of the coarse chart could not be solved");
+    if(!uv || !is_injective(coarse.chart, *uv))
+      return false;
+    // A large area weight at first spreads branches before they lock. Isometric maps begin with a smaller one than they
+    // want, as their energy is far from convex.
+    const std::vector<double> area_weights =
+        is_isometric() ? std::vector<double>{0.2, 0.4, 0.7} : std::vector<double>{0.5};
+    for(double area_weight : area_weights)
+      descend(coarse.chart, area_weight, {1e-2, 200}, *uv);
+    descend(coarse.chart, m_options.area_weight, {1e-3, 200}, *uv);
+    put_back(coarse, *uv);
+    return succeeded();
+  }
+
+  Coarse_chart coarse_chart() const
+  {
+    Coarse_chart coarse = m_coarsening.coarse_chart();
+    m_weights.apply(m_coarsening.mesh(), coarse);
+    return coarse;
+  }
+
+  void put_back(const Coarse_chart& coarse, const std::vector<Planar_point>& uv)
+  {
+    for(std::size_t v = 0; v < uv.size(); ++v)
+      m_uv[coarse.vertices[v]] = uv[v];
+  }
+
+  static bool is_injective(const Chart& chart, const std::vector<Planar_point>& uv)
+  {
+    std::vector<Exact_point_2> points;
+    for(const Planar_point& p : uv)
+      points.emplace_back(p.x(), p.y());
+    return flipped_triangles(chart.vertex, points).empty() && is_border_simple(chart, points);
+  }
+
+  void descend(const Chart& chart, double area_weight, const Descent_limits& limits,
+               std::vector<Planar_point>& uv)
+  {
+    descend(chart, Area_objective(chart, area_weight), limits, uv);
+  }
+
+  // Returns whether the descent has converged.
+  template <typename Objective>
+  bool descend(const Chart& chart, const Objective& objective, const Descent_limits& limits,
+               std::vector<Planar_point>& uv)
+  {
+    Injective_descent<Objective> descent(chart, objective, m_options.clearance, m_solvers);
+    if(succeeded() && !descent.run(uv, limits))
+      fail(m_report, Flattening_report::LINEAR_SYSTEM_FAILED,
+           "the linear system of a Newton step with " + std::to_string(chart.number_of_vertices()) +
+               " vertices could not be solved");
+    m_report.border_rejections += descent.rejections();
+    return descent.has_converged();
+  }
+
+  // Relaxes all that is there as a whole. A map to be polished comes near to the least energy of the angles on the last of these
+  // levels, while that is cheap.
+  void descend_on_level()
+  {
+    const Coarse_chart coarse = coarse_chart();
+    std::vector<Planar_point> uv;
+    for(int v : coarse.vertices)
+      uv.push_back(m_uv[v]);
+    if(m_options.polish && 2 * coarse.chart.number_of_vertices() > m_most_newton_vertices) {
+      const std::vector<double> beta = target_angles(coarse.chart);
+      descend(coarse.chart, Angle_objective(coarse.chart, beta, Angle_energy{m_options.barrier}), {1e-2, 5},
+              uv);
+    } else {
+      descend(coarse.chart, m_options.area_weight, {is_isometric() ? 1e-2 : 5e-2, 10}, uv);
+    }
+    put_back(coarse, uv);
+  }
+
+  // Undoes all levels. Returns `false` if a vertex has no valid position in its star.
+  bool refine()
+  {
+    const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
+    Refinement refinement(m_coarsening, m_uv, m_relaxation);
+    int size_of_last_descent = m_coarsening.number_of_vertices();
+    bool is_refined = true;
+    while(is_refined && m_coarsening.number_of_levels() > 0) {
+      is_refined = refinement.undo_level(m_options.visitor);
+      const int size = m_coarsening.number_of_vertices();
+      // Sweeps mend slivers, at which Newton's method could only take short steps.
+      if(is_refined)
+        relax();
+      if(is_refined && size <= m_most_newton_vertices &&
+         (size > 1.7 * size_of_last_descent || m_coarsening.number_of_levels() == 0)) {
+        descend_on_level();
+        size_of_last_descent = size;
+        is_refined = succeeded();
+      }
+    }
+    m_report.kernel_insertions += refinement.kernel_insertions();
+    return is_refined;
+  }
+
+  // On large charts, areas matter as little for a single vertex as the work with them matters for the time.
+  void relax()
+  {
+    const bool is_large = m_coarsening.number_of_vertices() > m_most_newton_vertices;
+    const bool is_fine = m_coarsening.number_of_levels() < 3;
+    const int sweeps =
+        !is_large || (is_fine && !is_isometric()) ? (std::min)(m_options.sweeps, 1) : m_options.sweeps;
+    for(int i = 0; i < sweeps; ++i)
+      if(is_large && !is_isometric())
+        m_relaxation.sweep(MIPS_star());
+      else
+        m_relaxation.sweep(Area_star(m_options.area_weight));
+  }
+
+  void finish()
+  {
+    lower_energy();
+    if(m_options.polish)
+      polish();
+    m_relaxation.take_border();
+    const Border_contact contact = m_keeper.contact();
+    m_report.contact = contact.share;
+    m_report.least_clearance = contact.least_clearance;
+    m_report.border_rejections += m_keeper.rejections();
+    m_report.moves = m_relaxation.moves();
+    m_report.rejected_moves = m_relaxation.rejected_moves();
+  }
+
+  void lower_energy()
+  {
+    const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
+    if(m_options.angle_sweeps == 0 && is_isometric())
+      return;
+    Angle_descent descent(m_coarsening.mesh().chart(), m_options.barrier, m_uv);
+    const int usual_sweeps = m_coarsening.number_of_vertices() <= large_chart ? 5 : 3;
+    if(m_options.angle_sweeps > 0) {
+      m_report.angle_sweeps = descent.run(m_relaxation, m_options.angle_sweeps, m_options.energy_tolerance);
+    } else {
+      for(int i = 1; i < usual_sweeps; ++i)
+        m_relaxation.sweep(descent.star());
+      descent.run(m_relaxation, 1, 0);
+      m_report.angle_sweeps = usual_sweeps;
+    }
+    m_report.energy = descent.energy();
+  }
+
+  // Newton steps towards the least energy of the direct method, each followed by a sweep that mends slivers
+  void polish()
+  {
+    const Chart& chart = m_coarsening.mesh().chart();
+    const int most_steps = 10;
+    const std::vector<double> beta = target_angles(chart);
+    const Angle_objective objective(chart, beta, Angle_energy{m_options.barrier});
+    Angle_descent sweeps(chart, m_options.barrier, m_uv);
+    while(succeeded() && m_report.polish_iterations < most_steps && !m_report.polished) {
+      const Stage stage(m_options.visitor, Flattening_visitor::POLISH, m_report.seconds.polish);
+      m_report.polished = descend(chart, objective, {1e-2, 1}, m_uv);
+      sweeps.run(m_relaxation, 1, 0);
+      ++m_report.polish_iterations;
+    }
+    m_report.energy = sweeps.energy();
+  }
+
+  Merged_weights m_weights;
+  Coarsening m_coarsening;
+  Border_keeper m_keeper;
+  const Hierarchical_options& m_options;
+  const Linear_solvers& m_solvers;
+  int m_most_newton_vertices;
+  Hierarchical_report m_report;
+  std::vector<Planar_point> m_uv; // of each vertex that is there
+  Relaxation m_relaxation;
+};
+
+// Flattens a disk that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a map was found,
+// which is not certified yet.
+inline Flattening<Hierarchical_report> flatten_injectively(Chart& chart, const Hierarchical_options& options,
+                                                           const Linear_solvers& solvers)
+{
+  return Injective_flattening(chart, options, solvers).run();
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H

@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/definite_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// When to stop: after a step from which a smaller decrease is expected than this fraction of what distortion adds to the energy,
+// or after this many steps.
+struct Descent_limits
+{
+  double tolerance = 1e-4;
+  int steps = 50;
+};
+
+// Projected Newton steps of an injective map towards the least energy, the sum of that of the triangles and the barrier between
+// parts of the border. Each step stays injective: no triangle turns over, and an exact test finds the border simple.
+//
+// `Objective` knows the energy of a triangle, its derivatives, and the weight of the barrier there.
+template <typename Objective>
+class Injective_descent
+{
+  typedef std::vector<Planar_point> Positions;
+
+public:
+  Injective_descent(const Chart& chart, const Objective& objective, double clearance,
+                    const Linear_solvers& solvers)
+      : m_chart(chart), m_objective(objective), m_clearance(clearance), m_solvers(solvers),
+        m_cycles(border_cycles(chart)), m_barrier_weight(chart.points.size(), 0.)
+  {
+    std::vector<int> triangles(chart.points.size(), 0);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      ++triangles[chart.vertex[c]];
+    for(int t = 0; t < chart.number_of_triangles(); ++t)
+      m_least_energy += objective.least_energy(t);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      m_barrier_weight[chart.vertex[c]] += objective.triangle_weight(c / 3) / triangles[chart.vertex[c]];
+  }
+
+  // Returns `false` if the linear solver fails.
+  bool run(Positions& uv, const Descent_limits& limits)
+  {
+    m_has_converged = false;
+    for(int step = 0; step < limits.steps; ++step) {
+      // Ranges are those of the border at the start of a step, so that the energy is a function while it lasts.
+      Planar_border border(m_cycles, uv);
+      const double before = energy(uv, border);
+      if(!std::isfinite(before))
+        return true;
+      if(!find_direction(uv, border))
+        return false;
+      m_has_converged = m_slope / 2 < limits.tolerance * (before - m_least_energy);
+      if(!search(uv, border, before) || m_has_converged)
+        break;
+    }
+    return true;
+  }
+
+  // Whether the last run ended because hardly any decrease was expected
+  bool has_converged() const { return m_has_converged; }
+  int rejections() const { return m_rejections; }
+
+private:
+  std::array<Planar_point, 3> corners(const Positions& uv, int t) const
+  {
+    return {uv[m_chart.vertex[3 * t]], uv[m_chart.vertex[3 * t + 1]], uv[m_chart.vertex[3 * t + 2]]};
+  }
+
+  double energy(const Positions& uv, const Planar_border& border) const
+  {
+    const double sum = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
+      const std::array<Planar_point, 3> x = corners(uv, t);
+      return cross(x[1] - x[0], x[2] - x[0]) > 0 ? m_objective.triangle_energy(t, x)
+                                                 : (std::numeric_limits<double>::infinity)();
+    });
+    double barrier = 0;
+    for_each_gap(border, [&](const Border_pair& pair, const Border_gap& gap) {
+      barrier +=
+          m_barrier_weight[border.vertex(pair.vertex)] * Barrier_function(pair.range, gap.distance).value;
+    });
+    return sum + barrier;
+  }
+
+  template <typename Visitor>
+  void for_each_gap(const Planar_border& border, const Visitor& visit) const
+  {
+    std::vector<Border_pair> pairs;
+    const auto at = [&](int i) { return border.point(i); };
+    for(int i = 0; i < border.size(); ++i) {
+      pairs.clear();
+      add_pairs_of_vertex(border, i, m_clearance, pairs);
+      for(const Border_pair& pair : pairs)
+        visit_gap(border, pair, at, [&](const Border_gap& gap) { visit(pair, gap); });
+    }
+  }
+
+  // Sets the direction of Newton's method. Returns `false` if the linear solver fails.
+  bool find_direction(const Positions& uv, const Planar_border& border)
+  {
+    Definite_hessian hessian(m_chart);
+    const int n = m_chart.number_of_triangles();
+    std::vector<Triangle_derivatives> derivatives(n);
+    parallel_for_blocks(n, [&](int begin, int end) {
+      for(int t = begin; t < end; ++t)
+        derivatives[t] = m_objective.triangle_derivatives(t, corners(uv, t));
+    });
+    for(int t = 0; t < n; ++t)
+      hessian.add(&m_chart.vertex[3 * t], derivatives[t]);
+    for_each_gap(border, [&](const Border_pair& pair, const Border_gap& gap) {
+      const std::array<int, 3> vertices = {border.vertex(pair.vertex), border.vertex(pair.edge),
+                                           border.vertex(border.next(pair.edge))};
+      hessian.add(vertices.data(), barrier_derivatives(pair, gap, m_barrier_weight[vertices.front()]));
+    });
+    return solve(hessian);
+  }
+
+  static Triangle_derivatives barrier_derivatives(const Border_pair& pair, const Border_gap& gap,
+                                                  double weight)
+  {
+    const Barrier_function barrier(pair.range, gap.distance);
+    Triangle_derivatives result;
+    result.gradient << gap.direction, (gap.parameter - 1) * gap.direction, -gap.parameter * gap.direction;
+    result.hessian = weight * barrier.second_derivative * result.gradient * result.gradient.transpose();
+    result.gradient *= weight * barrier.first_derivative;
+    return result;
+  }
+
+  // The energy does not change if the map is moved or turned as a whole, and hardly if it is mapped conformally. Single precision
+  // needs more of the diagonal to factor such a matrix.
+  bool solve(const Definite_hessian& hessian)
+  {
+    const Block_matrix<2> undamped = hessian.matrix(), matrix = damped(undamped, 1e-8);
+    const Eigen::VectorXd right_hand_side = -hessian.gradient();
+    Preconditioning_system factors(m_solvers, m_solvers->low_precision());
+    const Iterative_accuracy accuracy = {1e-2};
+    const int max_steps = 50;
+    bool done =
+        m_solvers->keeps_factors && factors.set_matrix(damped(undamped, 1e-6)) &&
+        conjugate_gradients(matrix, right_hand_side, factors, accuracy, max_steps, m_direction).status ==
+            Iterative_solution::SOLVED;
+    if(!done) {
+      const std::unique_ptr<Linear_solver> full = m_solvers->full_precision();
+      done = full->set_matrix(matrix) && full->solve(right_hand_side, m_direction);
+    }
+    m_slope = done ? m_direction.dot(right_hand_side) : 0;
+    return done;
+  }
+
+  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns `false` if it stays.
+  bool search(Positions& uv, Planar_border& border, double before)
+  {
+    const int most_halvings = 30;
+    Positions next(uv.size());
+    double length = (std::min)(1., 0.9 * longest_step(uv));
+    for(int i = 0; i < most_halvings; ++i, length /= 2) {
+      for(std::size_t v = 0; v < uv.size(); ++v)
+        next[v] = uv[v] + length * m_direction.segment<2>(2 * v);
+      border.move_all(next);
+      if(!(energy(next, border) < before))
+        continue;
+      if(border.is_simple()) {
+        uv = std::move(next);
+        return true;
+      }
+      ++m_rejections;
+    }
+    return false;
+  }
+
+  // How far one may go along the direction until a triangle degenerates
+  double longest_step(const Positions& uv) const
+  {
+    double longest = (std::numeric_limits<double>::infinity)();
+    for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
+      const std::array<Planar_point, 3> x = corners(uv, t);
+      std::array<Planar_point, 3> d;
+      for(int k = 0; k < 3; ++k)
+        d[k] = m_direction.segment<2>(2 * m_chart.vertex[3 * t + k]);
+      const Planar_point e = x[1] - x[0], f = x[2] - x[0], de = d[1] - d[0], df = d[2] - d[0];
+      longest =
+          (std::min)(longest, least_positive_root(cross(de, df), cross(e, df) + cross(de, f), cross(e, f)));
+    }
+    return longest;
+  }
+
+  // Of a t^2 + b t + c with c > 0, or infinity
+  static double least_positive_root(double a, double b, double c)
+  {
+    const double infinity = (std::numeric_limits<double>::infinity)(), discriminant = b * b - 4 * a * c;
+    if(discriminant < 0 || (b >= 0 && a >= 0))
+      return infinity;
+    const double q = b < 0 ? -b + std::sqrt(discriminant) : 0;
+    const double root = b < 0 ? 2 * c / q : (-b - std::sqrt(discriminant)) / (2 * a);
+    return root > 0 ? root : infinity;
+  }
+
+  const Chart& m_chart;
+  const Objective& m_objective;
+  double m_clearance;
+  Linear_solvers m_solvers;
+  Border_cycles m_cycles;
+  std::vector<double> m_barrier_weight; // of each vertex
+  Eigen::VectorXd m_direction;
+  double m_least_energy = 0; // without any distortion
+  bool m_has_converged = false;
+  int m_rejections = 0;
+  double m_slope = 0; // of the energy along the direction, downwards
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H

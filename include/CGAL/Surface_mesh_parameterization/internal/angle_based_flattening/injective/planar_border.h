@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/box_tree.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The vertices of each border cycle, in its order
+typedef std::vector<std::vector<int>> Border_cycles;
+
+inline Border_cycles border_cycles(const Chart& chart)
+{
+  Border_cycles cycles;
+  for(const std::vector<int>& border : chart.borders) {
+    cycles.emplace_back();
+    for(int c : border)
+      cycles.back().push_back(chart.edge_source(c));
+  }
+  return cycles;
+}
+
+// The borders of a chart in the plane, while their vertices move one by one: whether edges touch, and which are near. A disk
+// whose triangles are all positively oriented is injective if its border is simple, so nothing else needs a test.
+//
+// Vertices and edges have numbers along the cycles; an edge has that of its source.
+class Planar_border
+{
+public:
+  Planar_border(const Border_cycles& cycles, const std::vector<Planar_point>& uv) : m_number(uv.size(), -1)
+  {
+    for(const std::vector<int>& cycle : cycles) {
+      const int begin = static_cast<int>(m_vertices.size()), size = static_cast<int>(cycle.size());
+      for(int i = 0; i < size; ++i) {
+        m_number[cycle[i]] = begin + i;
+        m_edges.push_back({begin + i, begin + (i + 1) % size});
+        m_previous.push_back(begin + (i + size - 1) % size);
+      }
+      m_vertices.insert(m_vertices.end(), cycle.begin(), cycle.end());
+    }
+    m_points.resize(m_vertices.size());
+    m_taken_length.resize(m_vertices.size());
+    take(uv);
+  }
+
+  int size() const { return static_cast<int>(m_vertices.size()); }
+  int vertex(int i) const { return m_vertices[i]; }
+  int number(int v) const { return m_number[v]; } // negative if `v` is interior
+  int next(int i) const { return m_edges[i].target; }
+  int previous(int i) const { return m_previous[i]; }
+  Planar_point point(int i) const { return Planar_point(m_points[i].x(), m_points[i].y()); }
+  double edge_length(int i) const { return (point(next(i)) - point(i)).norm(); }
+
+  // The length of edge i, and the mean length of the edges at vertex i, when all positions were taken last
+  double taken_length(int i) const { return m_taken_length[i]; }
+  double local_length(int i) const { return (taken_length(i) + taken_length(previous(i))) / 2; }
+
+  // Takes the positions of all vertices, and the local lengths.
+  void take(const std::vector<Planar_point>& uv)
+  {
+    move_all(uv);
+    for(int i = 0; i < size(); ++i)
+      m_taken_length[i] = edge_length(i);
+  }
+
+  void move_all(const std::vector<Planar_point>& uv)
+  {
+    for(int i = 0; i < size(); ++i)
+      set_point(i, uv[m_vertices[i]]);
+    m_tree.build(size(), [this](int i) { return edge_box(i); });
+  }
+
+  void move(int i, const Planar_point& p)
+  {
+    set_point(i, p);
+    m_tree.set(i, edge_box(i));
+    m_tree.set(previous(i), edge_box(previous(i)));
+  }
+
+  // Whether an edge at vertex i has a point in common with another edge, other than a vertex of both. Exact.
+  bool touches_at(int i) const { return edge_touches(i) || edge_touches(previous(i)); }
+
+  // Whether no edges touch, holes are within the outer border and apart. Exact.
+  bool is_simple() const { return Border_sweep<Exact_point_2>(m_edges, m_points).bounds_region(); }
+
+  // Calls `visit` with the number of each edge whose box meets `box`.
+  template <typename Visitor>
+  void for_each_edge_at(const Planar_box& box, const Visitor& visit) const
+  {
+    m_tree.for_each_at(box, [&](int i) {
+      visit(i);
+      return true;
+    });
+  }
+
+private:
+  void set_point(int i, const Planar_point& p) { m_points[i] = Exact_point_2(p.x(), p.y()); }
+
+  Planar_box edge_box(int i) const { return Planar_box(point(i), point(next(i))); }
+
+  bool edge_touches(int i) const
+  {
+    return !m_tree.for_each_at(edge_box(i),
+                               [&](int j) { return i == j || !touch(m_edges[i], m_edges[j], m_points); });
+  }
+
+  std::vector<int> m_vertices, m_previous;
+  std::vector<int> m_number; // of each vertex of the chart
+  std::vector<Border_edge> m_edges;
+  std::vector<Exact_point_2> m_points;
+  std::vector<double> m_taken_length;
+  Box_tree m_tree;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H

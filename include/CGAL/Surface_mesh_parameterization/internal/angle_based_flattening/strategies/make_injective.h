@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What the direct method wants of an injective map
+inline Hierarchical_options injective_options(const ABF_plus_plus_options& options)
+{
+  Hierarchical_options result;
+  static_cast<Flattening_options&>(result) = options;
+  result.polish = true;
+  return result;
+}
+
+// Whether there is a map that overlaps itself, or other strategies may find one that does not
+inline bool can_become_injective(const Flattening<ABF_plus_plus_report>& result, bool fallbacks)
+{
+  const Flattening_report::Diagnosis diagnosis = result.report.diagnosis;
+  return result.succeeded() || (fallbacks && (diagnosis == Flattening_report::NO_CONVERGENCE ||
+                                              diagnosis == Flattening_report::FLIPPED_TRIANGLES ||
+                                              diagnosis == Flattening_report::SCALE_TOO_LARGE ||
+                                              diagnosis == Flattening_report::PRECISION_EXCEEDED));
+}
+
+// The direct method's own map if that is injective, and else the polished injective map of the hierarchical method.
+inline Flattening<ABF_plus_plus_report> made_injective(const Chart& chart,
+                                                       const ABF_plus_plus_options& options,
+                                                       const Linear_solvers& solvers, Rounding round,
+                                                       Flattening<ABF_plus_plus_report> direct)
+{
+  direct.report.injective = direct.succeeded() && direct.report.border_is_simple;
+  if(direct.report.injective || !can_become_injective(direct, options.fallbacks))
+    return direct;
+  if(direct.succeeded())
+    fail(direct.report, Flattening_report::OVERLAPPING,
+         "the map has " + describe_touching_edges(chart, direct.uv));
+  Chart copy = chart;
+  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
+  Flattening<Hierarchical_report> injective =
+      flatten_chart_hierarchically(copy, injective_options(options), no_solver, solvers, round);
+
+  Flattening<ABF_plus_plus_report> result;
+  result.uv = std::move(injective.uv);
+  result.invalid = std::move(injective.invalid);
+  ABF_plus_plus_report& report = result.report;
+  static_cast<Flattening_report&>(report) = injective.report;
+  report.failed_strategies = std::move(direct.report.failed_strategies);
+  report.failed_strategies.push_back(
+      {direct.report.strategy, direct.report.diagnosis, direct.report.message, direct.report.iterations});
+  report.strategy = ABF_plus_plus_report::INJECTIVE_DESCENT;
+  report.iterations = injective.report.polish_iterations;
+  report.energy = injective.report.energy;
+  report.seconds += direct.report.seconds;
+  report.predicted_scale_range = direct.report.predicted_scale_range;
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
