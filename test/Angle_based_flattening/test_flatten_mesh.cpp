@@ -1056,6 +1056,7 @@ BOOST_AUTO_TEST_CASE(maps_are_injective_by_each_method)
       }
       BOOST_TEST((standard_output.find(is_direct ? "injective descent" : "injective on each level") !=
                   std::string::npos));
+      // whether it converged or not: the border of this map is in contact with itself
       BOOST_TEST((standard_output.find("; polished") != std::string::npos) ==
                  (options.find("--polish") != std::string::npos));
     }

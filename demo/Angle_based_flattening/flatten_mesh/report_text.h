@@ -45,7 +45,9 @@ inline std::string method_text(const Flattening& flattening)
                         count_text(flattening.levels, "level") + ", " +
                             count_text(flattening.coarse_triangles, "triangle") + " in the coarsest" +
                             (report.injective ? "; injective on each level" : "") +
-                            (flattening.is_polished ? "; polished" : ""));
+                            (flattening.is_polished  ? "; polished"
+                             : report.iterations > 0 ? "; polished, but not to convergence"
+                                                     : ""));
   }
   if(!report.failed_strategies.empty()) {
     const SMP::ABF_plus_plus_report::Failed_strategy& before = report.failed_strategies.back();
