@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
+#include <CGAL/min_quadrilateral_2.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+typedef std::array<Planar_point, 2> Planar_segment;
+
+// What packing knows about a chart. Its points are moved and scaled, so that its bounding box has the origin as centre and a longest
+// side of length 1.
+struct Chart_outline
+{
+  Planar_point origin = Planar_point::Zero();
+  double extent = 0;    // the longest side of the bounding box
+  double area = 0;      // in the plane, after scaling
+  double perimeter = 0; // the same
+  double length = 0;    // that the longest side of the bounding box should have
+  std::vector<Planar_segment>
+      edges; // The triangles are on their left. Where they overlap, and only there, they wind several times.
+  std::vector<Planar_segment> needles; // the sides of triangles without area
+  std::vector<Planar_point> hull;      // counterclockwise
+  double angle_of_rectangle = 0;       // turned by that, the bounding box is smallest
+
+  bool has_area() const { return extent > least_extent && area > least_relative_area; }
+
+private:
+  static constexpr double least_extent = 1e-300; // the inverse of less is infinite
+  static constexpr double least_relative_area =
+      1. / (1ull << 40); // of the square of the extent; less is rounding
+};
+
+struct Segment_hash
+{
+  std::size_t operator()(const Planar_segment& s) const
+  {
+    std::size_t seed = 0;
+    for(const Planar_point& p : s) {
+      boost::hash_combine(seed, p.x());
+      boost::hash_combine(seed, p.y());
+    }
+    return seed;
+  }
+};
+
+struct Segment_less
+{
+  bool operator()(const Planar_segment& s, const Planar_segment& t) const
+  {
+    const auto key = [](const Planar_segment& u) {
+      return std::array<double, 4>{u[0].x(), u[0].y(), u[1].x(), u[1].y()};
+    };
+    return key(s) < key(t);
+  }
+};
+
+// Takes the edges of triangles of which no other one has the opposite. All triangles are taken counterclockwise.
+class Outline_edges
+{
+public:
+  void add(const Planar_point& p, const Planar_point& q)
+  {
+    if(p == q)
+      return;
+    if(const auto found = m_count.find({q, p}); found == m_count.end())
+      ++m_count[{p, q}];
+    else if(--found->second == 0)
+      m_count.erase(found);
+  }
+
+  std::vector<Planar_segment> edges() const
+  {
+    std::vector<Planar_segment> result;
+    for(const auto& [edge, count] : m_count)
+      result.insert(result.end(), static_cast<std::size_t>(count), edge);
+    std::sort(result.begin(), result.end(), Segment_less());
+    return result;
+  }
+
+private:
+  std::unordered_map<Planar_segment, int, Segment_hash> m_count;
+};
+
+inline std::vector<Planar_point> convex_hull(const std::vector<Planar_segment>& segments)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point;
+  std::vector<Point> points, hull;
+  for(const Planar_segment& s : segments)
+    for(const Planar_point& p : s)
+      points.emplace_back(p.x(), p.y());
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+  std::vector<Planar_point> result;
+  for(const Point& p : hull)
+    result.emplace_back(p.x(), p.y());
+  return result;
+}
+
+// Width and height of a chart that is turned by an angle
+inline Planar_point turned_extent(const std::vector<Planar_point>& hull, double angle)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  Planar_point lower(HUGE_VAL, HUGE_VAL), upper = -lower;
+  for(const Planar_point& p : hull) {
+    const Planar_point q(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+    lower = lower.cwiseMin(q);
+    upper = upper.cwiseMax(q);
+  }
+  return upper - lower;
+}
+
+inline double angle_of_smallest_rectangle(const std::vector<Planar_point>& hull)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point;
+  std::vector<Point> points, corners;
+  for(const Planar_point& p : hull)
+    points.emplace_back(p.x(), p.y());
+  CGAL::min_rectangle_2(points.begin(), points.end(), std::back_inserter(corners));
+  if(corners.size() < 2)
+    return 0;
+  const auto side = corners[1] - corners[0];
+  return -std::atan2(side.y(), side.x());
+}
+
+// Turned by this angle, the chart has the smallest bounding box that is a square: of many angles the best one, refined by bisection
+inline double angle_of_smallest_square(const std::vector<Planar_point>& hull)
+{
+  const int samples = 512;
+  double step = std::acos(0.) / samples, best_angle = 0, best = HUGE_VAL;
+  const auto look_at = [&](double angle) {
+    const double side = turned_extent(hull, angle).maxCoeff();
+    if(side < best) {
+      best = side;
+      best_angle = angle;
+    }
+  };
+  for(int i = 0; i < samples; ++i)
+    look_at(i * step);
+  for(; step > 1e-6; step /= 2) {
+    const double centre = best_angle;
+    look_at(centre - step / 2);
+    look_at(centre + step / 2);
+  }
+  return best_angle;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_OCCUPIED_CELLS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_OCCUPIED_CELLS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
+
+#include <boost/integer/integer_log2.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The cells of a square that charts occupy, and the search for places that are free
+class Occupied_cells
+{
+  typedef Texel_mask::Word Word;
+  static constexpr int word_size = Texel_mask::word_size;
+
+public:
+  // `margin` are the cells around the square that masks of `add()` may reach.
+  Occupied_cells(int side, int margin)
+      : m_side(side), m_margin(margin), m_cells(side + 2 * margin, side + 2 * margin)
+  {}
+
+  int side() const { return m_side; }
+
+  // Adds a mask that is larger by the margin on all sides than the one at (x, y).
+  void add(const Texel_mask& mask, int x, int y) { m_cells.add(mask, x, y); }
+
+  // The first place for the lower left corner of a mask, by rows from `first_row` on, and in them from the left; none if
+  // `is_stopped(y)` before row y.
+  //
+  // A cell of the mask that meets an occupied one rules out 64 places at a time. Those cells that did so before come first: they leave
+  // few places for which the whole mask is compared.
+  template <typename IsStopped>
+  std::optional<Texel> find_place(const Texel_mask& mask, int first_row, const IsStopped& is_stopped) const
+  {
+    const int places = m_side - mask.width() + 1, last_row = m_side - mask.height();
+    if(places < 1)
+      return std::nullopt;
+    std::vector<Word> free((places + word_size - 1) / word_size);
+    std::vector<Texel> witnesses;
+    for(int y = first_row; y <= last_row && !is_stopped(y); ++y) {
+      std::fill(free.begin(), free.end(), ~Word(0));
+      if(places % word_size != 0)
+        free.back() >>= word_size - places % word_size;
+      for(std::size_t i = 0; i < witnesses.size(); ++i)
+        if(!rule_out(free, witnesses[i], y)) {
+          std::rotate(witnesses.begin() + i / 2, witnesses.begin() + i, witnesses.begin() + i + 1);
+          break;
+        }
+      for(int x; (x = first_of(free)) >= 0;) {
+        const std::optional<Texel> witness = collision(mask, x, y);
+        if(!witness)
+          return Texel{x, y};
+        witnesses.insert(witnesses.begin(), *witness);
+        rule_out(free, *witness, y);
+      }
+    }
+    return std::nullopt;
+  }
+
+private:
+  // Takes out the places where a cell of the mask would be on an occupied one. Returns whether some are left.
+  bool rule_out(std::vector<Word>& free, const Texel& cell, int y) const
+  {
+    const int x = cell.x + m_margin, shift = x % word_size;
+    const Word* words = m_cells.row(y + m_margin + cell.y) + x / word_size;
+    Word left = 0;
+    for(std::size_t i = 0; i < free.size(); ++i) {
+      free[i] &= ~(words[i] >> shift | words[i + 1] << 1 << (word_size - 1 - shift));
+      left |= free[i];
+    }
+    return left != 0;
+  }
+
+  static int lowest_bit(Word word) { return static_cast<int>(boost::integer_log2(word & (~word + 1))); }
+
+  static int first_of(const std::vector<Word>& words)
+  {
+    for(std::size_t i = 0; i < words.size(); ++i)
+      if(words[i] != 0)
+        return static_cast<int>(i) * word_size + lowest_bit(words[i]);
+    return -1;
+  }
+
+  std::optional<Texel> collision(const Texel_mask& mask, int x, int y) const
+  {
+    for(int j = 0; j < mask.height(); ++j) {
+      const Word* row = m_cells.row(y + m_margin + j);
+      for(int i = 0; i < mask.words_of_row(); ++i)
+        if(const Word both = mask.row(j)[i] & Texel_mask::word_from(row, x + m_margin + i * word_size);
+           both != 0)
+          return Texel{i * word_size + lowest_bit(both), j};
+    }
+    return std::nullopt;
+  }
+
+  int m_side, m_margin;
+  Texel_mask m_cells;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_OCCUPIED_CELLS_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+struct Texel
+{
+  int x, y;
+};
+
+// A set of texels in a rectangle, 64 of a row in a word
+class Texel_mask
+{
+public:
+  typedef std::uint64_t Word;
+  static constexpr int word_size = 64;
+
+  Texel_mask(int width, int height)
+      : m_width(width), m_height(height), m_stride(width / word_size + 2),
+        m_words(static_cast<std::size_t>(m_stride) * height, 0)
+  {}
+
+  int width() const { return m_width; }
+  int height() const { return m_height; }
+  int words_of_row() const { return (m_width + word_size - 1) / word_size; }
+
+  // The words of a row, and one more or two that are zero
+  Word* row(int y) { return m_words.data() + static_cast<std::size_t>(m_stride) * y; }
+  const Word* row(int y) const { return m_words.data() + static_cast<std::size_t>(m_stride) * y; }
+
+  bool has(int x, int y) const { return row(y)[x / word_size] >> (x % word_size) & 1; }
+
+  // Adds the texels x, ..., end - 1 of a row.
+  void add(int x, int end, int y)
+  {
+    Word* words = row(y);
+    visit_words(x, end, [&](int i, Word bits) { words[i] |= bits; });
+  }
+
+  // Whether any of the texels x, ..., end - 1 of a row is in the set
+  bool has_any(int x, int end, int y) const
+  {
+    Word found = 0;
+    const Word* words = row(y);
+    visit_words(x, end, [&](int i, Word bits) { found |= words[i] & bits; });
+    return found != 0;
+  }
+
+  // 64 texels of a row from x on; those behind the row are not in the set.
+  static Word word_from(const Word* words, int x)
+  {
+    const int i = x / word_size, shift = x % word_size;
+    return words[i] >> shift | words[i + 1] << 1 << (word_size - 1 - shift);
+  }
+
+  // Adds the texels of a mask whose lower left corner is at (x, y), where it must not stick out.
+  void add(const Texel_mask& mask, int x, int y)
+  {
+    const int first = x / word_size, shift = x % word_size;
+    for(int j = 0; j < mask.height(); ++j) {
+      const Word* from = mask.row(j);
+      Word* to = row(y + j) + first;
+      for(int i = 0; i < mask.words_of_row(); ++i) {
+        to[i] |= from[i] << shift;
+        to[i + 1] |= from[i] >> 1 >> (word_size - 1 - shift);
+      }
+    }
+  }
+
+  std::size_t size() const
+  {
+    std::size_t sum = 0;
+    for(Word word : m_words)
+      for(; word != 0; word &= word - 1)
+        ++sum;
+    return sum;
+  }
+
+private:
+  // Calls `visit(i, bits)` for the words with the texels x, ..., end - 1.
+  template <typename Visit>
+  static void visit_words(int x, int end, const Visit& visit)
+  {
+    for(int next; x < end; x = next) {
+      next = (std::min)((x / word_size + 1) * word_size, end);
+      visit(x / word_size,
+            ~Word(0) << (x % word_size) & ~Word(0) >> (word_size - 1 - (next - 1) % word_size));
+    }
+  }
+
+  int m_width, m_height, m_stride;
+  std::vector<Word> m_words;
+};
+
+// Adds each texel of a row a second time, `distance` columns further on.
+inline void add_moved(Texel_mask::Word* words, int number_of_words, int distance)
+{
+  const int skipped = distance / Texel_mask::word_size, shift = distance % Texel_mask::word_size;
+  for(int i = number_of_words - 1; i >= skipped; --i) {
+    const Texel_mask::Word below = i > skipped ? words[i - skipped - 1] : 0;
+    words[i] |= words[i - skipped] << shift | below >> 1 >> (Texel_mask::word_size - 1 - shift);
+  }
+}
+
+// The texels from which one of the mask is at most `distance` columns and rows away, in a mask that is larger by that on all sides.
+// Texels spread over 1, 2, 4, ... columns, and rows.
+inline Texel_mask dilated(const Texel_mask& mask, int distance)
+{
+  Texel_mask result(mask.width() + 2 * distance, mask.height() + 2 * distance);
+  const int words = result.words_of_row(), spread = 2 * distance + 1;
+  for(int y = 0; y < mask.height(); ++y) {
+    std::copy_n(mask.row(y), mask.words_of_row(), result.row(y));
+    for(int reached = 1; reached < spread; reached += (std::min)(reached, spread - reached))
+      add_moved(result.row(y), words, (std::min)(reached, spread - reached));
+  }
+  for(int reached = 1; reached < spread; reached += (std::min)(reached, spread - reached))
+    for(int y = result.height() - 1, step = (std::min)(reached, spread - reached); y >= step; --y)
+      for(int i = 0; i < words; ++i)
+        result.row(y)[i] |= result.row(y - step)[i];
+  return result;
+}
+
+// The cells of `side`^2 texels that have one of the mask, whose lower left corner is at (x, y) with 0 <= x, y < side
+inline Texel_mask cells_of(const Texel_mask& mask, int x, int y, int side)
+{
+  Texel_mask cells((x + mask.width() + side - 1) / side, (y + mask.height() + side - 1) / side);
+  const Texel_mask::Word full = ~Texel_mask::Word(0) >> (Texel_mask::word_size - side);
+  for(int j = 0; j < mask.height(); ++j)
+    for(int cell = 0; cell < cells.width(); ++cell) {
+      const int first = cell * side - x;
+      const Texel_mask::Word word =
+          first < 0 ? mask.row(j)[0] << -first : Texel_mask::word_from(mask.row(j), first);
+      if((word & full) != 0)
+        cells.add(cell, cell + 1, (y + j) / side);
+    }
+  return cells;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
