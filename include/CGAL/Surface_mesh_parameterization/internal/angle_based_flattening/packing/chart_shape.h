@@ -23,13 +23,13 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Coordinates may move by that many texels when they are rounded, and keep the place that was found for them: enough for floats.
 inline constexpr double placement_tolerance = 1. / (1 << 8);
 
-// A chart turned and scaled, as texels. Its coordinates are those of the outline times a complex number, plus `shift`.
+// A chart turned and scaled. Its coordinates are those of the outline times a complex number, plus `shift`.
 class Chart_shape
 {
 public:
   // `scale` is the length of 1 in the outline, in texels.
   Chart_shape(const Chart_outline& outline, double angle, double scale)
-      : m_cosine(scale * std::cos(angle)), m_sine(scale * std::sin(angle)), m_mask(0, 0)
+      : m_outline(&outline), m_cosine(scale * std::cos(angle)), m_sine(scale * std::sin(angle))
   {
     Planar_point lower(HUGE_VAL, HUGE_VAL), upper = -lower;
     for(const Planar_point& p : outline.hull) {
@@ -37,17 +37,30 @@ public:
       lower = lower.cwiseMin(q);
       upper = upper.cwiseMax(q);
     }
-    const Planar_point extent = upper - lower;
-    const int width = texels_of(extent.x()), height = texels_of(extent.y());
-    m_shift = (Planar_point(width, height) - lower - upper) / 2;
-    m_mask = Texel_mask(width, height);
-    draw(outline);
+    m_width = texels_of(upper.x() - lower.x());
+    m_height = texels_of(upper.y() - lower.y());
+    m_shift = (Planar_point(m_width, m_height) - lower - upper) / 2;
   }
 
   double cosine() const { return m_cosine; }
   double sine() const { return m_sine; }
   const Planar_point& shift() const { return m_shift; }
-  const Texel_mask& mask() const { return m_mask; }
+
+  // The cells of `side`^2 texels that the chart touches
+  Texel_mask cells(int side) const
+  {
+    Texel_mask mask((m_width + side - 1) / side, (m_height + side - 1) / side);
+    std::vector<Crossing> crossings;
+    for(const Planar_segment& edge : m_outline->edges) {
+      const Planar_point p = (turned(edge[0]) + m_shift) / side, q = (turned(edge[1]) + m_shift) / side;
+      draw_segment(p, q, side, mask);
+      cross_rows(p, q, crossings);
+    }
+    for(const Planar_segment& needle : m_outline->needles)
+      draw_segment((turned(needle[0]) + m_shift) / side, (turned(needle[1]) + m_shift) / side, side, mask);
+    fill(crossings, mask);
+    return mask;
+  }
 
 private:
   struct Crossing
@@ -69,22 +82,10 @@ private:
     return {m_cosine * p.x() - m_sine * p.y(), m_sine * p.x() + m_cosine * p.y()};
   }
 
-  // A texel that no edge touches is inside if its centre is.
-  void draw(const Chart_outline& outline)
+  static void draw_segment(const Planar_point& p, const Planar_point& q, int side, Texel_mask& mask)
   {
-    std::vector<Crossing> crossings;
-    const auto draw_segment = [&](const Planar_point& p, const Planar_point& q) {
-      visit_texels(std::array<Planar_point, 2>{p, q}, placement_tolerance,
-                   [&](int y, int first, int last) { m_mask.add(first, last + 1, y); });
-    };
-    for(const Planar_segment& edge : outline.edges) {
-      const Planar_point p = turned(edge[0]) + m_shift, q = turned(edge[1]) + m_shift;
-      draw_segment(p, q);
-      cross_rows(p, q, crossings);
-    }
-    for(const Planar_segment& needle : outline.needles)
-      draw_segment(turned(needle[0]) + m_shift, turned(needle[1]) + m_shift);
-    fill(crossings);
+    visit_texels(std::array<Planar_point, 2>{p, q}, placement_tolerance / side,
+                 [&](int y, int first, int last) { mask.add(first, last + 1, y); });
   }
 
   static void cross_rows(const Planar_point& p, const Planar_point& q, std::vector<Crossing>& crossings)
@@ -96,21 +97,23 @@ private:
           {y, lower.x() + (y + 0.5 - lower.y()) / (upper.y() - lower.y()) * (upper.x() - lower.x()), turn});
   }
 
-  void fill(std::vector<Crossing>& crossings)
+  // A cell that no edge touches is inside if its centre is.
+  static void fill(std::vector<Crossing>& crossings, Texel_mask& mask)
   {
     std::sort(crossings.begin(), crossings.end());
     int winding = 0;
     for(std::size_t i = 0; i + 1 < crossings.size(); ++i) {
       winding += crossings[i].turn;
       if(winding != 0)
-        m_mask.add(static_cast<int>(std::ceil(crossings[i].x - 0.5)),
-                   static_cast<int>(std::ceil(crossings[i + 1].x - 0.5)), crossings[i].y);
+        mask.add(static_cast<int>(std::ceil(crossings[i].x - 0.5)),
+                 static_cast<int>(std::ceil(crossings[i + 1].x - 0.5)), crossings[i].y);
     }
   }
 
+  const Chart_outline* m_outline;
   double m_cosine, m_sine;
-  Planar_point m_shift;
-  Texel_mask m_mask;
+  int m_width = 0, m_height = 0; // in texels
+  Planar_point m_shift = Planar_point::Zero();
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

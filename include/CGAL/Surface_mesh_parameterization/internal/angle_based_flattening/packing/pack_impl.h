@@ -81,18 +81,16 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>&
   if(packing.status != Packing::DONE)
     return packing;
   const std::vector<Chart_outline> outlines = read_outlines(corners, triangles, areas);
-  double largest_length = 0;
   for(int c = 0; c < number_of_charts; ++c) {
     if(!outlines[c].has_area()) {
       packing.status = Packing::DEGENERATE_CHART;
       packing.chart = c;
       return packing;
     }
-    largest_length = (std::max)(largest_length, outlines[c].length);
   }
 
-  const Chart_placer placer(outlines, options);
-  Scale_search search(placer, number_of_charts, largest_length, options.resolution);
+  const Charts_to_pack charts(outlines, options);
+  Scale_search search(charts);
   const bool is_found = search.run();
   packing.number_of_attempts = search.number_of_attempts();
   if(!is_found) {
@@ -103,11 +101,11 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>&
                               std::sqrt(*std::max_element(area.begin(), area.end()));
   for(int c = 0; c < number_of_charts; ++c) {
     packing.placement.push_back(similarity(outlines[c], search.places()[c], options.resolution));
-    const double scale = placer.scale_of(c, search.scale()) / options.resolution;
+    const double scale = charts.scale_of(c, search.scale()) / options.resolution;
     packing.covered_share += outlines[c].area * scale * scale;
-    packing.number_of_turned += placer.is_turned(c);
-    packing.number_of_small += placer.is_small(c);
-    packing.number_of_enlarged += placer.is_enlarged(c, search.scale());
+    packing.number_of_turned += charts.is_turned(c);
+    packing.number_of_small += charts.is_small(c);
+    packing.number_of_enlarged += charts.is_enlarged(c, search.scale());
   }
   return packing;
 }

@@ -8,32 +8,17 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/occupied_cells.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/scaled_charts.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// A chart is not made smaller than that, in texels.
-inline constexpr double least_extent = 1. / 16;
-
-// All directions are tried for charts of at least this share of the area, the four of the smallest rectangle for others.
-inline constexpr double least_turned_share = 0.02;
-
-// Of smaller charts, the first row where the last one found a place is where the next one begins to look, until charts are smaller by
-// `alike`.
-inline constexpr double largest_small_share = 0.002, alike = 0.75;
 
 struct Chart_place
 {
@@ -41,153 +26,89 @@ struct Chart_place
   Planar_point shift = Planar_point::Zero(); // in texels
 };
 
-// Places charts of one scale, the largest first, each where its upper end is lowest.
+// Places that are best by one rule need not leave good ones for the next charts: different rules are tried.
+struct Placement_rule
+{
+  double height_weight = 1; // The row of the lower end counts, and the height times this number.
+  int first_direction = -1; // that the largest chart has to take, or -1
+};
+
+// Places charts of one scale, the largest first, each where it is lowest.
 class Chart_placer
 {
 public:
-  Chart_placer(const std::vector<Chart_outline>& outlines, const Packing_options& options)
-      : m_outlines(outlines), m_options(options), m_border((options.gutter + 1) / 2),
-        m_cell((options.resolution + most_cells - 1) / most_cells),
-        m_margin((options.gutter + m_cell - 1) / m_cell)
+  Chart_placer(const Scaled_charts& scaled, const Placement_rule& rule)
+      : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().gutter),
+        m_border((m_gutter + 1) / 2), m_cell(scaled.charts().texels_of_cell()),
+        m_margin((m_gutter + m_cell - 1) / m_cell),
+        m_occupied((scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),
+        m_places(static_cast<std::size_t>(scaled.charts().number_of_charts()))
   {}
 
-  // `scale` is how many texels have the length 1.
-  std::optional<std::vector<Chart_place>> place(double scale) const
+  std::optional<std::vector<Chart_place>> run()
   {
-    Occupied_cells occupied((m_options.resolution - 2 * m_border) / m_cell, m_margin);
-    std::vector<Chart_place> places(m_outlines.size());
-    Row_hint hint;
-    bool is_first = true;
-    for(int c : largest_first(scale)) {
-      if(!place(c, scale, is_first, occupied, hint, places[c]))
+    for(int c : m_scaled.largest_first())
+      if(!place(c))
         return std::nullopt;
-      is_first = false;
-    }
-    return places;
-  }
-
-  double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
-  bool is_turned(int c) const { return share(c) >= least_turned_share; }
-  bool is_small(int c) const { return share(c) < largest_small_share; }
-  bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent; }
-  double scale_of(int c, double scale) const
-  {
-    return (std::max)(m_outlines[c].length * scale, least_extent);
-  }
-
-  // About the texels that a chart takes with its share of the gutter
-  double needed_texels(int c, double scale) const
-  {
-    const double s = scale_of(c, scale), wide = m_options.gutter + 1;
-    return m_outlines[c].area * s * s + m_outlines[c].perimeter * s * wide / 2 + wide * wide;
+    return m_places;
   }
 
 private:
-  static constexpr int most_cells = 2048; // of a row: where there are more texels, several are one
-
-  struct Row_hint
+  struct Choice
   {
-    double texels = 0; // of the chart that began at row 0
-    int row = 0;
+    int direction = -1;
+    Texel place{0, 0};
+    double height = std::numeric_limits<double>::infinity();
   };
 
-  struct Candidate
+  bool place(int c)
   {
-    std::optional<Chart_shape> shape;
-    std::optional<Texel> place;
-    int top = 0;
-  };
-
-  std::vector<int> largest_first(double scale) const
-  {
-    std::vector<double> texels(m_outlines.size());
-    for(std::size_t c = 0; c < texels.size(); ++c)
-      texels[c] = needed_texels(static_cast<int>(c), scale);
-    std::vector<int> order(texels.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return texels[a] > texels[b]; });
-    return order;
-  }
-
-  std::vector<double> angles(int c, bool is_first) const
-  {
-    const double full_turn = 4 * std::acos(0.), first = is_first
-                                                            ? angle_of_smallest_square(m_outlines[c].hull)
-                                                            : m_outlines[c].angle_of_rectangle;
-    const int number =
-        is_turned(c) ? m_options.number_of_rotations : (std::min)(4, m_options.number_of_rotations);
-    std::vector<double> result;
-    for(int i = 0; i < number; ++i)
-      result.push_back(first + full_turn * i / number);
-    return result;
-  }
-
-  // Candidates that cannot be the best are given up: how many are, depends on their order in time, the best one does not.
-  bool place(int c, double scale, bool is_first, Occupied_cells& occupied, Row_hint& hint,
-             Chart_place& result) const
-  {
-    const double texels = needed_texels(c, scale);
-    if(!is_small(c) || texels < alike * hint.texels)
-      hint = {texels, 0};
-    const std::vector<double> directions = angles(c, is_first);
-    std::vector<Candidate> candidates(directions.size());
-    std::atomic<int> lowest_top(occupied.side());
-    const auto find = [&](int i) {
-      candidates[i] = candidate(c, directions[i], scale, occupied, hint.row, lowest_top);
-    };
-    if(is_turned(c))
-      parallel_for(static_cast<int>(directions.size()), find);
-    else
-      for(std::size_t i = 0; i < directions.size(); ++i)
-        find(static_cast<int>(i));
-    const Candidate* best = nullptr;
-    for(const Candidate& candidate : candidates)
-      if(candidate.place && (best == nullptr || is_better(candidate, *best)))
-        best = &candidate;
-    if(best == nullptr)
+    const double texels = m_scaled.needed_texels(c);
+    if(!m_scaled.charts().is_small(c) || texels < alike * m_texels_at_first_row) {
+      m_texels_at_first_row = texels;
+      m_first_row = 0;
+    }
+    const bool is_first = c == m_scaled.largest_first().front();
+    Choice best;
+    for(int i = 0; i < m_scaled.number_of_directions(c); ++i)
+      if(!is_first || m_rule.first_direction < 0 || i == m_rule.first_direction)
+        look_for_better(c, i, best);
+    if(best.direction < 0)
       return false;
-    hint.row = best->place->y;
-    occupy(*best, occupied);
-    const Planar_point corner(m_border + m_cell * best->place->x, m_border + m_cell * best->place->y);
-    result = {best->shape->cosine(), best->shape->sine(), best->shape->shift() + corner};
+    m_first_row = best.place.y;
+    occupy(m_scaled.shape(c, best.direction).texels, best.place, m_places[c]);
     return true;
   }
 
-  Candidate candidate(int c, double angle, double scale, const Occupied_cells& occupied, int first_row,
-                      std::atomic<int>& lowest_top) const
+  void look_for_better(int c, int direction, Choice& best) const
   {
-    Candidate result;
-    result.shape.emplace(m_outlines[c], angle, scale_of(c, scale));
-    const Texel_mask cells = cells_of(result.shape->mask(), 0, 0, m_cell);
-    result.place = occupied.find_place(cells, first_row, [&](int y) {
-      return y + cells.height() > lowest_top.load(std::memory_order_relaxed);
-    });
-    if(result.place) {
-      result.top = result.place->y + cells.height();
-      for(int top = lowest_top; result.top < top && !lowest_top.compare_exchange_weak(top, result.top);)
-        continue;
-    }
-    return result;
-  }
-
-  static bool is_better(const Candidate& a, const Candidate& b)
-  {
-    return a.top < b.top || (a.top == b.top && a.place->x < b.place->x);
+    const Texel_mask& mask = m_scaled.shape(c, direction).cells;
+    const double height = m_rule.height_weight * mask.height();
+    const std::optional<Texel> place =
+        m_occupied.find_place(mask, m_first_row, [&](int y) { return y + height > best.height; });
+    if(place && (place->y + height < best.height || place->x < best.place.x))
+      best = {direction, *place, place->y + height};
   }
 
   // With the gutter
-  void occupy(const Candidate& candidate, Occupied_cells& occupied) const
+  void occupy(const Chart_shape& shape, const Texel& at, Chart_place& result)
   {
-    const Texel_mask wide = dilated(candidate.shape->mask(), m_options.gutter);
-    const int offset = m_margin * m_cell - m_options.gutter;
-    occupied.add(cells_of(wide, offset, offset, m_cell), candidate.place->x, candidate.place->y);
+    const int offset = m_margin * m_cell - m_gutter;
+    m_occupied.add(cells_of(dilated(shape.cells(1), m_gutter), offset, offset, m_cell), at.x, at.y);
+    result.cosine = shape.cosine();
+    result.sine = shape.sine();
+    result.shift = shape.shift() + Planar_point(m_border + m_cell * at.x, m_border + m_cell * at.y);
   }
 
-  const std::vector<Chart_outline>& m_outlines;
-  const Packing_options& m_options;
-  const int m_border; // texels between the border of the square and charts
-  const int m_cell;   // texels along the side of a cell
-  const int m_margin; // cells that the gutter may stick out
+  const Scaled_charts& m_scaled;
+  const Placement_rule m_rule;
+  const int m_gutter, m_border; // texels between charts, and between them and the border of the square
+  const int m_cell;             // texels along the side of a cell
+  const int m_margin;           // cells that the gutter may stick out
+  Occupied_cells m_occupied;
+  std::vector<Chart_place> m_places;
+  double m_texels_at_first_row = 0; // that the chart needed which was tried from the first row on
+  int m_first_row = 0;              // where the next alike is tried
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

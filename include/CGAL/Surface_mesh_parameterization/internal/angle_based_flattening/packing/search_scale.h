@@ -9,9 +9,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/place_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,36 +24,30 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Scale_search
 {
 public:
-  // The areas of the charts that the placer places are 1 together.
-  Scale_search(const Chart_placer& placer, int number_of_charts, double largest_length, int resolution)
-      : m_placer(placer), m_charts(number_of_charts), m_resolution(resolution),
-        m_least(least_extent / largest_length)
-  {}
+  // The areas of the charts are 1 together.
+  explicit Scale_search(const Charts_to_pack& charts)
+      : m_charts(charts), m_resolution(charts.options().resolution), m_rules(rules(charts))
+  {
+    double largest = 0;
+    for(int c = 0; c < charts.number_of_charts(); ++c)
+      largest = (std::max)(largest, charts.outline(c).length);
+    m_least = least_extent / largest;
+  }
 
   // Returns whether there is one.
   bool run()
   {
-    double scale = (std::max)(scale_of_needed_share(0.8), m_least);
-    double above = scale;
-    if(attempt(scale))
-      for(double step = first_step; above <= m_scale; step *= 2) {
-        above = (std::min)((1 + step) * m_scale, 1. * m_resolution);
-        if(above <= m_scale || attempt(above))
-          above = m_scale;
-        if(m_scale >= m_resolution)
-          return true;
-      }
-    else
-      for(double step = first_step; m_places.empty(); step *= 2) {
-        if(scale == m_least)
-          return false;
-        above = scale;
-        scale = (std::max)(scale / (1 + step), m_least);
-        attempt(scale);
-      }
-    while(above > precision * m_scale)
-      if(const double middle = std::sqrt(above * m_scale); !attempt(middle))
-        above = middle;
+    if(!bracket())
+      return false;
+    const std::size_t first = (std::min)(rules_of_bisection, m_rules.size());
+    while(m_above > precision * m_scale)
+      if(const double middle = std::sqrt(m_above * m_scale); !attempt(middle, 0, first))
+        m_above = middle;
+    for(std::size_t i = first; i < m_rules.size(); i += rules_at_once) {
+      const std::size_t end = (std::min)(i + rules_at_once, m_rules.size());
+      for(double step = precision - 1; attempt(m_scale * (1 + step), i, end);)
+        step *= 2;
+    }
     return true;
   }
 
@@ -60,17 +56,63 @@ public:
   const std::vector<Chart_place>& places() const { return m_places; }
 
 private:
-  static constexpr double precision = 1.002, first_step = 0.06;
+  static constexpr double precision = 1.003, first_step = 0.06;
+  static constexpr std::size_t rules_of_bisection = 2, rules_at_once = 8;
 
-  bool attempt(double scale)
+  // The more charts, the fewer rules
+  static std::vector<Placement_rule> rules(const Charts_to_pack& charts)
+  {
+    const double height_weights[] = {1, 0.5, 1.5, 0};
+    int directions = 0;
+    for(int c = 0; c < charts.number_of_charts(); ++c)
+      directions += static_cast<int>(charts.directions(c).size());
+    std::vector<Placement_rule> result;
+    const int number = charts.number_of_charts() == 1 ? 1 : std::clamp(8192 / directions, 10, 130);
+    const int directions_of_first = 0;
+    for(int i = 0; i < number; ++i)
+      result.push_back({height_weights[i % 4], i / 4 - 1});
+    (void)directions_of_first;
+    return result;
+  }
+
+  // Sets a scale that fits, and one above that does not, if there is one.
+  bool bracket()
+  {
+    const std::size_t rules = (std::min)(rules_of_bisection, m_rules.size());
+    double scale = (std::max)(scale_of_needed_share(0.8), m_least);
+    if(attempt(scale, 0, rules)) {
+      for(double step = first_step; m_scale < m_resolution; step *= 2) {
+        m_above = (std::min)((1 + step) * m_scale, m_resolution);
+        if(!attempt(m_above, 0, rules))
+          return true;
+      }
+      m_above = m_scale;
+      return true;
+    }
+    for(double step = first_step; scale > m_least; step *= 2) {
+      m_above = scale;
+      scale = (std::max)(scale / (1 + step), m_least);
+      if(attempt(scale, 0, rules))
+        return true;
+    }
+    return false;
+  }
+
+  // Whether all fit by one of the rules: the first of those counts, whatever the order in time.
+  bool attempt(double scale, std::size_t begin, std::size_t end)
   {
     ++m_attempts;
-    std::optional<std::vector<Chart_place>> places = m_placer.place(scale);
-    if(!places)
-      return false;
-    m_places = std::move(*places);
-    m_scale = scale;
-    return true;
+    const Scaled_charts scaled(m_charts, scale);
+    std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
+    parallel_for(static_cast<int>(end - begin),
+                 [&](int i) { places[i] = Chart_placer(scaled, m_rules[begin + i]).run(); });
+    for(auto& found : places)
+      if(found) {
+        m_places = std::move(*found);
+        m_scale = scale;
+        return true;
+      }
+    return false;
   }
 
   // The scale of which the charts need about that share of the texels; near to 0 if they always need more
@@ -80,17 +122,18 @@ private:
     for(int i = 0; i < 40; ++i) {
       const double scale = (lower + upper) / 2;
       double texels = 0;
-      for(int c = 0; c < m_charts; ++c)
-        texels += m_placer.needed_texels(c, scale);
+      for(int c = 0; c < m_charts.number_of_charts(); ++c)
+        texels += m_charts.needed_texels(c, scale);
       (texels < share * m_resolution * m_resolution ? lower : upper) = scale;
     }
     return lower;
   }
 
-  const Chart_placer& m_placer;
-  const int m_charts, m_resolution;
-  const double m_least; // of which no chart is larger than the least extent
-  double m_scale = 0;
+  const Charts_to_pack& m_charts;
+  const double m_resolution;
+  const std::vector<Placement_rule> m_rules;
+  double m_least = 0; // of which no chart is larger than the least extent
+  double m_scale = 0, m_above = 0;
   int m_attempts = 0;
   std::vector<Chart_place> m_places;
 };

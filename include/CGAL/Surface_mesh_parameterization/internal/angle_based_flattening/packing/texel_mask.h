@@ -136,6 +136,8 @@ inline Texel_mask dilated(const Texel_mask& mask, int distance)
 // The cells of `side`^2 texels that have one of the mask, whose lower left corner is at (x, y) with 0 <= x, y < side
 inline Texel_mask cells_of(const Texel_mask& mask, int x, int y, int side)
 {
+  if(side == 1)
+    return mask;
   Texel_mask cells((x + mask.width() + side - 1) / side, (y + mask.height() + side - 1) / side);
   const Texel_mask::Word full = ~Texel_mask::Word(0) >> (Texel_mask::word_size - side);
   for(int j = 0; j < mask.height(); ++j)

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A chart is not made smaller than that, in texels.
+inline constexpr double least_extent = 1. / 16;
+
+// All directions are tried for charts of at least this share of the area, four for others.
+inline constexpr double least_turned_share = 0.02;
+
+// Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts are smaller by
+// `alike`.
+inline constexpr double largest_small_share = 0.002, alike = 0.75;
+
+// The charts before they have a scale
+class Charts_to_pack
+{
+public:
+  Charts_to_pack(const std::vector<Chart_outline>& outlines, const Packing_options& options)
+      : m_outlines(outlines), m_options(options)
+  {
+    const double texels_of_chart = options.resolution / std::sqrt(1. * outlines.size());
+    m_cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(options.resolution / most_cells),
+                                                       texels_of_chart / least_cells_of_chart)));
+    for(std::size_t c = 0; c < outlines.size(); ++c)
+      m_angles.push_back(angles(static_cast<int>(c)));
+  }
+
+  int number_of_charts() const { return static_cast<int>(m_outlines.size()); }
+  const Chart_outline& outline(int c) const { return m_outlines[c]; }
+  const std::vector<double>& directions(int c) const { return m_angles[c]; }
+  const Packing_options& options() const { return m_options; }
+
+  // Where there are many texels, charts are placed by cells of several of them.
+  int texels_of_cell() const { return m_cell; }
+
+  double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
+  bool is_turned(int c) const { return share(c) >= least_turned_share; }
+  bool is_small(int c) const { return share(c) < largest_small_share; }
+  bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent; }
+
+  // Of the outline, where a texel has the length 1. `scale` are the texels of the length 1.
+  double scale_of(int c, double scale) const
+  {
+    return (std::max)(m_outlines[c].length * scale, least_extent);
+  }
+
+  // About the texels that a chart takes with its share of the gutter
+  double needed_texels(int c, double scale) const
+  {
+    const double s = scale_of(c, scale), wide = m_options.gutter + 1;
+    return m_outlines[c].area * s * s + m_outlines[c].perimeter * s * wide / 2 + wide * wide;
+  }
+
+private:
+  static constexpr double most_cells = 1024, least_cells_of_chart = 24; // along a side
+
+  // That of the smallest square first, if the chart is one of few
+  std::vector<double> angles(int c) const
+  {
+    const double full_turn = 4 * std::acos(0.);
+    const int number =
+        is_turned(c) ? m_options.number_of_rotations : (std::min)(4, m_options.number_of_rotations);
+    std::vector<double> result;
+    if(is_turned(c) && number > 1)
+      result.push_back(angle_of_smallest_square(m_outlines[c].hull));
+    for(int i = 0; i < number; ++i)
+      result.push_back(m_outlines[c].angle_of_rectangle + full_turn * i / number);
+    return result;
+  }
+
+  const std::vector<Chart_outline>& m_outlines;
+  const Packing_options& m_options;
+  std::vector<std::vector<double>> m_angles;
+  int m_cell = 1;
+};
+
+// The charts at one scale, in all directions, the largest first
+class Scaled_charts
+{
+public:
+  struct Shape
+  {
+    Chart_shape texels;
+    Texel_mask cells;
+  };
+
+  Scaled_charts(const Charts_to_pack& charts, double scale) : m_charts(charts), m_scale(scale)
+  {
+    sort();
+    std::vector<std::pair<int, int>> all;
+    m_shapes.resize(m_order.size());
+    for(int c : m_order) {
+      m_shapes[c].resize(charts.directions(c).size());
+      for(std::size_t i = 0; i < m_shapes[c].size(); ++i)
+        all.emplace_back(c, static_cast<int>(i));
+    }
+    parallel_for(static_cast<int>(all.size()), [&](int i) {
+      const auto [c, direction] = all[i];
+      const Chart_shape shape(charts.outline(c), charts.directions(c)[direction], charts.scale_of(c, scale));
+      m_shapes[c][direction].emplace(Shape{shape, shape.cells(charts.texels_of_cell())});
+    });
+  }
+
+  const Charts_to_pack& charts() const { return m_charts; }
+  const std::vector<int>& largest_first() const { return m_order; }
+  double needed_texels(int c) const { return m_charts.needed_texels(c, m_scale); }
+  int number_of_directions(int c) const { return static_cast<int>(m_shapes[c].size()); }
+  const Shape& shape(int c, int direction) const { return *m_shapes[c][direction]; }
+
+private:
+  void sort()
+  {
+    std::vector<double> texels;
+    for(int c = 0; c < m_charts.number_of_charts(); ++c)
+      texels.push_back(needed_texels(c));
+    m_order.resize(texels.size());
+    std::iota(m_order.begin(), m_order.end(), 0);
+    std::stable_sort(m_order.begin(), m_order.end(), [&](int a, int b) { return texels[a] > texels[b]; });
+  }
+
+  const Charts_to_pack& m_charts;
+  double m_scale;
+  std::vector<int> m_order;
+  std::vector<std::vector<std::optional<Shape>>> m_shapes; // of each chart, in each direction
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
