@@ -48,6 +48,8 @@ public:
       for(double step = precision - 1; attempt(m_scale * (1 + step), i, end);)
         step *= 2;
     }
+    for(double step = (precision - 1) / 2; step > last_step; step /= 2)
+      attempt(m_scale * (1 + step), m_best_rule, m_best_rule + 1);
     return true;
   }
 
@@ -56,7 +58,7 @@ public:
   const std::vector<Chart_place>& places() const { return m_places; }
 
 private:
-  static constexpr double precision = 1.003, first_step = 0.06;
+  static constexpr double precision = 1.003, first_step = 0.06, last_step = 0.0004;
   static constexpr std::size_t rules_of_bisection = 2, rules_at_once = 8;
 
   // The more charts, the fewer rules
@@ -68,10 +70,8 @@ private:
       directions += static_cast<int>(charts.directions(c).size());
     std::vector<Placement_rule> result;
     const int number = charts.number_of_charts() == 1 ? 1 : std::clamp(8192 / directions, 10, 130);
-    const int directions_of_first = 0;
     for(int i = 0; i < number; ++i)
       result.push_back({height_weights[i % 4], i / 4 - 1});
-    (void)directions_of_first;
     return result;
   }
 
@@ -106,10 +106,11 @@ private:
     std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
     parallel_for(static_cast<int>(end - begin),
                  [&](int i) { places[i] = Chart_placer(scaled, m_rules[begin + i]).run(); });
-    for(auto& found : places)
-      if(found) {
-        m_places = std::move(*found);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      if(places[i]) {
+        m_places = std::move(*places[i]);
         m_scale = scale;
+        m_best_rule = begin + i;
         return true;
       }
     return false;
@@ -134,6 +135,7 @@ private:
   const std::vector<Placement_rule> m_rules;
   double m_least = 0; // of which no chart is larger than the least extent
   double m_scale = 0, m_above = 0;
+  std::size_t m_best_rule = 0;
   int m_attempts = 0;
   std::vector<Chart_place> m_places;
 };
