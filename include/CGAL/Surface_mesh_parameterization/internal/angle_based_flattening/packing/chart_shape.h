@@ -46,6 +46,8 @@ public:
   double sine() const { return m_sine; }
   const Planar_point& shift() const { return m_shift; }
 
+  bool fits(int resolution) const { return m_width <= resolution && m_height <= resolution; }
+
   // The cells of `side`^2 texels that the chart touches
   Texel_mask cells(int side) const
   {
@@ -72,9 +74,12 @@ private:
     bool operator<(const Crossing& other) const { return y < other.y || (y == other.y && x < other.x); }
   };
 
+  static constexpr int too_many_texels = 1 << 30;
+
   static int texels_of(double length)
   {
-    return (std::max)(1, static_cast<int>(std::ceil(length + 8 * placement_tolerance)));
+    return static_cast<int>(
+        std::clamp(std::ceil(length + 8 * placement_tolerance), 1., 1. * too_many_texels));
   }
 
   Planar_point turned(const Planar_point& p) const

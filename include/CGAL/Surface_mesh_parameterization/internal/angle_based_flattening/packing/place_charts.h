@@ -41,7 +41,7 @@ public:
       : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().gutter),
         m_border((m_gutter + 1) / 2), m_cell(scaled.charts().texels_of_cell()),
         m_margin((m_gutter + m_cell - 1) / m_cell),
-        m_occupied((scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),
+        m_occupied((std::max)(0, scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),
         m_places(static_cast<std::size_t>(scaled.charts().number_of_charts()))
   {}
 
@@ -76,13 +76,15 @@ private:
     if(best.direction < 0)
       return false;
     m_first_row = best.place.y;
-    occupy(m_scaled.shape(c, best.direction).texels, best.place, m_places[c]);
+    occupy(m_scaled.shape(c, best.direction)->texels, best.place, m_places[c]);
     return true;
   }
 
   void look_for_better(int c, int direction, Choice& best) const
   {
-    const Texel_mask& mask = m_scaled.shape(c, direction).cells;
+    if(!m_scaled.shape(c, direction))
+      return;
+    const Texel_mask& mask = m_scaled.shape(c, direction)->cells;
     const double height = m_rule.height_weight * mask.height();
     const std::optional<Texel> place =
         m_occupied.find_place(mask, m_first_row, [&](int y) { return y + height > best.height; });

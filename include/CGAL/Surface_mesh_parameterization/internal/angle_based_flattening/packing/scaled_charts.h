@@ -118,7 +118,8 @@ public:
     parallel_for(static_cast<int>(all.size()), [&](int i) {
       const auto [c, direction] = all[i];
       const Chart_shape shape(charts.outline(c), charts.directions(c)[direction], charts.scale_of(c, scale));
-      m_shapes[c][direction].emplace(Shape{shape, shape.cells(charts.texels_of_cell())});
+      if(shape.fits(charts.options().resolution))
+        m_shapes[c][direction].emplace(Shape{shape, shape.cells(charts.texels_of_cell())});
     });
   }
 
@@ -126,7 +127,9 @@ public:
   const std::vector<int>& largest_first() const { return m_order; }
   double needed_texels(int c) const { return m_charts.needed_texels(c, m_scale); }
   int number_of_directions(int c) const { return static_cast<int>(m_shapes[c].size()); }
-  const Shape& shape(int c, int direction) const { return *m_shapes[c][direction]; }
+
+  // None if it is larger than the square
+  const std::optional<Shape>& shape(int c, int direction) const { return m_shapes[c][direction]; }
 
 private:
   void sort()

@@ -37,7 +37,8 @@ public:
   // Returns whether there is one.
   bool run()
   {
-    if(!bracket())
+    const double room = m_resolution + m_charts.options().gutter, least = 1. + m_charts.options().gutter;
+    if(m_charts.number_of_charts() * least * least > room * room || !bracket())
       return false;
     const std::size_t first = (std::min)(rules_of_bisection, m_rules.size());
     while(m_above > precision * m_scale)
