@@ -42,6 +42,7 @@ struct Chart_outline
       edges; // The triangles are on their left. Where they overlap, and only there, they wind several times.
   std::vector<Planar_segment> needles; // the sides of triangles without area
   std::vector<Planar_point> hull;      // counterclockwise
+  double hull_area = 0;                // after scaling
   double angle_of_rectangle = 0;       // turned by that, the bounding box is smallest
 
   bool has_area() const { return extent > least_extent && area > least_relative_area; }

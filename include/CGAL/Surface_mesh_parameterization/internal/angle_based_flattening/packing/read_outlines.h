@@ -106,6 +106,8 @@ private:
       all.insert(all.end(), m_outline.needles.begin(), m_outline.needles.end());
       m_outline.hull = convex_hull(all);
     }
+    for(std::size_t i = 0; i < m_outline.hull.size(); ++i)
+      m_outline.hull_area += cross(m_outline.hull[i], m_outline.hull[(i + 1) % m_outline.hull.size()]) / 2;
     m_outline.angle_of_rectangle = angle_of_smallest_rectangle(m_outline.hull);
   }
 

@@ -132,14 +132,17 @@ public:
   const std::optional<Shape>& shape(int c, int direction) const { return m_shapes[c][direction]; }
 
 private:
+  // By the areas of the hulls: a ring comes before what may be put inside it.
   void sort()
   {
-    std::vector<double> texels;
-    for(int c = 0; c < m_charts.number_of_charts(); ++c)
-      texels.push_back(needed_texels(c));
-    m_order.resize(texels.size());
+    std::vector<double> size;
+    for(int c = 0; c < m_charts.number_of_charts(); ++c) {
+      const double scale = m_charts.scale_of(c, m_scale);
+      size.push_back(m_charts.outline(c).hull_area * scale * scale);
+    }
+    m_order.resize(size.size());
     std::iota(m_order.begin(), m_order.end(), 0);
-    std::stable_sort(m_order.begin(), m_order.end(), [&](int a, int b) { return texels[a] > texels[b]; });
+    std::stable_sort(m_order.begin(), m_order.end(), [&](int a, int b) { return size[a] > size[b]; });
   }
 
   const Charts_to_pack& m_charts;
