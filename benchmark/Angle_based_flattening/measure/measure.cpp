@@ -25,6 +25,7 @@ int main(int argc, char* argv[])
   std::vector<std::string> words;
   Mesh_changes changes;
   Seam_choice_options seam_options;
+  Packing_choice packing_choice;
   int first_run = 0;
   std::string output;
   po::options_description options(
@@ -33,6 +34,7 @@ int main(int argc, char* argv[])
       "                            [--injective] [--area-weight X] [--clearance X]\n"
       "measure seams cones|farthest|peaks FILE [--bound X] [--terminals N] [--method METHOD]\n"
       "measure overlaps FILE [--bound X]\n"
+      "measure packing FILE [--regions N] [--resolution N] [--gutter N]\n"
       "measure solve SOLVER FILE full|block\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
@@ -55,7 +57,10 @@ int main(int argc, char* argv[])
       "bound", po::value(&seam_options.bound), "of the stretch that is predicted")(
       "terminals", po::value(&seam_options.terminals), "number of ends of seams")(
       "method", po::value(&seam_options.method), "what flattens the surface that is cut open")(
-      "first-run", po::value(&first_run), "number of runs to leave out")(
+      "regions", po::value(&packing_choice.regions), "number of regions that a surface is cut into")(
+      "resolution", po::value(&packing_choice.resolution), "texels along a side of the unit square")(
+      "gutter", po::value(&packing_choice.gutter),
+      "texels between two charts")("first-run", po::value(&first_run), "number of runs to leave out")(
       "words", po::value(&words), "the subcommand and its arguments; the word '--words' is left out");
   Measurement m;
   try {
@@ -77,6 +82,8 @@ int main(int argc, char* argv[])
       seams(words[1], words[2], seam_options, m);
     } else if(is("overlaps", 1)) {
       overlaps(words[1], seam_options.bound, m);
+    } else if(is("packing", 1)) {
+      packing(words[1], packing_choice, m);
     } else if(is("solve", 3)) {
       solve(words[1], words[2], words[3], m);
     } else if(is("layouts", 2)) {

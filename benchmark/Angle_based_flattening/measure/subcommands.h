@@ -53,6 +53,16 @@ void seams(const std::string& choice, const std::string& file, const Seam_choice
 // Flattens a disk, or a surface that is cut open for that bound of its stretch, by ABF++, and splits the chart where it overlaps itself.
 void overlaps(const std::string& file, double bound, Measurement& m);
 
+struct Packing_choice
+{
+  int regions = 0; // into which a surface is cut; 0 for seams that flatten it well
+  int resolution = 1024;
+  int gutter = 2;
+};
+
+// Cuts and flattens a surface, splits its charts where they overlap, and packs them, also by their rectangles.
+void packing(const std::string& file, const Packing_choice& choice, Measurement& m);
+
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 

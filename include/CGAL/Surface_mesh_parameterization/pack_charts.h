@@ -32,10 +32,10 @@ touches, have at least `gutter` texels between them, in a row or in a column; ne
 have the gutter between them also where the texture is repeated. This is certified for the coordinates as they are in the map, rounded to its number type:
 all triangles are drawn, and rounding errors make them larger only.
 
-Charts are sets of texels. The largest one comes first, and each is put where its upper end is lowest, which a search in all places finds, 64 places at a
-time. Charts of at least 2 % of the area are tried in `number_of_rotations` directions, the others in the four that are parallel to their smallest enclosing rectangles. Charts of less than 0.2 %
-are not tried in rows where a chart of nearly the same size had no place just before. The report counts these charts. Small charts find places also within the holes and between the branches of large ones.
-With a resolution of more than 2048, charts are put at every second, third, ... texel.
+Charts are sets of texels. They come by the areas of their convex hulls, the largest first, and each is put where its upper end is lowest; all places are tried, 64 at a
+time, also those within the holes and between the branches of other charts. Charts of at least 2 % of the area are tried in `number_of_rotations` directions and that of their smallest enclosing square, others in the four of their smallest enclosing rectangle. Charts of less than 0.2 %
+are not tried in rows where a chart of about the same size had no place just before. The report counts these charts. Several rules of placement are tried, the fewer the more charts there are.
+With a resolution above 1024, charts are put at every second, third, ... texel.
 
 Within a chart, triangles may be mirrored or overlap; `is_injective()` and `split_overlaps()` deal with that. A similarity rounds the coordinates: what is less than about
 \f$10^{-16}\f$ wide in the unit square, or \f$10^{-7}\f$ with `float`, may lose its orientation.
