@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
@@ -547,7 +548,7 @@ Mesh read_cut_dinosaur(const std::string& folder)
   return cut_open(dinosaur, seams);
 }
 
-const Color chart_color{0.86, 0.91, 0.97}, overlap_color{0.85, 0.3, 0.25};
+const Color chart_color{0.86, 0.91, 0.97}, overlap_color{0.85, 0.3, 0.25}, square_color{0.96, 0.96, 0.96};
 
 Color piece_color(const int piece)
 {
@@ -643,6 +644,30 @@ public:
                   [&](const Face f) { return piece_color(m_piece[f]); });
   }
 
+  // The pieces in the unit square
+  void draw_atlas(Canvas& canvas, const Frame& frame) const
+  {
+    Mesh surface = cut_open(m_mesh, m_seams), atlas = cut_open(m_plane, m_seams);
+    const auto uv = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
+    for(const Halfedge h : surface.halfedges())
+      uv[h] = Kernel::Point_2(atlas.point(atlas.target(h)).x(), atlas.point(atlas.target(h)).y());
+    const SMP::Packing_report report = SMP::pack_charts(surface, m_piece, uv, CGAL::parameters::gutter(4));
+    if(!report)
+      throw std::runtime_error(report.message);
+    std::cout << "dinosaur: " << report.number_of_charts << " charts cover "
+              << format_number("%.1f", 100 * report.covered_share) << " %\n";
+    for(const Halfedge h : surface.halfedges())
+      if(!surface.is_border(h))
+        atlas.point(atlas.target(h)) = Kernel::Point_3(uv[h].x(), uv[h].y(), 0);
+    const auto corner = [&](const double x, const double y) { return atlas.add_vertex({x, y, -1}); };
+    const Vertex a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+    const auto is_square = [&](const Face f) { return f.idx() >= m_mesh.number_of_faces(); };
+    atlas.add_face(a, b, c);
+    atlas.add_face(a, c, d);
+    draw_coloured(canvas, atlas, from_above(), frame, false,
+                  [&](const Face f) { return is_square(f) ? square_color : piece_color(m_piece[f]); });
+  }
+
   void draw_surface(Canvas& canvas, const Frame& frame) const
   {
     draw_coloured(canvas, cut_open(m_mesh, m_seams), Surface_view(dinosaur_from, upwards), frame, true,
@@ -664,6 +689,14 @@ void draw_split(const Split_chart& chart, const std::string& file)
   chart.draw_map(canvas, Frame{10, 10, 380, 400});
   chart.draw_pieces(canvas, Frame{410, 10, 380, 400});
   chart.draw_surface(canvas, Frame{810, 10, 380, 400});
+  write_file(file, canvas.png(51));
+}
+
+void draw_packing(const Split_chart& chart, const std::string& file)
+{
+  Canvas canvas(860, 430);
+  chart.draw_surface(canvas, Frame{10, 10, 410, 410});
+  chart.draw_atlas(canvas, Frame{440, 10, 410, 410});
   write_file(file, canvas.png(51));
 }
 
@@ -736,6 +769,7 @@ void run(const std::string& data, const std::string& demo, const std::string& pi
       flatten("overlapping", read_cut_dinosaur(data), SMP::ABF_plus_plus_parameterizer_3<Mesh>());
   const Split_chart split(*overlapping);
   draw_split(split, pictures + "/split.png");
+  draw_packing(split, pictures + "/packing.png");
   draw_injective(*overlapping, split, pictures + "/injective.png");
 
   if(std::ifstream(demo + "/camel.off"))

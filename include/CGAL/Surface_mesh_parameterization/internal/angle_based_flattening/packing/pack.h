@@ -9,77 +9,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-inline constexpr int largest_resolution = 1 << 15, largest_gutter = 1 << 10, most_rotations = 1 << 10;
-
-struct Packing_options
-{
-  int resolution = 1024; // the unit square has resolution^2 texels
-  int gutter =
-      2; // texels that are free between two charts; half of it, rounded up, at the border of the square
-  int number_of_rotations = 32; // directions that are tried for large charts
-};
-
-// What is wrong with the options, or nothing
-inline std::string wrong_option(const Packing_options& options)
-{
-  const auto text = [](const char* what, int value, int least, int most) {
-    return value >= least && value <= most
-               ? std::string()
-               : std::string("the ") + what + " is " + std::to_string(value) + ", and must be from " +
-                     std::to_string(least) + " to " + std::to_string(most);
-  };
-  std::string wrong = text("resolution", options.resolution, 1, largest_resolution);
-  if(wrong.empty())
-    wrong = text("gutter", options.gutter, 0, largest_gutter);
-  if(wrong.empty())
-    wrong = text("number of rotations", options.number_of_rotations, 1, most_rotations);
-  return wrong;
-}
-
-// A rotation, scaled, without a reflection. Small charts far from the origin lose no digits: `origin` is subtracted first.
-struct Similarity
-{
-  double cosine = 1, sine = 0;                                              // times the scale
-  Planar_point origin = Planar_point::Zero(), image = Planar_point::Zero(); // of the origin
-
-  Planar_point operator()(const Planar_point& p) const
-  {
-    const double x = p.x() - origin.x(), y = p.y() - origin.y();
-    return {cosine * x - sine * y + image.x(), sine * x + cosine * y + image.y()};
-  }
-};
-
-struct Packing
-{
-  enum Status
-  {
-    DONE,
-    WRONG_OPTION,
-    NON_FINITE,       // a coordinate or an area is infinite or not a number, or an area is negative
-    DEGENERATE_CHART, // it has no area in the plane
-    NO_AREA,          // all triangles should have the area 0
-    TOO_MANY_CHARTS   // they do not fit even where each is as large as one texel
-  };
-
-  Status status = DONE;
-  int chart = -1;                    // the first that is wrong
-  std::vector<Similarity> placement; // of each chart
-
-  double covered_share = 0;     // the sum of the areas of the triangles in the unit square
-  double texels_per_length = 0; // texels along the side of a square whose area should be 1
-  int number_of_turned = 0;     // charts for which all directions were tried
-  int number_of_small = 0;      // charts for which places were not looked for where alike ones found none
-  int number_of_enlarged =
-      0; // charts that would be smaller than a sixteenth of a texel, and have that size now
-  int number_of_attempts = 0; // scales that were tried
-};
 
 // Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale. `corners` are three for each
 // triangle, `chart` is that of each triangle, `area` what the triangle should have in proportion: a chart is scaled to the sum of its areas.
@@ -87,19 +21,6 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>&
                                                 const std::vector<int>& chart,
                                                 const std::vector<double>& area, int number_of_charts,
                                                 const Packing_options& options);
-
-struct Packing_check
-{
-  enum Status
-  {
-    CERTIFIED,
-    OUTSIDE,     // a triangle is not in the unit square, or too near to its border
-    SHARED_TEXEL // a triangle is too near to another chart
-  };
-
-  Status status = CERTIFIED;
-  int triangle = -1; // the first that is wrong
-};
 
 // Whether any two texels that different charts touch have `gutter` texels between them, and the border of the unit square half of that,
 // rounded up. Rounding errors make triangles larger only, by less than 2^-20 texels: what is certified is true of the exact triangles.

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ public:
   Charts_to_pack(const std::vector<Chart_outline>& outlines, const Packing_options& options)
       : m_outlines(outlines), m_options(options)
   {
-    const double texels_of_chart = options.resolution / std::sqrt(1. * outlines.size());
+    const double texels_of_chart = options.resolution / std::sqrt(static_cast<double>(outlines.size()));
     m_cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(options.resolution / most_cells),
                                                        texels_of_chart / least_cells_of_chart)));
     for(std::size_t c = 0; c < outlines.size(); ++c)
