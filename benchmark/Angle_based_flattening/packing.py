@@ -30,7 +30,7 @@ def measure_all(measure: run.Measure, files: list[Path], title: str, options: ar
         if "failure" not in m:
             ratios.append(m["ratio"])
             if options.demo and resolution == 1024:
-                least = LEAST.get(file.stem) if regions == 0 else 0.60
+                least = LEAST.get(file.stem) if regions == 0 else 0.60 if regions < 1000 else None
                 if least:
                     targets.add(f"{file.stem}, covered share", ".3f", m["share"], least=least)
     mean = math.exp(statistics.fmean(map(math.log, ratios))) if ratios else math.nan

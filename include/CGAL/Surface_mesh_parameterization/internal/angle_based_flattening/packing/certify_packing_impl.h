@@ -33,8 +33,8 @@ public:
   {
     for(int t = 0; t < static_cast<int>(m_corners.size()) / 3; ++t)
       for(const Planar_point& p : texels(t))
-        if(!(p.minCoeff() >= m_border + 2 * rounding_tolerance &&
-             p.maxCoeff() <= m_resolution - m_border - 2 * rounding_tolerance))
+        if(!(p.minCoeff() >= m_border + 4 * rounding_tolerance &&
+             p.maxCoeff() <= m_resolution - m_border - 4 * rounding_tolerance))
           return t;
     return -1;
   }
