@@ -28,13 +28,18 @@ class Occupied_cells
 public:
   // `margin` are the cells around the square that masks of `add()` may reach.
   Occupied_cells(int side, int margin)
-      : m_side(side), m_margin(margin), m_cells(side + 2 * margin, side + 2 * margin)
+      : m_side(side), m_margin(margin), m_cells(side + 2 * margin, side + 2 * margin),
+        m_longest_free_run(static_cast<std::size_t>(side) + 2 * margin, -1)
   {}
 
   int side() const { return m_side; }
 
   // Adds a mask that is larger by the margin on all sides than the one at (x, y).
-  void add(const Texel_mask& mask, int x, int y) { m_cells.add(mask, x, y); }
+  void add(const Texel_mask& mask, int x, int y)
+  {
+    m_cells.add(mask, x, y);
+    std::fill_n(m_longest_free_run.begin() + y, mask.height(), -1);
+  }
 
   // The first place for the lower left corner of a mask, by rows from `first_row` on, and in them from the left; none if
   // `is_stopped(y)` before row y.
@@ -42,14 +47,17 @@ public:
   // A cell of the mask that meets an occupied one rules out 64 places at a time. Those cells that did so before come first: they leave
   // few places for which the whole mask is compared.
   template <typename IsStopped>
-  std::optional<Texel> find_place(const Texel_mask& mask, int first_row, const IsStopped& is_stopped) const
+  std::optional<Texel> find_place(const Texel_mask& mask, int first_row, const IsStopped& is_stopped)
   {
     const int places = m_side - mask.width() + 1, last_row = m_side - mask.height();
     if(places < 1)
       return std::nullopt;
     std::vector<Word> free((places + word_size - 1) / word_size);
     std::vector<Texel> witnesses;
+    const std::vector<Row_run> runs = longest_runs(mask);
     for(int y = first_row; y <= last_row && !is_stopped(y); ++y) {
+      if(is_too_narrow(runs, y))
+        continue;
       std::fill(free.begin(), free.end(), ~Word(0));
       if(places % word_size != 0)
         free.back() >>= word_size - places % word_size;
@@ -70,6 +78,35 @@ public:
   }
 
 private:
+  struct Row_run
+  {
+    int y, length;
+  };
+
+  static constexpr int least_width = 32; // of masks for which it pays to look at free runs
+
+  // Of some rows of a mask
+  static std::vector<Row_run> longest_runs(const Texel_mask& mask)
+  {
+    const int number = 8;
+    std::vector<Row_run> runs;
+    for(int i = 0, last = -1; i < number && mask.width() >= least_width; ++i)
+      if(const int y = (mask.height() - 1) * i / (number - 1); y != last)
+        runs.push_back({last = y, mask.longest_run(y, false)});
+    return runs;
+  }
+
+  // Whether no place in row y is free, because a row of the mask is wider than all that is free there
+  bool is_too_narrow(const std::vector<Row_run>& runs, int y)
+  {
+    return std::any_of(runs.begin(), runs.end(), [&](const Row_run& run) {
+      const int row = y + m_margin + run.y;
+      if(m_longest_free_run[row] < 0)
+        m_longest_free_run[row] = m_cells.longest_run(row, true);
+      return run.length > m_longest_free_run[row];
+    });
+  }
+
   // Takes out the places where a cell of the mask would be on an occupied one. Returns whether some are left.
   bool rule_out(std::vector<Word>& free, const Texel& cell, int y) const
   {
@@ -107,6 +144,7 @@ private:
 
   int m_side, m_margin;
   Texel_mask m_cells;
+  std::vector<int> m_longest_free_run; // of each row; -1 if it is not known
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

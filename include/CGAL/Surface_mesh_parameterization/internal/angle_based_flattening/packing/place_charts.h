@@ -80,7 +80,7 @@ private:
     return true;
   }
 
-  void look_for_better(int c, int direction, Choice& best) const
+  void look_for_better(int c, int direction, Choice& best)
   {
     if(!m_scaled.shape(c, direction))
       return;

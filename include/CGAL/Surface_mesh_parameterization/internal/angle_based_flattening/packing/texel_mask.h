@@ -80,13 +80,22 @@ public:
     }
   }
 
-  std::size_t size() const
+  // The most texels of a row, next to each other, that are all in the set or, if `is_free`, all not in it
+  int longest_run(int y, bool is_free) const
   {
-    std::size_t sum = 0;
-    for(Word word : m_words)
-      for(; word != 0; word &= word - 1)
-        ++sum;
-    return sum;
+    int longest = 0, run = 0;
+    for(int first = 0; first < m_width; first += word_size) {
+      const int size = (std::min)(word_size, m_width - first);
+      const Word word = is_free ? ~row(y)[first / word_size] : row(y)[first / word_size];
+      if(word == ~Word(0))
+        longest = (std::max)(longest, run += size);
+      else
+        for(int i = 0; i < size; ++i) {
+          run = word >> i & 1 ? run + 1 : 0;
+          longest = (std::max)(longest, run);
+        }
+    }
+    return longest;
   }
 
 private:
