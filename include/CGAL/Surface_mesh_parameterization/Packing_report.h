@@ -32,8 +32,8 @@ struct Packing_report
     NON_FINITE_COORDINATE, ///< A coordinate in the plane is infinite or not a number.
     WRONG_WEIGHT,          ///< A face has a weight that is negative or not finite.
     WRONG_OPTION,          ///< The resolution, the gutter, or the number of rotations is out of its range.
-    DEGENERATE_CHART,      ///< A chart has no area in the plane, up to rounding.
-    NO_AREA,               ///< No face has area in space, or a weight that is not 0.
+    DEGENERATE_CHART, ///< A chart has no area in the plane up to rounding, or is too large to compute it.
+    NO_AREA,          ///< No face has area in space, or a weight that is not 0.
     TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the square, however small the charts are.
     NOT_CERTIFIED, ///< The coordinates could not be certified, because the number type of the map rounds too coarsely.
     TOO_LARGE ///< The surface has more triangles than 32-bit numbers allow.

@@ -105,7 +105,7 @@ private:
         continue;
       const std::array<halfedge_descriptor, 3> h = halfedges_of(f);
       if(next(h[2], m_mesh) != h[0])
-        return fail(Report::NOT_TRIANGULATED, face_text(f) + ", and more, is not a triangle");
+        return fail(Report::NOT_TRIANGULATED, face_text(f) + " is not a triangle");
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
         return fail(Report::TOO_LARGE, "the charts have more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
@@ -230,7 +230,8 @@ private:
   void explain_failure(const Packing& packing)
   {
     if(packing.status == Packing::DEGENERATE_CHART)
-      fail(Report::DEGENERATE_CHART, chart_text(packing.chart) + " has no area in the plane");
+      fail(Report::DEGENERATE_CHART,
+           chart_text(packing.chart) + " has no area in the plane, or one that is too large to be computed");
     else if(packing.status == Packing::NON_FINITE)
       fail(Report::NON_FINITE_COORDINATE, chart_text(packing.chart) + " has coordinates that are too large");
     else if(packing.status == Packing::NO_AREA)
