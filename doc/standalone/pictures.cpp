@@ -6,17 +6,20 @@
 // Makes the pictures of the manual from the meshes of the examples and of CGAL's demo, and prints the manual's tables of measures:
 // `pictures DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER`.
 
+#include "draw_mesh.h"
+
 #include "flatten_mesh/Canvas.h"
 #include "flatten_mesh/Distortion_scale.h"
 #include "flatten_mesh/build_mesh.h"
-#include "flatten_mesh/draw_surface.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
@@ -51,6 +54,8 @@ using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 const Kernel::Vector_3 dinosaur_from(0.45, -1, 0.35), egg_from(0.5, -1, 0.35), mask_from(0.3, -1, 0.1),
     forwards(1, 0, 0), upwards(0, 0, 1);
 const Kernel::Vector_3 camel_from(1, 0.25, 0.5), camel_upwards(0, 1, 0);
+const Kernel::Vector_3 elephant_from(0.6, 0.3, 1), elephant_upwards(0, 1, 0);
+const Kernel::Vector_3 bones_from(0, -1, 0.3), bones_upwards(0, 0, 1);
 
 void write_file(const std::string& name, const std::string& content)
 {
@@ -179,7 +184,7 @@ void draw_angle_change(Canvas& canvas, const Flat_mesh& flat, const Surface_view
 {
   const Projected_surface corners(flat.mesh, all_faces(flat.mesh), view, frame);
   for(const Face f : flat.mesh.faces()) {
-    const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(flat.mesh, f)));
+    const auto normal = Surface_view::normalized(view(doubled_area_vector(flat.mesh, f)));
     const Color color = mix({0, 0, 0}, color_of_face(flat, f, scale), brightness(normal));
     draw_face(canvas, flat.mesh, f, corners, [&](const auto&) { return color; });
   }
@@ -191,7 +196,7 @@ void draw_net(Canvas& canvas, const Mesh& mesh, const Surface_view& view, const 
 {
   const Projected_surface corners(mesh, all_faces(mesh), view, frame);
   for(const Face f : mesh.faces()) {
-    const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(mesh, f)));
+    const auto normal = Surface_view::normalized(view(doubled_area_vector(mesh, f)));
     const Color paint = normal.z() < 0 ? Color{0.66, 0.68, 0.7} : Color{0.86, 0.91, 0.97};
     draw_face(canvas, mesh, f, corners, [&](const auto&) {
       return mix({0, 0, 0}, paint, brightness(normal));
@@ -562,7 +567,7 @@ void draw_coloured(Canvas& canvas, const Mesh& mesh, const Surface_view& view, c
 {
   const Projected_surface corners(mesh, all_faces(mesh), view, frame);
   for(const Face f : mesh.faces()) {
-    const auto normal = Surface_view::normalized(view(Surface_view::doubled_area_vector(mesh, f)));
+    const auto normal = Surface_view::normalized(view(doubled_area_vector(mesh, f)));
     const Color color = mix({0, 0, 0}, color_of_face(f), is_shaded ? brightness(normal) : 1);
     draw_face(canvas, mesh, f, corners, [&](const auto&) { return color; });
   }
@@ -741,6 +746,97 @@ void draw_injective(const Flat_mesh& overlapping, const Split_chart& split, cons
   write_file(file, canvas.png(51));
 }
 
+// An atlas, and its surface, cut open along the seams. If it is to be packed densely, it has several charts.
+class Atlas
+{
+public:
+  Atlas(const std::string& name, const Mesh& mesh, const bool is_dense)
+  {
+    Mesh copy = mesh;
+    const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
+    const auto chart = copy.add_property_map<Face, int>("f:chart").first;
+    const Seam_map seams = copy.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+    const SMP::Atlas_report report = SMP::make_atlas(
+        copy, uv,
+        CGAL::parameters::edge_is_seam_map(
+            seams,
+            CGAL::parameters::face_chart_map(chart, CGAL::parameters::separate_overlaps(
+                                                        is_dense, CGAL::parameters::cut_necks(is_dense)))));
+    if(!report)
+      throw std::runtime_error(name + ": " + report.message);
+    std::cout << name << ": " << report.number_of_parts << " part(s), " << report.charts.size()
+              << " chart(s), relative seam length " << format_number("%.2f", report.relative_seam_length)
+              << ", stretch " << format_number("%.3f", report.measures.l2_stretch) << ", covered "
+              << format_number("%.3f", report.covered_share) << "\n";
+
+    using Cut_mesh = SMP::Cut_mesh<Mesh>;
+    using Cut_vertex = boost::graph_traits<Cut_mesh>::vertex_descriptor;
+    std::vector<std::pair<Cut_vertex, Vertex>> copies;
+    CGAL::copy_face_graph(SMP::make_seam_mesh(copy, seams), m_surface,
+                          CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
+    m_plane = m_surface;
+    m_uv = m_surface.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+    for(const auto& [cut_vertex, v] : copies) {
+      m_uv[v] = uv[Halfedge(cut_vertex)];
+      m_plane.point(v) = Kernel::Point_3(m_uv[v].x(), m_uv[v].y(), 0);
+    }
+    for(const Face f : copy.faces())
+      m_chart.push_back(chart[f]);
+    m_side = std::sqrt(report.covered_share) / 26;
+  }
+  Atlas(const Atlas&) = delete; // the map would still be that of the other mesh
+  Atlas& operator=(const Atlas&) = delete;
+
+  void draw_surface(Canvas& canvas, const Surface_view& view, const Frame& frame) const
+  {
+    draw_checkerboard(canvas, m_surface, all_faces(m_surface), m_uv, m_side, view, frame);
+    draw_edges(canvas, m_surface, Projected_surface(m_surface, all_faces(m_surface), view, frame), 2.4,
+               {0.85, 0.2, 0.1}, true);
+  }
+
+  // The unit square, of that size in pixels
+  void draw_square(Canvas& canvas, const double left, const double top, const double size) const
+  {
+    const auto corner = [&](const double x, const double y) {
+      return Canvas::Corner{left + size * x, top + size * (1 - y), -1, {}};
+    };
+    for(const auto& [a, b] : {std::pair(corner(0, 0), corner(1, 0)),
+                              {corner(1, 0), corner(1, 1)},
+                              {corner(1, 1), corner(0, 1)},
+                              {corner(0, 1), corner(0, 0)}})
+      canvas.draw_line(a, b, 1, {0.6, 0.6, 0.6});
+    const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(m_plane);
+    const Frame frame{left + size * box.xmin(), top + size * (1 - box.ymax()), size * box.x_span(),
+                      size * box.y_span()};
+    draw_coloured(canvas, m_plane, from_above(), frame, false,
+                  [&](const Face f) { return piece_color(m_chart[f.idx()]); });
+  }
+
+private:
+  Mesh m_surface, m_plane;
+  UV_map m_uv;
+  std::vector<int> m_chart; // of each face
+  double m_side = 0;        // of the squares of the checkerboard
+};
+
+void draw_atlases(const std::string& demo, const std::string& file)
+{
+  const double column = 400;
+  const Atlas elephant("elephant", read_mesh(demo + "/elephant.off"), false),
+      dense("elephant, dense", read_mesh(demo + "/elephant.off"), true),
+      bones("bones", read_mesh(demo + "/bones.off"), false);
+  const Surface_view elephant_view(elephant_from, elephant_upwards), bones_view(bones_from, bones_upwards);
+  Canvas canvas(static_cast<int>(3 * column), 790);
+  double left = 8;
+  for(const auto& [atlas, view] :
+      {std::pair(&elephant, elephant_view), {&dense, elephant_view}, {&bones, bones_view}}) {
+    atlas->draw_surface(canvas, view, Frame{left, 8, column - 16, column - 30});
+    atlas->draw_square(canvas, left, column - 2, column - 16);
+    left += column;
+  }
+  write_file(file, canvas.png(51));
+}
+
 void run(const std::string& data, const std::string& demo, const std::string& pictures)
 {
   const Mesh dinosaur = read_mesh(data + "/dinosaur.off");
@@ -772,11 +868,12 @@ void run(const std::string& data, const std::string& demo, const std::string& pi
   draw_packing(split, pictures + "/packing.png");
   draw_injective(*overlapping, split, pictures + "/injective.png");
 
-  if(std::ifstream(demo + "/camel.off"))
+  if(std::ifstream(demo + "/camel.off")) {
     draw_seams(*flatten("camel", read_camel(demo), SMP::ABF_plus_plus_parameterizer_3<Mesh>()),
                pictures + "/seams.png");
-  else
-    std::cerr << "no camel.off in '" << demo << "': seams.png is left as it is\n";
+    draw_atlases(demo, pictures + "/atlas.png");
+  } else
+    std::cerr << "no camel.off in '" << demo << "': seams.png and atlas.png are left as they are\n";
 }
 
 } // namespace flatten_mesh

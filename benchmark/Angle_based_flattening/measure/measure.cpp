@@ -25,6 +25,7 @@ int main(int argc, char* argv[])
   std::vector<std::string> words;
   Mesh_changes changes;
   Seam_choice_options seam_options;
+  Atlas_choice atlas_choice;
   Packing_choice packing_choice;
   int first_run = 0;
   std::string output;
@@ -34,6 +35,7 @@ int main(int argc, char* argv[])
       "                            [--injective] [--area-weight X] [--clearance X]\n"
       "measure seams cones|farthest|peaks FILE [--bound X] [--terminals N] [--method METHOD]\n"
       "measure overlaps FILE [--bound X]\n"
+      "measure atlas FILE [--bound X] [--separate] [--necks] [--check] [--output FILE]\n"
       "measure packing FILE [--regions N] [--resolution N] [--gutter N]\n"
       "measure solve SOLVER FILE full|block\n"
       "measure layouts FILE TOLERANCE\n"
@@ -56,6 +58,9 @@ int main(int argc, char* argv[])
       "any-topology", po::bool_switch(&changes.any_topology), "the mesh need not be a disk")(
       "bound", po::value(&seam_options.bound), "of the stretch that is predicted")(
       "terminals", po::value(&seam_options.terminals), "number of ends of seams")(
+      "separate", po::bool_switch(&atlas_choice.separates), "cut charts where they overlap themselves")(
+      "necks", po::bool_switch(&atlas_choice.cuts_necks), "cut branches of charts off")(
+      "check", po::bool_switch(&atlas_choice.checks), "look for flips, overlaps and shared texels")(
       "method", po::value(&seam_options.method), "what flattens the surface that is cut open")(
       "regions", po::value(&packing_choice.regions), "number of regions that a surface is cut into")(
       "resolution", po::value(&packing_choice.resolution), "texels along a side of the unit square")(
@@ -82,6 +87,10 @@ int main(int argc, char* argv[])
       seams(words[1], words[2], seam_options, m);
     } else if(is("overlaps", 1)) {
       overlaps(words[1], seam_options.bound, m);
+    } else if(is("atlas", 1)) {
+      atlas_choice.bound = seam_options.bound;
+      atlas_choice.output = output;
+      atlas(words[1], atlas_choice, m);
     } else if(is("packing", 1)) {
       packing(words[1], packing_choice, m);
     } else if(is("solve", 3)) {

@@ -53,6 +53,18 @@ void seams(const std::string& choice, const std::string& file, const Seam_choice
 // Flattens a disk, or a surface that is cut open for that bound of its stretch, by ABF++, and splits the chart where it overlaps itself.
 void overlaps(const std::string& file, double bound, Measurement& m);
 
+struct Atlas_choice
+{
+  double bound = 1.1; // of the stretch
+  bool separates = false;
+  bool cuts_necks = false;
+  bool checks = false; // looks for flips, overlaps and shared texels
+  std::string output;  // a file for the surface, cut open; empty for none
+};
+
+// Makes an atlas of a surface. Polygons are triangulated before.
+void atlas(const std::string& file, const Atlas_choice& choice, Measurement& m);
+
 struct Packing_choice
 {
   int regions = 0; // into which a surface is cut; 0 for seams that flatten it well

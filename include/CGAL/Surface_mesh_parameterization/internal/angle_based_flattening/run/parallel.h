@@ -15,6 +15,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <algorithm>
@@ -22,7 +23,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Calls `f(b)` for each b in [0, n), in parallel if TBB is available.
+// Is thrown where a visitor stops a computation.
+struct Cancelled
+{};
+
+// Calls `f(b)` for each b in [0, n), in parallel if TBB is available. An exception in one thread also stops the loops that others run
+// at the time within the same loop. They would go on behind a loop that was not done.
 template <typename Function>
 void parallel_for(int n, const Function& f)
 {
@@ -30,6 +36,10 @@ void parallel_for(int n, const Function& f)
     f(b);
     return true;
   });
+#ifdef CGAL_LINKED_WITH_TBB
+  if(tbb::is_current_task_group_canceling())
+    throw Cancelled();
+#endif
 }
 
 inline constexpr int block_size = 1024;

@@ -9,14 +9,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <CGAL/Real_timer.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// Thrown when a visitor stops the computation, and caught where the report is written.
-struct Cancelled
-{};
 
 // Tells a visitor that a stage starts, and adds the time until the end of the scope to `seconds`.
 class Stage

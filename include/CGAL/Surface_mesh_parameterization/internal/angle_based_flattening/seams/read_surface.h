@@ -53,7 +53,15 @@ public:
   template <typename IsCut>
   bool read(const IsCut& is_cut, Report& report)
   {
-    return find_faces(is_cut, report) && read_points(report);
+    return read(
+        is_cut, [](face_descriptor) { return false; }, report);
+  }
+
+  // The same without the faces with `is_skipped(f)`, which are whole components of the opened mesh
+  template <typename IsCut, typename IsSkipped>
+  bool read(const IsCut& is_cut, const IsSkipped& is_skipped, Report& report)
+  {
+    return find_faces(is_cut, is_skipped, report) && read_points(report);
   }
 
   face_descriptor face_of(int triangle) const { return m_faces[triangle]; }
@@ -122,14 +130,14 @@ public:
 
 private:
   // Faces come in the order of a breadth-first search, part by part.
-  template <typename IsCut>
-  bool find_faces(const IsCut& is_cut, Report& report)
+  template <typename IsCut, typename IsSkipped>
+  bool find_faces(const IsCut& is_cut, const IsSkipped& is_skipped, Report& report)
   {
     m_ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
     for(face_descriptor f : faces(m_mesh))
       put(m_ranks, f, -1);
     for(face_descriptor f : faces(m_mesh)) {
-      if(get(m_ranks, f) >= 0)
+      if(get(m_ranks, f) >= 0 || is_skipped(f))
         continue;
       const std::size_t first = m_faces.size();
       find(f);

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+// Nothing in an atlas overlaps: corners with the same coordinates are at the same vertex of the same chart.
+void write_obj(std::ostream& out, const Surface& surface, const UV_map& uv)
+{
+  out.precision(17);
+  for(auto v : vertices(surface))
+    out << "v " << surface.point(v) << "\n";
+  std::map<Kernel::Point_2, std::size_t> number;
+  for(auto h : halfedges(surface))
+    if(!surface.is_border(h) && number.emplace(uv[h], number.size() + 1).second)
+      out << "vt " << uv[h] << "\n";
+  for(auto f : faces(surface)) {
+    out << "f";
+    for(auto h : halfedges_around_face(halfedge(f, surface), surface))
+      out << " " << surface.target(h).idx() + 1 << "/" << number[uv[h]];
+    out << "\n";
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  Surface surface;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/egg.off", surface)) {
+    std::cerr << "Cannot read the mesh.\n";
+    return 1;
+  }
+  CGAL::Polygon_mesh_processing::triangulate_faces(surface);
+
+  const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
+  const SMP::Atlas_report report = SMP::make_atlas(surface, uv);
+  for(const auto& part : report.skipped)
+    std::cerr << part.number_of_faces << " faces have no chart: " << part.message << "\n";
+  if(!report.has_atlas()) {
+    std::cerr << report.message << "\n";
+    return 1;
+  }
+  for(const auto& chart : report.charts)
+    std::cout << "chart of " << chart.number_of_faces << " faces: " << to_string(chart.method) << ", stretch "
+              << chart.l2_stretch << "\n";
+  std::cout << report.charts.size() << " chart(s), seams of length " << report.relative_seam_length
+            << ", stretch " << report.measures.l2_stretch << ", covered " << 100 * report.covered_share
+            << " %\n";
+
+  std::ofstream out("make_atlas.obj");
+  write_obj(out, surface, uv);
+  return report && out ? 0 : 1;
+}

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_REPORT_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_REPORT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// \file Atlas_report.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What `make_atlas()` reports. Like the reports on files, it converts to `true` on success.
+struct Atlas_report
+{
+  /// What is wrong with the whole mesh, or with a part of it.
+  enum Diagnosis
+  {
+    NOTHING_WRONG,     ///< Each face has a chart.
+    SOMETHING_SKIPPED, ///< Some parts have no charts (`skipped`); all others do.
+    EMPTY_MESH,        ///< The mesh has no faces.
+    WRONG_OPTION,      ///< A named parameter is out of its range.
+    WRONG_WEIGHT,      ///< An edge or face has a negative weight, or one that is not a number.
+    TOO_LARGE,         ///< The surface has more triangles than 32-bit numbers allow.
+    NOTHING_FLATTENED, ///< All parts were skipped.
+    PACKING_FAILED,    ///< The charts do not fit into the square at this resolution.
+    CANCELLED          ///< A visitor stopped the computation.
+  };
+
+  /// How the map of a chart was made.
+  enum Method
+  {
+    ABF_PLUS_PLUS, ///< By ABF++, whose map does not overlap itself.
+    HIERARCHICAL, ///< By hierarchical ABF++, whose map does not overlap itself. Charts of more than 20,000 triangles begin with it.
+    INJECTIVE,    ///< As injective map (`Flattening_options::injective`), as that of ABF++ overlaps itself.
+    SEPARATED     ///< A piece of a map of ABF++ that overlapped itself, cut out as `split_overlaps()` does.
+  };
+
+  /// A chart of the atlas.
+  struct Chart
+  {
+    std::size_t part = 0;            ///< The part of the surface that it is of.
+    std::size_t number_of_faces = 0; ///< The number of its faces.
+    Method method = ABF_PLUS_PLUS;   ///< How its map was made.
+    double area = 0;                 ///< Its area on the surface.
+    double border_length = 0;        ///< The length of its border on the surface.
+
+    /// \f$\sqrt{\sum A^2/A' \; \sum A'}/\sum A\f$, with areas \f$A\f$ on the surface and \f$A'\f$ in the plane: the stretch that is due
+    /// to scale. 1 at best. Seams are added until it is at most 3 % above `parameters::stretch_bound()`.
+    double scale_stretch = 1;
+    bool bound_reached = true; ///< Whether `scale_stretch` is at most that.
+    double l2_stretch = 1;     ///< As `Flattening_measures::l2_stretch`.
+    double contact = 0;        ///< As `Flattening_report::contact`.
+    int rounds = 0;            ///< How often seams were added because the map stretched too much.
+  };
+
+  /// A part of the surface that has no charts.
+  struct Skipped
+  {
+    std::size_t part = 0;            ///< Its number.
+    std::size_t first_face = 0;      ///< Its first face, by its rank in the order of the faces of the mesh.
+    std::size_t number_of_faces = 0; ///< The number of its faces.
+    std::string
+        diagnosis; ///< Why, in one word: the name of a `Flattening_report::Diagnosis` or `Seam_report::Diagnosis`, or `"NO_AREA"`.
+    std::string message; ///< A sentence that says what is wrong and where.
+  };
+
+  /// Wall clock time of each stage, in seconds.
+  struct Seconds
+  {
+    double read = 0;    ///< Copying the mesh into arrays, and checking it.
+    double charts = 0;  ///< Seams and maps of all charts.
+    double pack = 0;    ///< Placing the charts in the square.
+    double certify = 0; ///< Exact checks of the final coordinates.
+    double measure = 0; ///< Measuring distortion.
+    double write = 0;   ///< Writing the caller's property maps.
+
+    /// returns the sum of the stages.
+    double total() const { return read + charts + pack + certify + measure + write; }
+  };
+
+  Diagnosis diagnosis = NOTHING_WRONG; ///< What went wrong.
+  std::string message; ///< A sentence that says what went wrong and where; empty if nothing is wrong.
+
+  std::vector<Chart> charts;    ///< In the order of their numbers.
+  std::vector<Skipped> skipped; ///< The parts without charts.
+
+  /// The connected parts of the surface without the seams that were given, in the order of their first faces.
+  std::size_t number_of_parts = 0;
+  std::size_t number_of_terminals = 0; ///< The vertices that were joined to seams because of their scale.
+  double seam_length = 0;              ///< The length of all seams, each counted once.
+  double relative_seam_length =
+      0; ///< `seam_length` divided by the square root of the area of the surface that has charts.
+
+  /// Distortion of all charts together, with each at the size of its area on the surface. `border_is_simple` says whether all charts are injective.
+  Flattening_measures measures;
+
+  double covered_share =
+      0; ///< The share of the unit square that is covered, as `Packing_report::covered_share`; 0 if nothing was packed.
+  double scale =
+      1; ///< The factor from lengths on the surface to those in the plane, in the mean over each chart.
+
+  Seconds seconds; ///< Time of each stage.
+
+  /// returns whether each face has a chart.
+  explicit operator bool() const { return diagnosis == NOTHING_WRONG; }
+
+  /// returns whether there is an atlas, of the whole surface or of a part.
+  bool has_atlas() const { return diagnosis == NOTHING_WRONG || diagnosis == SOMETHING_SKIPPED; }
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the name of a diagnosis, such as `"SOMETHING_SKIPPED"`.
+///
+/// \relates Atlas_report
+inline std::string to_string(Atlas_report::Diagnosis diagnosis)
+{
+  switch(diagnosis) {
+  case Atlas_report::NOTHING_WRONG:
+    return "NOTHING_WRONG";
+  case Atlas_report::SOMETHING_SKIPPED:
+    return "SOMETHING_SKIPPED";
+  case Atlas_report::EMPTY_MESH:
+    return "EMPTY_MESH";
+  case Atlas_report::WRONG_OPTION:
+    return "WRONG_OPTION";
+  case Atlas_report::WRONG_WEIGHT:
+    return "WRONG_WEIGHT";
+  case Atlas_report::TOO_LARGE:
+    return "TOO_LARGE";
+  case Atlas_report::NOTHING_FLATTENED:
+    return "NOTHING_FLATTENED";
+  case Atlas_report::PACKING_FAILED:
+    return "PACKING_FAILED";
+  case Atlas_report::CANCELLED:
+    return "CANCELLED";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the name of a method, such as `"injective"`.
+///
+/// \relates Atlas_report
+inline std::string to_string(Atlas_report::Method method)
+{
+  switch(method) {
+  case Atlas_report::ABF_PLUS_PLUS:
+    return "ABF++";
+  case Atlas_report::HIERARCHICAL:
+    return "hierarchical ABF++";
+  case Atlas_report::INJECTIVE:
+    return "injective";
+  case Atlas_report::SEPARATED:
+    return "separated";
+  }
+  return "unknown";
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_REPORT_H

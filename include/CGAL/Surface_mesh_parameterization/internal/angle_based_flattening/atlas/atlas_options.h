@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_OPTIONS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_OPTIONS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
+
+#include <string>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What `make_atlas()` is told.
+struct Atlas_options
+{
+  Seam_options seams;
+  Packing_options packing;
+  double area_weight = 0.02;   // of injective maps
+  bool separates = false;      // maps that overlap become several charts
+  bool keeps_distance = false; // all maps are injective ones, between whose borders there is some clearance
+  bool cuts_necks = false;     // branches become charts of their own
+  bool packs = true;
+  int threads = 0;
+  Atlas_visitor* visitor = nullptr;
+};
+
+// Charts of more triangles are flattened hierarchically.
+inline constexpr int largest_direct_chart = 20000;
+
+inline Flattening_options flattening_options(const Atlas_options& options)
+{
+  Flattening_options result;
+  result.area_weight = options.area_weight;
+  result.threads = options.threads;
+  return result;
+}
+
+inline ABF_plus_plus_options direct_options(const Atlas_options& options)
+{
+  ABF_plus_plus_options result;
+  static_cast<Flattening_options&>(result) = flattening_options(options);
+  return result;
+}
+
+inline Hierarchical_options hierarchical_options(const Atlas_options& options, bool injective)
+{
+  Hierarchical_options result;
+  static_cast<Flattening_options&>(result) = flattening_options(options);
+  result.injective = injective;
+  if(!injective) { // they come close to the energy of the direct method
+    result.angle_sweeps = 20;
+    result.energy_tolerance = 0.01;
+  }
+  return result;
+}
+
+inline std::string wrong_option(const Atlas_options& options)
+{
+  for(const std::string& wrong : {wrong_option(options.seams), wrong_option(flattening_options(options)),
+                                  options.packs ? wrong_option(options.packing) : std::string()})
+    if(!wrong.empty())
+      return wrong;
+  return "";
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_OPTIONS_H

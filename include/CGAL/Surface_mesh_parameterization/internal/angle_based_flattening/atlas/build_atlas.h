@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The charts of all parts of a surface, with their final coordinates
+struct Atlas
+{
+  std::vector<Part_atlas> parts;
+  std::vector<std::size_t> first_chart; // of each part: the number of its first chart
+  Atlas_report report;                  // without the lengths of seams, and what the caller measures
+};
+
+// Makes the atlas of a surface. `weight` is that of the lengths of each triangle in the plane; empty if all are 1. A part that cannot be
+// flattened is skipped. If something else is wrong, the report says so.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
+                                                     const std::vector<double>& weight,
+                                                     const Atlas_options& options,
+                                                     const Linear_solvers& solvers, Rounding round);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas_impl.h>
+#endif
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_H

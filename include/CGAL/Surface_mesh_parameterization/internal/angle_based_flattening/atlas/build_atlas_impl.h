@@ -1,0 +1,383 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/certify_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>
+#endif
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+class Atlas_builder
+{
+  // Tells the visitor that a stage begins, and takes its time.
+  class Stage
+  {
+  public:
+    Stage(Atlas_visitor* visitor, Atlas_visitor::Stage stage, double& seconds) : m_seconds(seconds)
+    {
+      if(visitor != nullptr && !visitor->start(stage))
+        throw Cancelled();
+      m_timer.start();
+    }
+
+    ~Stage() { m_seconds += m_timer.time(); }
+
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+  private:
+    double& m_seconds;
+    Real_timer m_timer;
+  };
+
+public:
+  Atlas_builder(const std::vector<Surface_part>& parts, const std::vector<double>& weight,
+                const Atlas_options& options, const Linear_solvers& solvers, Rounding round)
+      : m_parts(parts), m_weight(weight), m_options(options), m_solvers(solvers), m_round(round)
+  {}
+
+  Atlas run()
+  {
+    make_charts();
+    bool is_placed = true;
+    do
+      is_placed = place_charts();
+    while(is_placed && !certify());
+    if(is_placed && is_packing_certified())
+      measure();
+    return std::move(m_atlas);
+  }
+
+private:
+  // Charts are packed and certified again without those that are not certified, which visitors are not told.
+  Atlas_visitor* visitor_of(Atlas_visitor::Stage stage)
+  {
+    const bool is_new = stage > m_stage;
+    m_stage = (std::max)(m_stage, stage);
+    return is_new ? m_options.visitor : nullptr;
+  }
+
+  // Parts are made side by side, the largest ones first.
+  void make_charts()
+  {
+    const Stage stage(visitor_of(Atlas_visitor::CHARTS), Atlas_visitor::CHARTS,
+                      m_atlas.report.seconds.charts);
+    std::vector<double> work;
+    for(const Surface_part& part : m_parts) {
+      const double n = part.chart.number_of_triangles();
+      work.push_back(n * std::log2(n + 1));
+    }
+    Atlas_progress progress(m_options.visitor, work);
+    std::vector<int> order(m_parts.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return work[i] > work[j]; });
+    m_atlas.parts.resize(m_parts.size());
+    const auto make = [&](int i) {
+      Part_progress part_progress(progress, static_cast<std::size_t>(i));
+      m_atlas.parts[i] =
+          Part_atlas_maker(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();
+      part_progress.set_stage(1, 1);
+    };
+    const int n = static_cast<int>(order.size());
+    if(m_solvers->is_independent)
+      parallel_for(n, [&](int k) { make(order[k]); });
+    else
+      for(int k = 0; k < n; ++k)
+        make(order[k]);
+  }
+
+  // Numbers the charts, part by part, and returns how many there are.
+  int number_charts()
+  {
+    m_atlas.first_chart.clear();
+    m_atlas.report.charts.clear();
+    for(std::size_t i = 0; i < m_parts.size(); ++i) {
+      const Part_atlas& part = m_atlas.parts[i];
+      const std::size_t first = m_atlas.report.charts.size();
+      m_atlas.first_chart.push_back(first);
+      if(!part.succeeded())
+        continue;
+      Atlas_report::Chart chart;
+      chart.part = i;
+      chart.method = part.method;
+      chart.contact = part.contact;
+      chart.rounds = part.rounds;
+      m_atlas.report.charts.resize(first + static_cast<std::size_t>(part.number_of_pieces), chart);
+      for(int piece : part.piece)
+        ++m_atlas.report.charts[first + static_cast<std::size_t>(piece)].number_of_faces;
+    }
+    return static_cast<int>(m_atlas.report.charts.size());
+  }
+
+  // Returns whether there are charts, and they have a place.
+  bool place_charts()
+  {
+    const int charts = number_charts();
+    if(charts == 0) {
+      fail(Atlas_report::NOTHING_FLATTENED, "no part of the surface can be flattened");
+      return false;
+    }
+    take_maps_as_made();
+    if(!m_options.packs)
+      scale_charts();
+    else if(!pack_charts(charts))
+      return false;
+    for(Part_atlas& part : m_atlas.parts)
+      if(part.succeeded())
+        m_round(part.uv);
+    return true;
+  }
+
+  // Maps that are placed once more are not rounded twice.
+  void take_maps_as_made()
+  {
+    m_uv_as_made.resize(m_parts.size());
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      if(m_uv_as_made[i].empty())
+        m_uv_as_made[i] = m_atlas.parts[i].uv;
+      else
+        m_atlas.parts[i].uv = m_uv_as_made[i];
+  }
+
+  // Gives each chart the area of its surface, with the lower left corner at the origin. That of a whole part is so already.
+  void scale_charts()
+  {
+    for(Part_atlas& part : m_atlas.parts)
+      if(part.succeeded() && part.number_of_pieces > 1)
+        scale_pieces(part);
+  }
+
+  static void scale_pieces(Part_atlas& part)
+  {
+    struct Piece
+    {
+      Bbox_2 box;
+      double surface = 0, plane = 0;
+    };
+    std::vector<Piece> pieces(part.number_of_pieces);
+    std::vector<int> piece_of_vertex(part.uv.size());
+    for(int c = 0; c < part.chart.number_of_corners(); ++c) {
+      const int v = part.chart.vertex[c];
+      piece_of_vertex[v] = part.piece[c / 3];
+      pieces[part.piece[c / 3]].box += part.uv[v].bbox();
+    }
+    for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
+      pieces[part.piece[t]].surface += surface_area(part.chart, t);
+      pieces[part.piece[t]].plane += std::abs(planar_area(part.chart, part.uv, t));
+    }
+    for(std::size_t v = 0; v < part.uv.size(); ++v) {
+      const Piece& piece = pieces[piece_of_vertex[v]];
+      const double factor = piece.surface > 0 ? std::sqrt(piece.surface / piece.plane) * part.chart.scale : 1;
+      part.uv[v] = Chart::Point_2(factor * (part.uv[v].x() - piece.box.xmin()),
+                                  factor * (part.uv[v].y() - piece.box.ymin()));
+    }
+  }
+
+  bool pack_charts(int charts)
+  {
+    const Stage stage(visitor_of(Atlas_visitor::PACK), Atlas_visitor::PACK, m_atlas.report.seconds.pack);
+    const Packed_triangles triangles = packed_triangles();
+    const Packing packing =
+        pack(triangles.corners, triangles.chart, triangles.area, charts, m_options.packing);
+    if(packing.status != Packing::DONE) {
+      fail(Atlas_report::PACKING_FAILED, describe(packing));
+      return false;
+    }
+    m_atlas.report.covered_share = packing.covered_share;
+    m_atlas.report.scale = packing.texels_per_length / m_options.packing.resolution /
+                           m_parts.front().chart.scale; // alike for all parts
+    move_charts(packing);
+    return true;
+  }
+
+  struct Packed_triangles
+  {
+    std::vector<Planar_point> corners; // three for each triangle
+    std::vector<int> chart;
+    std::vector<double> area; // in proportion
+  };
+
+  Packed_triangles packed_triangles() const
+  {
+    Packed_triangles triangles;
+    for(std::size_t i = 0; i < m_parts.size(); ++i) {
+      const Part_atlas& part = m_atlas.parts[i];
+      if(!part.succeeded())
+        continue;
+      for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
+        for(int c = 3 * t; c < 3 * t + 3; ++c) {
+          const Chart::Point_2& p = part.uv[part.chart.vertex[c]];
+          triangles.corners.emplace_back(p.x(), p.y());
+        }
+        triangles.chart.push_back(static_cast<int>(m_atlas.first_chart[i]) + part.piece[t]);
+        const double weight = m_weight.empty() ? 1 : m_weight[m_parts[i].first_triangle + t];
+        triangles.area.push_back(surface_area(part.chart, t) * weight * weight);
+      }
+    }
+    return triangles;
+  }
+
+  void move_charts(const Packing& packing)
+  {
+    for(std::size_t i = 0; i < m_parts.size(); ++i) {
+      Part_atlas& part = m_atlas.parts[i];
+      std::vector<char> is_moved(part.uv.size(), false);
+      for(int c = 0; part.succeeded() && c < part.chart.number_of_corners(); ++c) {
+        const int v = part.chart.vertex[c];
+        if(is_moved[v])
+          continue;
+        is_moved[v] = true;
+        const std::size_t chart = m_atlas.first_chart[i] + static_cast<std::size_t>(part.piece[c / 3]);
+        const Planar_point p = packing.placement[chart](Planar_point(part.uv[v].x(), part.uv[v].y()));
+        part.uv[v] = Chart::Point_2(p.x(), p.y());
+      }
+    }
+  }
+
+  // Returns whether all charts are injective with their final coordinates. Parts for which these have too few digits get maps whose
+  // borders keep a distance, and are skipped if these have too few digits for that as well.
+  bool certify()
+  {
+    const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
+                      m_atlas.report.seconds.certify);
+    std::vector<std::string> wrong(m_parts.size());
+    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
+      if(m_atlas.parts[i].succeeded())
+        wrong[i] = certify_part(m_atlas.parts[i]);
+    });
+    bool are_injective = true;
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      if(!wrong[i].empty()) {
+        remake(i, wrong[i]);
+        are_injective = false;
+      }
+    return are_injective;
+  }
+
+  void remake(std::size_t i, const std::string& wrong)
+  {
+    m_is_remade.resize(m_parts.size(), false);
+    m_uv_as_made[i].clear();
+    if(!m_is_remade[i]) {
+      m_is_remade[i] = true;
+      Atlas_options options = m_options;
+      options.keeps_distance = true;
+      Atlas_progress progress(nullptr, {1});
+      Part_progress part_progress(progress, 0);
+      m_atlas.parts[i] =
+          Part_atlas_maker(m_parts[i].chart, m_parts[i].cost, options, m_solvers, part_progress).run();
+      if(m_atlas.parts[i].succeeded())
+        return;
+    }
+    m_atlas.parts[i].diagnosis = to_string(Flattening_report::PRECISION_EXCEEDED);
+    m_atlas.parts[i].message = wrong;
+  }
+
+  // Returns whether no two charts share a texel with its gutter.
+  bool is_packing_certified()
+  {
+    if(!m_options.packs)
+      return true;
+    const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
+                      m_atlas.report.seconds.certify);
+    const Packed_triangles triangles = packed_triangles();
+    const Packing_check check =
+        certify_packing(triangles.corners, triangles.chart, static_cast<int>(m_atlas.report.charts.size()),
+                        m_options.packing.resolution, m_options.packing.gutter);
+    if(check.status == Packing_check::CERTIFIED)
+      return true;
+    fail(Atlas_report::PACKING_FAILED,
+         "chart " + std::to_string(triangles.chart[check.triangle]) + " is not certified to be " +
+             (check.status == Packing_check::OUTSIDE ? "in the square" : "apart from other charts"));
+    return false;
+  }
+
+  void measure()
+  {
+    const Stage stage(visitor_of(Atlas_visitor::MEASURE), Atlas_visitor::MEASURE,
+                      m_atlas.report.seconds.measure);
+    Atlas_report& report = m_atlas.report;
+    int triangles = 0;
+    double surface = 0;
+    for(const Part_atlas& part : m_atlas.parts)
+      for(int t = 0; part.succeeded() && t < part.chart.number_of_triangles(); ++t, ++triangles)
+        surface += surface_area(part.chart, t);
+    Atlas_measurement measurement(triangles, surface, m_options.seams.stretch_bound);
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      if(m_atlas.parts[i].succeeded()) {
+        measurement.add(m_atlas.parts[i], report, m_atlas.first_chart[i]);
+        report.number_of_terminals += m_atlas.parts[i].number_of_terminals;
+      }
+    report.measures = measurement.measures();
+    report.measures.border_is_simple = true; // certify() saw to that
+  }
+
+  std::string describe(const Packing& packing) const
+  {
+    switch(packing.status) {
+    case Packing::TOO_MANY_CHARTS:
+      return std::to_string(m_atlas.report.charts.size()) +
+             " charts do not fit into the square with a resolution of " +
+             std::to_string(m_options.packing.resolution) + " and a gutter of " +
+             std::to_string(m_options.packing.gutter);
+    case Packing::NO_AREA:
+      return "all faces have the weight 0";
+    default:
+      return "chart " + std::to_string(packing.chart) + " cannot be scaled to the area of its surface";
+    }
+  }
+
+  void fail(Atlas_report::Diagnosis diagnosis, const std::string& message)
+  {
+    m_atlas.report.diagnosis = diagnosis;
+    m_atlas.report.message = message;
+  }
+
+  const std::vector<Surface_part>& m_parts;
+  const std::vector<double>& m_weight;
+  const Atlas_options& m_options;
+  const Linear_solvers& m_solvers;
+  Rounding m_round;
+  Atlas_visitor::Stage m_stage = Atlas_visitor::READ;    // the last one that began
+  std::vector<char> m_is_remade;                         // of each part
+  std::vector<std::vector<Chart::Point_2>> m_uv_as_made; // of each part, before it was placed
+  Atlas m_atlas;
+};
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
+                                                     const std::vector<double>& weight,
+                                                     const Atlas_options& options,
+                                                     const Linear_solvers& solvers, Rounding round)
+{
+  return Atlas_builder(parts, weight, options, solvers, round).run();
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A map of a disk, in the units of the surface
+struct Chart_map
+{
+  std::vector<Chart::Point_2> uv; // of each vertex; empty if there is none
+  Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
+  bool overlaps = false; // parts of the disk in the plane
+  double contact = 0;
+  Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
+  std::string message;
+
+  bool is_valid() const { return !uv.empty(); }
+};
+
+// Flattens disks in the way that is best for an atlas.
+class Atlas_chart_flattener
+{
+  struct Coarse_map_overlaps
+  {};
+
+public:
+  Atlas_chart_flattener(const Atlas_options& options, const Linear_solvers& solvers,
+                        Flattening_visitor* visitor)
+      : m_options(options), m_solvers(solvers), m_visitor(visitor)
+  {}
+
+  // ABF++'s own map if that does not overlap itself, and else an injective one. If there is none, the map overlaps itself.
+  Chart_map run(const Chart& chart) const
+  {
+    if(m_options.keeps_distance)
+      return injective_map(chart);
+    Chart_map map = abf_plus_plus(chart, m_options.separates);
+    if(map.is_valid() && (!map.overlaps || m_options.separates))
+      return map;
+    Chart_map injective = injective_map(chart);
+    if(injective.is_valid())
+      return injective;
+    if(!map.is_valid() && map.overlaps)
+      map = abf_plus_plus(chart, true);
+    return map.is_valid() ? map : injective;
+  }
+
+  // If the map may not overlap, a large chart is given up as soon as that of its coarse chart does: the fine one rarely differs.
+  Chart_map abf_plus_plus(const Chart& chart, bool may_overlap) const
+  {
+    if(chart.number_of_triangles() > largest_direct_chart)
+      return hierarchical_map(chart, may_overlap);
+    ABF_plus_plus_options options = direct_options(m_options);
+    options.visitor = m_visitor;
+    return result(flatten_chart(chart, options, m_solvers, &leave_as_it_is), Atlas_report::ABF_PLUS_PLUS);
+  }
+
+private:
+  Chart_map hierarchical_map(const Chart& chart, bool may_overlap) const
+  {
+    ABF_plus_plus_options direct = direct_options(m_options);
+    Hierarchical_options options = hierarchical_options(m_options, false);
+    options.visitor = m_visitor;
+    const Coarse_flattening flatten_coarse =
+        [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
+      Flattening<ABF_plus_plus_report> map = flatten_chart(coarse, direct, m_solvers, &leave_as_it_is);
+      if(!map.succeeded())
+        return std::nullopt;
+      if(!map.report.border_is_simple && !may_overlap)
+        throw Coarse_map_overlaps();
+      return std::move(map.uv);
+    };
+    try {
+      Chart copy = chart;
+      return result(flatten_chart_hierarchically(copy, options, flatten_coarse, m_solvers, &leave_as_it_is),
+                    Atlas_report::HIERARCHICAL);
+    } catch(const Coarse_map_overlaps&) {
+      Chart_map map;
+      map.overlaps = true;
+      return map;
+    }
+  }
+
+  Chart_map injective_map(const Chart& chart) const
+  {
+    Hierarchical_options options = hierarchical_options(m_options, true);
+    options.visitor = m_visitor;
+    const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
+    Chart copy = chart;
+    return result(flatten_chart_hierarchically(copy, options, no_solver, m_solvers, &leave_as_it_is),
+                  Atlas_report::INJECTIVE);
+  }
+
+  template <typename Report>
+  static Chart_map result(Flattening<Report> flattening, Atlas_report::Method method)
+  {
+    Chart_map map;
+    map.method = method;
+    map.diagnosis = flattening.report.diagnosis;
+    map.message = std::move(flattening.report.message);
+    map.contact = flattening.report.contact;
+    if(flattening.succeeded()) {
+      map.overlaps = !flattening.report.border_is_simple;
+      map.uv = std::move(flattening.uv);
+    }
+    return map;
+  }
+
+  // The final coordinates are rounded and certified later, when they are packed.
+  static void leave_as_it_is(std::vector<Chart::Point_2>&) {}
+
+  const Atlas_options& m_options;
+  const Linear_solvers& m_solvers;
+  Flattening_visitor* m_visitor;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H

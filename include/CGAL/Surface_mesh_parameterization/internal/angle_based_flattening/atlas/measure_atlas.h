@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MEASURE_ATLAS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MEASURE_ATLAS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Measures the distortion of the charts, one by one and all together.
+class Atlas_measurement
+{
+  struct Sums // over a chart
+  {
+    double surface = 0, plane = 0, scale = 0, stretch = 0;
+  };
+
+public:
+  Atlas_measurement(int triangles, double surface, double stretch_bound)
+      : m_totals(triangles, surface), m_bound(stretch_tolerance * stretch_bound)
+  {}
+
+  // Adds the charts of a part, which are in the report from number `first` on.
+  void add(const Part_atlas& part, Atlas_report& report, std::size_t first)
+  {
+    std::vector<Sums> sums = sums_of_areas(part);
+    measure_triangles(part, sums);
+    for(std::size_t i = 0; i < sums.size(); ++i) {
+      Atlas_report::Chart& chart = report.charts[first + i];
+      const Sums& sum = sums[i];
+      chart.area = sum.surface * part.chart.scale * part.chart.scale;
+      chart.scale_stretch = sum.surface > 0 ? std::sqrt(sum.scale * sum.plane) / sum.surface : 1;
+      chart.bound_reached = !(chart.scale_stretch > m_bound);
+      chart.l2_stretch = sum.surface > 0 ? std::sqrt(sum.stretch / sum.surface) : 1;
+    }
+    for(const std::vector<int>& border : part.chart.borders)
+      for(int c : border)
+        report.charts[first + part.piece[c / 3]].border_length +=
+            edge_length(part.chart, c) * part.chart.scale;
+  }
+
+  Flattening_measures measures() { return m_totals.measures(); }
+
+private:
+  static std::vector<Sums> sums_of_areas(const Part_atlas& part)
+  {
+    std::vector<Sums> sums(part.number_of_pieces);
+    for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
+      Sums& sum = sums[part.piece[t]];
+      const double surface = surface_area(part.chart, t),
+                   plane = std::abs(planar_area(part.chart, part.uv, t));
+      sum.surface += surface;
+      sum.plane += plane;
+      sum.scale += surface > 0 ? surface * surface / plane : 0;
+    }
+    return sums;
+  }
+
+  // Each relative to the scale of its chart
+  void measure_triangles(const Part_atlas& part, std::vector<Sums>& sums)
+  {
+    const std::vector<double> beta = target_angles(part.chart);
+    const int triangles = part.chart.number_of_triangles(), batch = 64 * block_size;
+    std::vector<Flattening_face_measures> faces((std::min)(triangles, batch));
+    for(int first = 0; first < triangles; first += batch) {
+      const int size = (std::min)(batch, triangles - first);
+      parallel_for_blocks(size, [&](int begin, int end) {
+        for(int i = begin; i < end; ++i) {
+          const Sums& sum = sums[part.piece[first + i]];
+          faces[i] =
+              measure_triangle(part.chart, beta, part.uv, std::sqrt(sum.surface / sum.plane), first + i);
+        }
+      });
+      for(int i = 0; i < size; ++i) {
+        m_totals.add(faces[i]);
+        if(faces[i].area > 0) // infinity times 0 would be NaN
+          sums[part.piece[first + i]].stretch += faces[i].area * faces[i].l2_stretch * faces[i].l2_stretch;
+      }
+    }
+  }
+
+  Measure_totals m_totals;
+  double m_bound;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MEASURE_ATLAS_H

@@ -1,0 +1,775 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Atlases of surfaces of several components, some of which cannot be flattened: every face has a chart or a reason, nothing overlaps,
+// and what the report says is true.
+
+#include <boost/test/unit_test.hpp>
+
+#include "atlas_check.h"
+#include "atlas_surfaces.h"
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_atlas)
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace parameters = CGAL::parameters;
+using atlas_check::Atlas_run;
+using atlas_check::check_atlas;
+using atlas_check::make_atlas_of;
+using atlas_check::Wishes;
+using atlas_surfaces::component;
+using atlas_surfaces::Component;
+using atlas_surfaces::random_union;
+using atlas_surfaces::Union;
+using SMP::Atlas_report;
+using SMP::Atlas_visitor;
+using test_charts::uniform_int;
+typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
+typedef Mesh::Edge_index Edge;
+typedef Mesh::Face_index Face;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+unsigned number_of_unions(unsigned in_full, unsigned if_quick)
+{
+  return std::getenv("ABF_TEST_QUICK") == nullptr ? in_full : if_quick;
+}
+
+// Other seeds can be tried by hand.
+unsigned first_seed()
+{
+  const char* text = std::getenv("ABF_TEST_SEED");
+  return text == nullptr ? 0 : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
+}
+
+Mesh mesh_of(const std::vector<Component>& components)
+{
+  Union all;
+  for(const Component& c : components)
+    all.add(c);
+  return all.mesh<Mesh>();
+}
+
+Mesh mesh_of(const seam_surfaces::Surface& surface)
+{
+  return mesh_of({component(surface)});
+}
+
+template <typename NamedParameters = parameters::Default_named_parameters>
+Atlas_run make_with_seams(const Mesh& mesh, const std::function<bool(Edge)>& is_given,
+                          const NamedParameters& np = parameters::default_values())
+{
+  return make_atlas_of(mesh, np, is_given, mesh.points());
+}
+
+bool are_same(const Atlas_run& run, const Atlas_run& other)
+{
+  return run.uv == other.uv && run.is_seam == other.is_seam && run.chart == other.chart;
+}
+
+void check_diagnosis(const Atlas_run& run, Atlas_report::Diagnosis diagnosis)
+{
+  BOOST_TEST((run.report.diagnosis == diagnosis), to_string(run.report.diagnosis));
+  BOOST_TEST(run.report.message != "");
+  BOOST_TEST(!run.report.has_atlas());
+  BOOST_TEST(run.is_untouched());
+}
+
+// Good components have charts; the others are named with the reason.
+void check_components(const Union& all, const Atlas_run& run)
+{
+  const std::vector<int> component_of_vertex = all.component_of_vertex();
+  std::vector<int> charted(all.components.size(), 0);
+  const auto component_of_face = [&](std::size_t f) {
+    return component_of_vertex[run.vertex[run.first_corner[f]]];
+  };
+  for(std::size_t f = 0; f < run.number_of_faces(); ++f)
+    charted[component_of_face(f)] += run.chart[f] >= 0 ? 1 : 0;
+  for(std::size_t i = 0; i < all.components.size(); ++i)
+    BOOST_TEST((charted[i] > 0) == all.components[i].is_good(), all.components[i].name);
+  for(const Atlas_report::Skipped& skipped : run.report.skipped) {
+    const Component& c = all.components[component_of_face(skipped.first_face)];
+    BOOST_TEST(skipped.diagnosis == c.diagnosis, c.name << ": " << skipped.diagnosis);
+  }
+}
+
+// A visitor that stops at a call
+struct Stopping_visitor : Atlas_visitor
+{
+  int calls = 0, stop_at = -1;
+  std::vector<Stage> stages;
+  std::vector<double> shares;
+
+  bool start(Stage stage) override
+  {
+    stages.push_back(stage);
+    return ++calls != stop_at;
+  }
+
+  bool progress(double share) override
+  {
+    BOOST_TEST((stages.back() == CHARTS));
+    shares.push_back(share);
+    return ++calls != stop_at;
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(every_face_has_a_chart_or_a_reason)
+{
+  int skipped = 0, injective = 0, separated = 0;
+  const unsigned unions = number_of_unions(200, 30);
+  for(unsigned seed = first_seed(); seed < first_seed() + unions; ++seed) {
+    const Union all = random_union(seed);
+    const Mesh mesh = all.mesh<Mesh>();
+    std::mt19937 random(seed);
+    Wishes wishes;
+    wishes.resolution = 64 << uniform_int(random, 0, 2);
+    wishes.gutter = uniform_int(random, 0, 3);
+    wishes.packs = uniform_int(random, 0, 3) > 0;
+    wishes.stretch_bound = uniform_int(random, 0, 3) == 0 ? 1.02 : 1.1;
+    const bool has_weights = wishes.packs && uniform_int(random, 0, 2) == 0;
+    wishes.weight.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), 1);
+    for(double& w : wishes.weight)
+      w = has_weights ? uniform_int(random, 0, 3) + 0.01 : 1.;
+    const auto weights = boost::make_function_property_map<Face>([&](Face f) { return wishes.weight[f]; });
+    const bool separates = uniform_int(random, 0, 2) == 0, cuts = uniform_int(random, 0, 2) == 0;
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      const Atlas_run run = make_atlas_of(
+          mesh,
+          parameters::resolution(
+              wishes.resolution,
+              parameters::gutter(
+                  wishes.gutter,
+                  parameters::pack_into_square(
+                      wishes.packs, parameters::stretch_bound(
+                                        wishes.stretch_bound,
+                                        parameters::separate_overlaps(
+                                            separates, parameters::cut_necks(
+                                                           cuts, parameters::face_weight_map(weights))))))));
+      if(all.without_bad_components().components.empty()) {
+        check_diagnosis(run, Atlas_report::NOTHING_FLATTENED);
+        BOOST_TEST(run.report.skipped.size() == all.components.size());
+        continue;
+      }
+      std::vector<double> weight_of_rank;
+      for(Face f : mesh.faces())
+        weight_of_rank.push_back(wishes.weight[f]);
+      wishes.weight = weight_of_rank;
+      check_atlas(run, wishes);
+      check_components(all, run);
+      skipped += !run.report.skipped.empty();
+      for(const Atlas_report::Chart& chart : run.report.charts) {
+        injective += chart.method == Atlas_report::INJECTIVE;
+        separated += chart.method == Atlas_report::SEPARATED;
+        if(separates)
+          BOOST_TEST((chart.method != Atlas_report::INJECTIVE));
+      }
+    }
+  }
+  // all of that did come up
+  BOOST_TEST(skipped > 0);
+  BOOST_TEST(injective > 0);
+  BOOST_TEST(separated > 0);
+}
+
+BOOST_AUTO_TEST_CASE(bad_components_change_nothing_of_the_others)
+{
+  int compared = 0;
+  for(unsigned seed = 1000 + first_seed(); compared < static_cast<int>(number_of_unions(25, 5)); ++seed) {
+    const Union all = random_union(seed), good = all.without_bad_components();
+    if(good.components.empty() || all.is_good())
+      continue;
+    ++compared;
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      const Mesh mesh = all.mesh<Mesh>(), good_mesh = good.mesh<Mesh>();
+      const Atlas_run run = make_atlas_of(mesh), alone = make_atlas_of(good_mesh);
+      BOOST_TEST(bool(alone.report));
+      std::vector<atlas_check::Point_2> uv;
+      for(std::size_t c = 0; c < run.uv.size(); ++c)
+        if(run.chart[run.face[c]] >= 0)
+          uv.push_back(run.uv[c]);
+      BOOST_TEST((uv == alone.uv));
+      std::vector<int> charts;
+      for(int chart : run.chart)
+        if(chart >= 0)
+          charts.push_back(chart);
+      BOOST_TEST(charts == alone.chart);
+      BOOST_TEST(run.report.seam_length == alone.report.seam_length);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(components_are_flattened_as_if_they_were_alone)
+{
+  for(unsigned seed = 2000 + first_seed(); seed < 2000 + first_seed() + number_of_unions(20, 5); ++seed) {
+    const Union all = random_union(seed).without_bad_components();
+    if(all.components.empty())
+      continue;
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      const Atlas_run run = make_atlas_of(all.mesh<Mesh>(), parameters::pack_into_square(false));
+      const std::vector<int> component_of_vertex = all.component_of_vertex();
+      for(std::size_t i = 0; i < all.components.size(); ++i) {
+        const Atlas_run alone =
+            make_atlas_of(mesh_of({all.components[i]}), parameters::pack_into_square(false));
+        std::vector<atlas_check::Point_2> uv;
+        for(std::size_t c = 0; c < run.uv.size(); ++c)
+          if(component_of_vertex[run.vertex[c]] == static_cast<int>(i))
+            uv.push_back(run.uv[c]);
+        BOOST_TEST((uv == alone.uv), all.components[i].name);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sizes_may_be_very_different)
+{
+  for(unsigned seed = 3000 + first_seed(); seed < 3000 + first_seed() + number_of_unions(20, 5); ++seed) {
+    const Union all = random_union(seed, 8, 12).without_bad_components();
+    if(all.components.empty())
+      continue;
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      Wishes wishes;
+      wishes.resolution = 256;
+      const Atlas_run run = make_atlas_of(all.mesh<Mesh>(), parameters::resolution(256));
+      BOOST_TEST(bool(run.report), run.report.message);
+      check_atlas(run, wishes);
+    }
+  }
+}
+
+// Powers of two do not round.
+BOOST_AUTO_TEST_CASE(the_unit_of_length_does_not_matter)
+{
+  const Union all = random_union(22, 8).without_bad_components();
+  const Atlas_run run = make_atlas_of(all.mesh<Mesh>());
+  BOOST_TEST_REQUIRE(bool(run.report), run.report.message);
+  for(int exponent : {-400, -30, 400})
+    BOOST_TEST_CONTEXT("2^" << exponent)
+    {
+      const double unit = std::ldexp(1, exponent);
+      Mesh mesh = all.mesh<Mesh>();
+      for(auto v : mesh.vertices()) {
+        const auto p = mesh.point(v);
+        mesh.point(v) = test_charts::Point_3(unit * p.x(), unit * p.y(), unit * p.z());
+      }
+      const Atlas_run other = make_atlas_of(mesh);
+      BOOST_TEST(are_same(run, other));
+      BOOST_TEST(other.report.seam_length == unit * run.report.seam_length);
+      BOOST_TEST(other.report.relative_seam_length == run.report.relative_seam_length);
+      BOOST_TEST(other.report.scale == run.report.scale / unit);
+      BOOST_TEST(other.report.measures.l2_stretch == run.report.measures.l2_stretch);
+      BOOST_TEST_REQUIRE(other.report.charts.size() == run.report.charts.size());
+      for(std::size_t i = 0; i < run.report.charts.size(); ++i)
+        BOOST_TEST(other.report.charts[i].area == unit * unit * run.report.charts[i].area);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits)
+{
+  for(unsigned seed = 4000 + first_seed(); seed < 4000 + first_seed() + number_of_unions(20, 5); ++seed) {
+    const Union all = random_union(seed, 8);
+    const Mesh mesh = all.mesh<Mesh>();
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      const Atlas_run one = make_atlas_of(mesh, parameters::number_of_threads(1));
+      for(int threads : {0, 2, 3}) {
+        const Atlas_run other = make_atlas_of(mesh, parameters::number_of_threads(threads));
+        BOOST_TEST(are_same(one, other));
+        BOOST_TEST(one.report.message == other.report.message);
+        BOOST_TEST(one.report.seam_length == other.report.seam_length);
+        BOOST_TEST(one.report.covered_share == other.report.covered_share);
+        BOOST_TEST(one.report.measures.l2_stretch == other.report.measures.l2_stretch);
+        BOOST_TEST(one.report.measures.mean_angle_change == other.report.measures.mean_angle_change);
+        BOOST_TEST_REQUIRE(one.report.charts.size() == other.report.charts.size());
+        for(std::size_t i = 0; i < one.report.charts.size(); ++i)
+          BOOST_TEST(one.report.charts[i].scale_stretch == other.report.charts[i].scale_stretch);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(given_seams_stay_and_constrained_edges_never_become_seams)
+{
+  int forbidden = 0, charted = 0;
+  const unsigned unions = number_of_unions(60, 10);
+  for(unsigned i = 0; i <= unions; ++i) {
+    // in the last one, the pieces of a map that overlaps itself cannot be separated
+    const unsigned seed = i == unions ? 45033 : 5000 + first_seed() + i;
+    const Union all = random_union(seed, 3);
+    const Mesh mesh = all.mesh<Mesh>();
+    std::mt19937 random(seed);
+    std::vector<char> is_given(mesh.num_edges(), false), is_constrained(mesh.num_edges(), false);
+    const int given = uniform_int(random, 0, 20), constrained = uniform_int(random, 0, 110);
+    for(std::size_t e = 0; e < is_given.size(); ++e) {
+      is_given[e] = uniform_int(random, 0, 99) < given;
+      is_constrained[e] = uniform_int(random, 0, 99) < constrained;
+    }
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      const Atlas_run run = make_with_seams(
+          mesh, [&](Edge e) { return bool(is_given[e]); },
+          parameters::resolution(256).edge_is_constrained_map(
+              boost::make_function_property_map<Edge>([&](Edge e) { return bool(is_constrained[e]); })));
+      if(!run.report.has_atlas()) {
+        check_diagnosis(run, Atlas_report::NOTHING_FLATTENED);
+        continue;
+      }
+      Wishes wishes;
+      wishes.resolution = 256;
+      check_atlas(run, wishes);
+      std::size_t corner = 0;
+      for(Face f : mesh.faces())
+        for(auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+          if(is_constrained[mesh.edge(h)] && !is_given[mesh.edge(h)])
+            BOOST_TEST_REQUIRE(!run.is_seam[corner]);
+          ++corner;
+        }
+      for(const Atlas_report::Skipped& skipped : run.report.skipped)
+        forbidden += skipped.diagnosis == "NO_CUT_ALLOWED";
+      charted += static_cast<int>(run.report.charts.size());
+    }
+  }
+  BOOST_TEST(forbidden > 0);
+  BOOST_TEST(charted > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_seam_separates_a_bad_part_from_a_good_one)
+{
+  Mesh mesh = mesh_of(seam_surfaces::sphere(2));
+  const auto is_above = [&](Face f) {
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      if(mesh.point(v).z() < -1e-9)
+        return false;
+    return true;
+  };
+  const auto is_given = [&](Edge e) {
+    return is_above(mesh.face(mesh.halfedge(e, 0))) != is_above(mesh.face(mesh.halfedge(e, 1)));
+  };
+  std::vector<char> seams;
+  for(Edge e : mesh.edges())
+    seams.push_back(is_given(e));
+  std::vector<char> above;
+  for(Face f : mesh.faces())
+    above.push_back(is_above(f));
+  for(auto v : mesh.vertices())
+    if(mesh.point(v).z() > 0.9) {
+      mesh.point(v) = test_charts::Point_3(0, 0, infinity);
+      break;
+    }
+  const Atlas_run run = make_with_seams(mesh, [&](Edge e) { return bool(seams[e]); });
+  check_atlas(run, Wishes());
+  BOOST_TEST(run.report.number_of_parts == 2u);
+  BOOST_TEST_REQUIRE(run.report.skipped.size() == 1u);
+  BOOST_TEST(run.report.skipped.front().diagnosis == "NON_FINITE_POINT");
+  for(std::size_t f = 0; f < above.size(); ++f)
+    BOOST_TEST_REQUIRE((run.chart[f] >= 0) == !above[f]);
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_of_every_kind_become_one_chart)
+{
+  std::mt19937 random(7);
+  std::vector<Component> components;
+  for(const auto& solid : seam_surfaces::platonic_solids())
+    components.push_back(component(solid));
+  for(int handles = 0; handles < 6; ++handles)
+    components.push_back(component(seam_surfaces::slab(handles)));
+  components.push_back(component(seam_surfaces::torus(24, 12)));
+  components.push_back(component(seam_surfaces::torus(3, 3)));
+  components.push_back(component(seam_surfaces::tube(12, 30)));
+  components.push_back(component(seam_surfaces::tube(3, 1)));
+  components.push_back(component(seam_surfaces::sphere(3)));
+  components.push_back(component(seam_surfaces::sphere_with_holes(20, 3)));
+  components.push_back(atlas_surfaces::disk_with_holes(12, random));
+  components.push_back(atlas_surfaces::single_triangle(random));
+  components.push_back(atlas_surfaces::pillow());
+  components.push_back(atlas_surfaces::staircase(60, 2.3));
+  components.push_back(atlas_surfaces::bumpy_sphere(random));
+  components.push_back(component("annulus", test_charts::annulus(12)));
+  components.push_back(component("torus with hole", test_charts::torus_with_hole(12)));
+  for(const Component& c : components)
+    BOOST_TEST_CONTEXT(c.name)
+    {
+      Wishes wishes;
+      wishes.resolution = 256;
+      const Atlas_run run = make_atlas_of(mesh_of({c}), parameters::resolution(256));
+      BOOST_TEST(bool(run.report), run.report.message);
+      check_atlas(run, wishes);
+      BOOST_TEST(run.report.charts.size() == 1u);
+    }
+}
+
+// Two triangles and more that have no more than a vertex in common
+BOOST_AUTO_TEST_CASE(pinched_vertices_belong_to_several_charts)
+{
+  const Mesh mesh = mesh_of({{"bow tie",
+                              {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+                              {{0, 1, 2}, {0, 3, 4}, {2, 3, 5}}}});
+  const Atlas_run run = make_atlas_of(mesh, parameters::resolution(64));
+  Wishes wishes;
+  wishes.resolution = 64;
+  check_atlas(run, wishes);
+  BOOST_TEST(run.report.charts.size() == 3u);
+  BOOST_TEST(run.report.seam_length == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_smaller_bound_means_less_stretch_and_longer_seams)
+{
+  const Mesh mesh = mesh_of(seam_surfaces::sphere(3));
+  double seam = infinity, stretch = 0;
+  for(double bound : {1.02, 1.05, 1.1, 1.3}) {
+    const Atlas_run run = make_atlas_of(mesh, parameters::stretch_bound(bound));
+    Wishes wishes;
+    wishes.stretch_bound = bound;
+    check_atlas(run, wishes);
+    BOOST_TEST_REQUIRE(run.report.charts.size() == 1u);
+    BOOST_TEST(run.report.charts[0].bound_reached);
+    BOOST_TEST(run.report.seam_length < seam);
+    BOOST_TEST(run.report.charts[0].scale_stretch > stretch);
+    BOOST_TEST(run.report.number_of_terminals > 0u);
+    seam = run.report.seam_length;
+    stretch = run.report.charts[0].scale_stretch;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_terminals_surfaces_are_only_cut_to_disks)
+{
+  for(const Mesh& mesh :
+      {mesh_of(seam_surfaces::torus(24, 12)), mesh_of(seam_surfaces::sphere_with_holes(3, 1)),
+       mesh_of({component("bump", test_charts::bump(10, 1, 1))})}) {
+    Wishes unbound;
+    unbound.stretch_bound = infinity;
+    const Atlas_run infinite = make_atlas_of(mesh, parameters::stretch_bound(infinity)),
+                    none = make_atlas_of(mesh, parameters::maximum_number_of_terminals(0));
+    check_atlas(infinite, unbound);
+    check_atlas(none, Wishes());
+    for(const Atlas_run* run : {&infinite, &none}) {
+      BOOST_TEST(run->report.number_of_terminals == 0u);
+      BOOST_TEST(run->report.charts.size() == 1u);
+      BOOST_TEST(run->report.charts[0].rounds == 0);
+    }
+    BOOST_TEST(infinite.report.charts[0].bound_reached);
+    BOOST_TEST(infinite.is_seam == none.is_seam);
+  }
+  // a bound that is missed is not said to be reached
+  const Atlas_run bumps = make_atlas_of(mesh_of({component("bump", test_charts::bump(20, 1, 3))}),
+                                        parameters::maximum_number_of_terminals(0));
+  BOOST_TEST(!bumps.report.charts[0].bound_reached);
+  BOOST_TEST(bumps.report.seam_length == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_terminals_is_at_most_what_is_allowed)
+{
+  const Mesh mesh = mesh_of(seam_surfaces::sphere(3));
+  double stretch = infinity;
+  for(int most : {2, 4, 8}) {
+    const Atlas_run run =
+        make_atlas_of(mesh, parameters::maximum_number_of_terminals(most, parameters::stretch_bound(1.001)));
+    BOOST_TEST(run.report.number_of_terminals <= static_cast<std::size_t>(most));
+    BOOST_TEST(!run.report.charts[0].bound_reached);
+    BOOST_TEST(run.report.charts[0].scale_stretch < stretch);
+    stretch = run.report.charts[0].scale_stretch;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(overlaps_become_injective_or_are_separated)
+{
+  const Mesh mesh = mesh_of({atlas_surfaces::staircase(60, 2.3)});
+  const Atlas_run injective = make_atlas_of(mesh),
+                  separated = make_atlas_of(mesh, parameters::separate_overlaps(true));
+  check_atlas(injective, Wishes());
+  check_atlas(separated, Wishes());
+  BOOST_TEST_REQUIRE(injective.report.charts.size() == 1u);
+  BOOST_TEST((injective.report.charts[0].method == Atlas_report::INJECTIVE));
+  BOOST_TEST(injective.report.seam_length == 0);
+  BOOST_TEST(separated.report.charts.size() > 1u);
+  BOOST_TEST(separated.report.seam_length > 0);
+  for(const auto& chart : separated.report.charts) {
+    BOOST_TEST((chart.method == Atlas_report::SEPARATED));
+    BOOST_TEST(chart.part == 0u);
+  }
+  // what ABF++ leaves without overlap is as ABF++ made it
+  BOOST_TEST(separated.report.measures.rms_angle_change < injective.report.measures.rms_angle_change);
+}
+
+BOOST_AUTO_TEST_CASE(a_larger_weight_of_areas_stretches_them_less)
+{
+  const Mesh mesh = mesh_of({atlas_surfaces::staircase(60, 2.3)});
+  double area_distortion = infinity, angle_change = 0;
+  for(double weight : {0.005, 0.05, 0.5}) {
+    const Atlas_run run = make_atlas_of(mesh, parameters::area_weight(weight));
+    check_atlas(run, Wishes());
+    BOOST_TEST_REQUIRE((run.report.charts[0].method == Atlas_report::INJECTIVE));
+    BOOST_TEST(run.report.measures.l2_area_distortion < area_distortion);
+    BOOST_TEST(run.report.measures.rms_angle_change > angle_change);
+    area_distortion = run.report.measures.l2_area_distortion;
+    angle_change = run.report.measures.rms_angle_change;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(resolution_and_gutter_are_kept)
+{
+  const Mesh mesh = random_union(11, 8).without_bad_components().mesh<Mesh>();
+  for(int resolution : {32, 64, 256}) {
+    double covered = 1;
+    for(int gutter : {0, 1, 2, 5}) {
+      Wishes wishes;
+      wishes.resolution = resolution;
+      wishes.gutter = gutter;
+      const Atlas_run run =
+          make_atlas_of(mesh, parameters::resolution(resolution, parameters::gutter(gutter)));
+      check_atlas(run, wishes);
+      BOOST_TEST(run.report.covered_share < covered);
+      covered = run.report.covered_share * 1.05;
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
+{
+  const Mesh mesh = mesh_of(seam_surfaces::slab(2));
+  const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
+  const auto seams = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+  for(Edge e : mesh.edges())
+    put(seams, e, false);
+  const Atlas_report report =
+      SMP::make_atlas(mesh, uv, parameters::edge_is_seam_map(seams, parameters::pack_into_square(false)));
+  BOOST_TEST_REQUIRE(bool(report));
+  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
+  typedef std::decay_t<decltype(seam_mesh)> Seam_mesh;
+  const auto vertex_uv = boost::make_function_property_map<boost::graph_traits<Seam_mesh>::vertex_descriptor>(
+      [&](const auto& v) { return get(uv, static_cast<Mesh::Halfedge_index>(v)); });
+  const SMP::Flattening_measures expected =
+      SMP::measure_flattening(seam_mesh, SMP::border_halfedge(seam_mesh), vertex_uv);
+  const auto check = [&](auto member) {
+    BOOST_TEST((report.measures.*member) == (expected.*member), boost::test_tools::tolerance(1e-9));
+  };
+  for(auto member :
+      {&SMP::Flattening_measures::mean_angle_change, &SMP::Flattening_measures::rms_angle_change,
+       &SMP::Flattening_measures::mean_corner_angle_change,
+       &SMP::Flattening_measures::rms_corner_angle_change, &SMP::Flattening_measures::angular_distortion,
+       &SMP::Flattening_measures::l2_stretch, &SMP::Flattening_measures::linf_stretch,
+       &SMP::Flattening_measures::mean_quasi_conformal_ratio,
+       &SMP::Flattening_measures::quasi_conformal_ratio_95, &SMP::Flattening_measures::min_scale,
+       &SMP::Flattening_measures::max_scale, &SMP::Flattening_measures::max_quasi_conformal_ratio,
+       &SMP::Flattening_measures::l2_area_distortion, &SMP::Flattening_measures::symmetric_dirichlet_energy,
+       &SMP::Flattening_measures::smallest_angle, &SMP::Flattening_measures::l2_principal_shear})
+    check(member);
+  BOOST_TEST(report.measures.flipped_triangles == expected.flipped_triangles);
+  BOOST_TEST(report.measures.border_is_simple == expected.border_is_simple);
+  BOOST_TEST(report.charts[0].l2_stretch == expected.l2_stretch, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_options_name_themselves_and_change_nothing)
+{
+  const Mesh mesh = mesh_of(seam_surfaces::tetrahedron());
+  const auto check = [&](const std::string& name, const auto& np) {
+    const Atlas_run run = make_atlas_of(mesh, np);
+    BOOST_TEST_CONTEXT(name) check_diagnosis(run, Atlas_report::WRONG_OPTION);
+    BOOST_TEST(run.report.message.find(name) != std::string::npos, run.report.message);
+  };
+  for(double bound : {0.99, -infinity, std::nan("")})
+    check("stretch", parameters::stretch_bound(bound));
+  check("terminals", parameters::maximum_number_of_terminals(-1));
+  for(double weight : {-0.1, 1.1, std::nan("")})
+    check("area weight", parameters::area_weight(weight));
+  for(int resolution : {0, -5, 1 << 20})
+    check("resolution", parameters::resolution(resolution));
+  for(int gutter : {-1, 1 << 20})
+    check("gutter", parameters::gutter(gutter));
+  for(int rotations : {0, 1 << 20})
+    check("rotations", parameters::number_of_rotations(rotations));
+  check("threads", parameters::number_of_threads(-1));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
+{
+  const Mesh mesh =
+      mesh_of({component(seam_surfaces::tetrahedron()), component(seam_surfaces::octahedron())});
+  for(double wrong : {-1., std::nan(""), -infinity}) {
+    const Face face(6);
+    const Atlas_run faces =
+        make_atlas_of(mesh, parameters::face_weight_map(boost::make_function_property_map<Face>(
+                                [&](Face f) { return f == face ? wrong : 2.; })));
+    check_diagnosis(faces, Atlas_report::WRONG_WEIGHT);
+    BOOST_TEST(faces.report.message.find("face 6 ") != std::string::npos, faces.report.message);
+
+    const Edge edge(8);
+    const Atlas_run edges =
+        make_atlas_of(mesh, parameters::edge_weight_map(boost::make_function_property_map<Edge>(
+                                [&](Edge e) { return e == edge ? wrong : 2.; })));
+    check_diagnosis(edges, Atlas_report::WRONG_WEIGHT);
+    for(auto v : {mesh.vertex(edge, 0), mesh.vertex(edge, 1)}) {
+      std::ostringstream point;
+      point << '(' << mesh.point(v).x() << ", " << mesh.point(v).y() << ", " << mesh.point(v).z() << ')';
+      BOOST_TEST(edges.report.message.find(point.str()) != std::string::npos,
+                 edges.report.message << " without " << point.str());
+    }
+  }
+  const Atlas_run infinite =
+      make_atlas_of(mesh, parameters::face_weight_map(boost::make_function_property_map<Face>(
+                              [](Face f) { return f == Face(3) ? infinity : 1.; })));
+  check_diagnosis(infinite, Atlas_report::WRONG_WEIGHT);
+  const Atlas_run zero = make_atlas_of(
+      mesh, parameters::face_weight_map(boost::make_function_property_map<Face>([](Face) { return 0.; })));
+  check_diagnosis(zero, Atlas_report::PACKING_FAILED);
+}
+
+// Whatever the unit of weights is
+BOOST_AUTO_TEST_CASE(weights_of_faces_count_in_proportion)
+{
+  const Mesh mesh =
+      mesh_of({component(seam_surfaces::tetrahedron()), component(seam_surfaces::octahedron())});
+  std::vector<std::vector<atlas_check::Point_2>> uv;
+  for(double unit : {1., 1e-100, 1e-200, 1e100, 1e200})
+    BOOST_TEST_CONTEXT("unit " << unit)
+    {
+      const auto weights =
+          boost::make_function_property_map<Face>([&](Face f) { return f < Face(4) ? 3 * unit : unit; });
+      const Atlas_run run =
+          make_atlas_of(mesh, parameters::face_weight_map(weights, parameters::resolution(128)));
+      BOOST_TEST_REQUIRE(bool(run.report), run.report.message);
+      std::vector<double> density(2, 0);
+      const auto sums = atlas_check::chart_sums(run, {});
+      for(std::size_t i = 0; i < 2; ++i)
+        density[i] = std::sqrt(sums[i].plane / sums[i].surface);
+      BOOST_TEST(density[0] == 3 * density[1], boost::test_tools::tolerance(1e-9));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(seams_avoid_heavy_edges)
+{
+  const Mesh mesh = mesh_of(seam_surfaces::torus(24, 12));
+  const auto is_heavy = [&](Edge e) { return mesh.point(mesh.vertex(e, 0)).z() > 0.3; };
+  const auto heavy_seams = [&](const Atlas_run& run) {
+    int number = 0;
+    std::size_t corner = 0;
+    for(Face f : mesh.faces())
+      for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        number += run.is_seam[corner++] && is_heavy(mesh.edge(h));
+    return number;
+  };
+  const auto weights =
+      boost::make_function_property_map<Edge>([&](Edge e) { return is_heavy(e) ? 1000. : 1.; });
+  const Atlas_run weighted =
+      make_atlas_of(mesh, parameters::edge_weight_map(weights, parameters::stretch_bound(infinity)));
+  const Atlas_run plain = make_atlas_of(mesh, parameters::stretch_bound(infinity));
+  // a closed curve around the tube has to cross what is heavy
+  BOOST_TEST(heavy_seams(weighted) > 0);
+  BOOST_TEST(heavy_seams(weighted) <= heavy_seams(plain));
+}
+
+BOOST_AUTO_TEST_CASE(a_visitor_follows_and_may_stop_it_anywhere)
+{
+  const Mesh mesh = random_union(21, 6).mesh<Mesh>();
+  const std::vector<Atlas_visitor::Stage> stages{Atlas_visitor::READ,    Atlas_visitor::CHARTS,
+                                                 Atlas_visitor::PACK,    Atlas_visitor::CERTIFY,
+                                                 Atlas_visitor::MEASURE, Atlas_visitor::WRITE};
+  for(int threads : {1, 2}) {
+    Stopping_visitor all;
+    const auto np = [&](Stopping_visitor& visitor) {
+      return parameters::number_of_threads(threads, parameters::atlas_visitor(visitor));
+    };
+    const Atlas_run run = make_atlas_of(mesh, np(all));
+    BOOST_TEST(run.report.has_atlas());
+    BOOST_TEST((all.stages == stages));
+    BOOST_TEST(std::is_sorted(all.shares.begin(), all.shares.end()));
+    BOOST_TEST_REQUIRE(all.shares.size() > 3u);
+    BOOST_TEST(all.shares.front() >= 0);
+    BOOST_TEST(all.shares.back() == 1);
+    for(int k = 1; k <= (threads == 1 ? all.calls : 5); ++k) {
+      Stopping_visitor visitor;
+      visitor.stop_at = k;
+      const Atlas_run stopped = make_atlas_of(mesh, np(visitor));
+      BOOST_TEST_CONTEXT("call " << k) check_diagnosis(stopped, Atlas_report::CANCELLED);
+      BOOST_TEST(visitor.calls == k); // and is left alone then
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(stages_that_are_not_needed_are_not_announced)
+{
+  Stopping_visitor visitor;
+  make_atlas_of(mesh_of(seam_surfaces::octahedron()),
+                parameters::pack_into_square(false, parameters::atlas_visitor(visitor)));
+  const std::vector<Atlas_visitor::Stage> stages{Atlas_visitor::READ, Atlas_visitor::CHARTS,
+                                                 Atlas_visitor::CERTIFY, Atlas_visitor::MEASURE,
+                                                 Atlas_visitor::WRITE};
+  BOOST_TEST((visitor.stages == stages));
+}
+
+BOOST_AUTO_TEST_CASE(without_faces_there_is_no_atlas)
+{
+  Mesh mesh;
+  check_diagnosis(make_atlas_of(mesh), Atlas_report::EMPTY_MESH);
+  for(int i = 0; i < 3; ++i)
+    mesh.add_vertex(test_charts::Point_3(i, 0, 0));
+  check_diagnosis(make_atlas_of(mesh), Atlas_report::EMPTY_MESH);
+}
+
+BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
+{
+  Union all;
+  for(int i = 0; i < 40; ++i)
+    all.add(component(seam_surfaces::tetrahedron()));
+  const Mesh mesh = all.mesh<Mesh>();
+  const Atlas_run run = make_atlas_of(mesh, parameters::resolution(16));
+  check_diagnosis(run, Atlas_report::PACKING_FAILED);
+  BOOST_TEST(run.report.message.find("40 charts") != std::string::npos, run.report.message);
+  BOOST_TEST(bool(make_atlas_of(mesh, parameters::resolution(256)).report));
+}
+
+// Longer seams and more stretch than these, which were measured before the function was there, would be noticed.
+BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
+{
+  const char* folder = std::getenv("ABF_DATA_DIR");
+  if(folder == nullptr)
+    return;
+  struct Target
+  {
+    std::string name;
+    double seam, stretch;
+  };
+  std::vector<Target> targets{{"elephant.off", 4.97, 1.066}, {"homer.off", 3.83, 1.068}};
+  if(std::getenv("ABF_TEST_QUICK") == nullptr)
+    targets.insert(
+        targets.end(),
+        {{"cow.off", 4.34, 1.076}, {"camel.off", 4.52, 1.108}, {"fandisk.off", 2.3 / 1.05, 1.1 / 1.02}});
+  for(const Target& target : targets)
+    BOOST_TEST_CONTEXT(target.name)
+    {
+      Mesh mesh;
+      BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(folder + ("/" + target.name), mesh));
+      const Atlas_run run = make_atlas_of(mesh);
+      BOOST_TEST(bool(run.report), run.report.message);
+      check_atlas(run, Wishes());
+      BOOST_TEST(run.report.charts.size() == 1u);
+      BOOST_TEST(run.report.relative_seam_length < 1.05 * target.seam);
+      BOOST_TEST(run.report.measures.l2_stretch < 1.02 * target.stretch);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Atlases of other meshes, points, number types and solvers than the usual ones.
+
+#include <boost/test/unit_test.hpp>
+
+#include "atlas_check.h"
+#include "atlas_surfaces.h"
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_atlas_meshes)
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace parameters = CGAL::parameters;
+using atlas_check::Atlas_run;
+using atlas_check::check_atlas;
+using atlas_check::make_atlas_of;
+using atlas_check::Wishes;
+using atlas_surfaces::component;
+using atlas_surfaces::random_union;
+using atlas_surfaces::Union;
+using SMP::Atlas_report;
+typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
+
+namespace {
+
+typedef CGAL::Simple_cartesian<float> Float_kernel;
+
+// Counts the calls of `start()` for each stage.
+struct Counting_visitor : SMP::Atlas_visitor
+{
+  std::vector<Stage> stages;
+
+  bool start(Stage stage) override
+  {
+    stages.push_back(stage);
+    return true;
+  }
+};
+
+// Its triangles become smaller and smaller, by a factor of 4 in each ring around the middle.
+Union shrinking_disk(int rings)
+{
+  const int n = 6;
+  std::vector<test_charts::Point_3> points{{0, 0, 0}};
+  test_charts::Triangles triangles;
+  for(int ring = 0; ring < rings; ++ring)
+    for(int i = 0; i < n; ++i) {
+      const double angle = 2 * CGAL_PI * (i + 0.5 * ring) / n, radius = std::pow(4, ring - rings);
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+      const int v = 1 + n * ring + i, w = 1 + n * ring + (i + 1) % n;
+      if(ring == 0)
+        triangles.push_back({0, v, w});
+      else {
+        triangles.push_back({v - n, v, w - n});
+        triangles.push_back({v, w, w - n});
+      }
+    }
+  Union all;
+  all.add({"shrinking disk", points, triangles});
+  return all;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(coordinates_may_be_floats)
+{
+  for(unsigned seed = 0; seed < 40; ++seed) {
+    const Union all = random_union(seed);
+    const Mesh mesh = all.mesh<Mesh>();
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      Wishes wishes;
+      wishes.resolution = 256;
+      const Atlas_run run = make_atlas_of<Float_kernel::Point_2>(mesh, parameters::resolution(256));
+      if(!run.report.has_atlas()) {
+        BOOST_TEST((run.report.diagnosis == Atlas_report::NOTHING_FLATTENED));
+        BOOST_TEST(run.is_untouched());
+        continue;
+      }
+      check_parts(run);
+      check_charts(run);
+      check_seams(run);
+      const std::vector<int> vertex = chart_vertices(run);
+      check_vertices(run, vertex);
+      check_overlaps(run, vertex, true);
+      check_texels(run, wishes.resolution, wishes.gutter);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
+{
+  Union all = shrinking_disk(20);
+  all.add(component(seam_surfaces::octahedron()));
+  const Mesh mesh = all.mesh<Mesh>();
+  BOOST_TEST(bool(make_atlas_of(mesh).report));
+  Counting_visitor visitor;
+  const Atlas_run run = make_atlas_of<Float_kernel::Point_2>(
+      mesh, parameters::resolution(256, parameters::atlas_visitor(visitor)));
+  BOOST_TEST_REQUIRE(run.report.has_atlas());
+  check_parts(run);
+  BOOST_TEST_REQUIRE(run.report.skipped.size() == 1u);
+  BOOST_TEST(run.report.skipped[0].diagnosis == "PRECISION_EXCEEDED");
+  BOOST_TEST(run.report.skipped[0].part == 0u);
+  BOOST_TEST(run.report.charts.size() == 1u);
+  BOOST_TEST(run.report.charts[0].number_of_faces == 8u);
+  check_overlaps(run, chart_vertices(run), true);
+  check_texels(run, 256, 2);
+  // the octahedron gets the whole square
+  Union octahedron;
+  octahedron.add(all.components[1]);
+  const Atlas_run alone =
+      make_atlas_of<Float_kernel::Point_2>(octahedron.mesh<Mesh>(), parameters::resolution(256));
+  BOOST_TEST(run.report.covered_share == alone.report.covered_share, boost::test_tools::tolerance(1e-3));
+  typedef SMP::Atlas_visitor Visitor;
+  const std::vector<Visitor::Stage> stages{Visitor::READ,    Visitor::CHARTS,  Visitor::PACK,
+                                           Visitor::CERTIFY, Visitor::MEASURE, Visitor::WRITE};
+  BOOST_TEST((visitor.stages == stages));
+}
+
+BOOST_AUTO_TEST_CASE(any_mesh_gives_the_same_atlas)
+{
+  typedef CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> Polyhedron;
+  for(unsigned seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    const Union all = random_union(seed);
+    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
+    {
+      const Mesh mesh = all.mesh<Mesh>();
+      Polyhedron polyhedron;
+      all.make_mesh(polyhedron);
+      const Atlas_run run = make_atlas_of(mesh), other = make_atlas_of(polyhedron);
+      BOOST_TEST((run.report.diagnosis == other.report.diagnosis));
+      BOOST_TEST((run.uv == other.uv));
+      BOOST_TEST(run.chart == other.chart);
+      BOOST_TEST((run.is_seam == other.is_seam));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_may_be_of_another_kernel)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+  const Mesh mesh = random_union(12).mesh<Mesh>(), elsewhere = [&] {
+    Mesh copy = mesh;
+    for(auto v : copy.vertices())
+      copy.point(v) = test_charts::Point_3(0, 0, 0);
+    return copy;
+  }();
+  const auto exact = boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
+    const auto& p = mesh.point(v);
+    return Exact::Point_3(p.x(), p.y(), p.z());
+  });
+  const Atlas_run run = make_atlas_of(mesh);
+  const Atlas_run other = make_atlas_of<Exact::Point_2>(
+      elsewhere, parameters::vertex_point_map(exact), [](auto) { return false; }, exact);
+  BOOST_TEST(run.report.has_atlas());
+  check_atlas(other, Wishes());
+  BOOST_TEST((run.uv == other.uv));
+  BOOST_TEST(run.chart == other.chart);
+}
+
+BOOST_AUTO_TEST_CASE(another_solver_gives_nearly_the_same_atlas)
+{
+  const Mesh mesh = random_union(22, 8).without_bad_components().mesh<Mesh>();
+  const Atlas_run run = make_atlas_of(mesh);
+  const Atlas_run other = make_atlas_of(
+      mesh, parameters::sparse_linear_solver(
+                CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>()));
+  check_atlas(run, Wishes());
+  check_atlas(other, Wishes());
+  BOOST_TEST(run.report.charts.size() == other.report.charts.size());
+  BOOST_TEST(run.report.measures.l2_stretch == other.report.measures.l2_stretch,
+             boost::test_tools::tolerance(0.02));
+}
+
+BOOST_AUTO_TEST_CASE(maps_may_be_left_out)
+{
+  const Mesh mesh = random_union(5).mesh<Mesh>();
+  const Atlas_run run = make_atlas_of(mesh);
+  const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
+  const Atlas_report report = SMP::make_atlas(mesh, uv);
+  BOOST_TEST((report.diagnosis == run.report.diagnosis));
+  BOOST_TEST(report.charts.size() == run.report.charts.size());
+  std::size_t corner = 0;
+  for(auto f : mesh.faces())
+    for(auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      if(run.chart[run.face[corner]] >= 0)
+        BOOST_TEST_REQUIRE((get(uv, h).x() == run.uv[corner].x() && get(uv, h).y() == run.uv[corner].y()));
+      ++corner;
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// `make_atlas()` cuts branches of charts off where the seam is short, and only there.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_necks)
+
+namespace {
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+// A flat surface of unit squares: those that are marked by `#` in a picture, each divided into triangles.
+Mesh flat_surface(const std::vector<std::string>& picture)
+{
+  Mesh mesh;
+  std::map<std::pair<int, int>, Mesh::Vertex_index> vertices;
+  const auto vertex = [&](int x, int y) {
+    const auto [found, is_new] = vertices.insert({{x, y}, Mesh::Vertex_index()});
+    if(is_new)
+      found->second = mesh.add_vertex(Kernel::Point_3(x, y, 0));
+    return found->second;
+  };
+  for(int y = 0; y < static_cast<int>(picture.size()); ++y)
+    for(int x = 0; x < static_cast<int>(picture[y].size()); ++x)
+      if(picture[y][x] == '#') {
+        mesh.add_face(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
+        mesh.add_face(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
+      }
+  return mesh;
+}
+
+const std::vector<std::string> dumbbell = {"######  ######", //
+                                           "######  ######", //
+                                           "##############", //
+                                           "######  ######", //
+                                           "######  ######", //
+                                           "######  ######"};
+
+struct Result
+{
+  SMP::Atlas_report report;
+  std::vector<Mesh::Edge_index> seams;
+};
+
+// The edges in `forbidden` must not become seams.
+Result atlas_of(Mesh& mesh, bool cuts, const std::vector<Mesh::Edge_index>& forbidden = {})
+{
+  namespace np = CGAL::parameters;
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  const auto constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", false).first;
+  for(const Mesh::Edge_index e : mesh.edges())
+    seams[e] = constrained[e] = false;
+  for(const Mesh::Edge_index e : forbidden)
+    constrained[e] = true;
+  Result result;
+  result.report = SMP::make_atlas(
+      mesh, uv, np::cut_necks(cuts, np::edge_is_seam_map(seams, np::edge_is_constrained_map(constrained))));
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(seams[e])
+      result.seams.push_back(e);
+  return result;
+}
+
+std::vector<Mesh::Edge_index> across_the_bar(const Mesh& mesh)
+{
+  std::vector<Mesh::Edge_index> edges;
+  for(const Mesh::Edge_index e : mesh.edges()) {
+    const Kernel::Point_3 p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
+    if((std::min)(p.x(), q.x()) >= 6 && (std::max)(p.x(), q.x()) <= 8)
+      edges.push_back(e);
+  }
+  return edges;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bar_is_cut)
+{
+  Mesh mesh = flat_surface(dumbbell);
+  const Result whole = atlas_of(mesh, false), cut = atlas_of(mesh, true);
+  BOOST_TEST(bool(whole.report));
+  BOOST_TEST(whole.report.charts.size() == 1);
+  BOOST_TEST(whole.seams.empty());
+  BOOST_TEST(bool(cut.report));
+  BOOST_TEST(cut.report.charts.size() == 2);
+  BOOST_TEST(cut.report.covered_share > 1.2 * whole.report.covered_share);
+  BOOST_REQUIRE(cut.seams.size() == 1); // across the bar
+  BOOST_TEST(cut.report.seam_length == 1.);
+  const std::vector<Mesh::Edge_index> bar = across_the_bar(mesh);
+  BOOST_TEST((std::find(bar.begin(), bar.end(), cut.seams.front()) != bar.end()));
+}
+
+BOOST_AUTO_TEST_CASE(seams_stay_where_they_are_allowed)
+{
+  Mesh mesh = flat_surface(dumbbell);
+  const std::vector<Mesh::Edge_index> bar = across_the_bar(mesh);
+  const Result result = atlas_of(mesh, true, bar);
+  BOOST_TEST(bool(result.report));
+  for(const Mesh::Edge_index e : result.seams)
+    BOOST_TEST((std::find(bar.begin(), bar.end(), e) == bar.end()));
+}
+
+BOOST_AUTO_TEST_CASE(compact_charts_are_not_cut)
+{
+  Mesh square = flat_surface(std::vector<std::string>(12, std::string(12, '#')));
+  Mesh oblong = flat_surface(std::vector<std::string>(8, std::string(14, '#')));
+  for(Mesh* mesh : {&square, &oblong}) {
+    const Result result = atlas_of(*mesh, true);
+    BOOST_TEST(bool(result.report));
+    BOOST_TEST(result.report.charts.size() == 1);
+    BOOST_TEST(result.seams.empty());
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
