@@ -27,6 +27,42 @@ inline Color mix(const Color& a, const Color& b, const double part)
   return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
 }
 
+// The colours of a picture, row by row: red, green, blue
+struct Pixels
+{
+  int width, height;
+  std::vector<png_byte> bytes;
+};
+
+// The picture as a PNG file
+inline std::string png_file(const Pixels& pixels)
+{
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(pixels.width);
+  image.height = static_cast<png_uint_32>(pixels.height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = 0;
+  std::string file;
+  if(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.bytes.data(), 0, nullptr) != 0) {
+    file.resize(size);
+    if(png_image_write_to_memory(&image, &file[0], &size, 0, pixels.bytes.data(), 0, nullptr) != 0) {
+      file.resize(size);
+      return file;
+    }
+  }
+  throw std::runtime_error(std::string("libpng: ") + image.message);
+}
+
+// Puts a picture into a larger one.
+inline void paste(const Pixels& part, const int left, const int top, Pixels& whole)
+{
+  for(int y = 0; y < part.height; ++y) {
+    std::copy_n(part.bytes.begin() + 3 * static_cast<std::ptrdiff_t>(y) * part.width, 3 * part.width,
+                whole.bytes.begin() + 3 * (static_cast<std::ptrdiff_t>(top + y) * whole.width + left));
+  }
+}
+
 // A picture of triangles with a depth buffer. It needs no display.
 class Canvas
 {
@@ -91,26 +127,23 @@ public:
     draw_triangle(q, s, r, shader);
   }
 
-  // The picture as a PNG file. The file is smaller with fewer levels of each colour.
-  std::string png(const int levels = 255) const
+  // Fewer levels of each colour make files smaller.
+  Pixels pixels(const int levels = 255) const
   {
-    const std::vector<png_byte> pixels = averaged(levels);
-    png_image image = {};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(m_width);
-    image.height = static_cast<png_uint_32>(m_height);
-    image.format = PNG_FORMAT_RGB;
-    png_alloc_size_t size = 0;
-    std::string file;
-    if(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr) != 0) {
-      file.resize(size);
-      if(png_image_write_to_memory(&image, &file[0], &size, 0, pixels.data(), 0, nullptr) != 0) {
-        file.resize(size);
-        return file;
+    Pixels result{m_width, m_height, {}};
+    for(int y = 0; y < m_height; ++y) {
+      for(int x = 0; x < m_width; ++x) {
+        for(const double part : averaged(x, y)) {
+          const double level = std::round(levels * (std::min)((std::max)(part, 0.), 1.));
+          result.bytes.push_back(static_cast<png_byte>(std::lround(255 * level / levels)));
+        }
       }
     }
-    throw std::runtime_error(std::string("libpng: ") + image.message);
+    return result;
   }
+
+  // The picture as a PNG file
+  std::string png(const int levels = 255) const { return png_file(pixels(levels)); }
 
 private:
   static constexpr int samples = 3; // per pixel, in each direction
@@ -148,28 +181,19 @@ private:
     m_colors[sample] = color(values);
   }
 
-  std::vector<png_byte> averaged(const int levels) const
+  Color averaged(const int x, const int y) const
   {
-    std::vector<png_byte> pixels;
-    for(int y = 0; y < m_height; ++y) {
-      for(int x = 0; x < m_width; ++x) {
-        Color sum = {0, 0, 0};
-        for(int s = 0; s < samples * samples; ++s) {
-          const int i = x * samples + s % samples, j = y * samples + s / samples;
-          const Color& color =
-              m_colors[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_width * samples) +
-                       static_cast<std::size_t>(i)];
-          for(std::size_t k = 0; k < 3; ++k) {
-            sum[k] += color[k] / (samples * samples);
-          }
-        }
-        for(const double part : sum) {
-          const double level = std::round(levels * (std::min)((std::max)(part, 0.), 1.));
-          pixels.push_back(static_cast<png_byte>(std::lround(255 * level / levels)));
-        }
+    Color sum = {0, 0, 0};
+    for(int s = 0; s < samples * samples; ++s) {
+      const int i = x * samples + s % samples, j = y * samples + s / samples;
+      const Color& color =
+          m_colors[static_cast<std::size_t>(j) * static_cast<std::size_t>(m_width * samples) +
+                   static_cast<std::size_t>(i)];
+      for(std::size_t k = 0; k < 3; ++k) {
+        sum[k] += color[k] / (samples * samples);
       }
     }
-    return pixels;
+    return sum;
   }
 
   int m_width, m_height;

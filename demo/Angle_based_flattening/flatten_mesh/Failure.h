@@ -6,9 +6,10 @@
 #ifndef FLATTEN_MESH_FAILURE_H
 #define FLATTEN_MESH_FAILURE_H
 
+#include "Exit_status.h"
 #include "Output_file.h"
 #include "check_outputs.h"
-#include "report_json.h"
+#include "json.h"
 #include "texts.h"
 
 #include <exception>
@@ -17,14 +18,6 @@
 #include <string>
 
 namespace flatten_mesh {
-
-enum Exit_status
-{
-  SUCCESS = 0,
-  COMPUTATION_FAILED = 1,
-  WRONG_INPUT = 2,
-  WITHOUT_AREA = 3
-};
 
 // A failure outside of the parameterizer, which therefore has no report.
 struct Failure
@@ -47,6 +40,8 @@ inline Failure current_failure()
     return {WRONG_INPUT, "WRONG_INPUT", error.what()};
   } catch(const Seams_failed& error) {
     return {COMPUTATION_FAILED, "SEAMS_FAILED", error.what()};
+  } catch(const Precision_exceeded& error) {
+    return {COMPUTATION_FAILED, "PRECISION_EXCEEDED", error.what()};
   } catch(const std::bad_alloc&) {
     return {COMPUTATION_FAILED, "OUT_OF_MEMORY", memory_text};
   } catch(const std::exception& error) {
@@ -55,13 +50,14 @@ inline Failure current_failure()
 }
 
 // Prints one line for people, and writes the report for programs if requested.
-inline Exit_status tell_failure(const Command_line& command, const Failure& failure)
+inline Exit_status tell_failure(const Command_line& command, Failure failure)
 {
+  failure.message = with_title(command, failure.message);
   std::cerr << "flatten_mesh: " << failure.message << std::endl;
   if(can_write_json(command)) {
     try {
       Output_file file(command.json);
-      file.write(failure_json(failure.name, failure.message, command.input));
+      file.write(failure_json(failure.name, failure.message, name_of_input(command)));
       file.publish();
     } catch(const std::exception& error) {
       if(error.what() != failure.message) { // already printed if this file failed

@@ -6,8 +6,12 @@
 #ifndef FLATTEN_MESH_NOTES_H
 #define FLATTEN_MESH_NOTES_H
 
+#include "Command_line.h"
+
+#include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -16,15 +20,27 @@ namespace flatten_mesh {
 class Notes
 {
 public:
-  void add(const std::string& text)
+  // `make_room` is called before a text is printed.
+  explicit Notes(
+      const Command_line& command, std::function<void()> make_room = [] {})
+      : m_command(command), m_make_room(std::move(make_room))
+  {}
+
+  void add(std::string text)
   {
-    std::cerr << "flatten_mesh: note: " << text << std::endl;
+    text = with_title(m_command, text);
+    if(!m_command.quiet) {
+      m_make_room();
+      std::cerr << "flatten_mesh: note: " << text << std::endl;
+    }
     m_texts.push_back(text);
   }
 
   const std::vector<std::string>& texts() const { return m_texts; }
 
 private:
+  const Command_line& m_command;
+  std::function<void()> m_make_room;
   std::vector<std::string> m_texts;
 };
 

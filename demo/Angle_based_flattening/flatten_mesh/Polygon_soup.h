@@ -6,23 +6,41 @@
 #ifndef FLATTEN_MESH_POLYGON_SOUP_H
 #define FLATTEN_MESH_POLYGON_SOUP_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Model.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace flatten_mesh {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Polygon = std::vector<std::size_t>;
 
-// Points and polygons in the order of the file.
+// The points and polygons of a model, which can be repaired.
 struct Polygon_soup
 {
   std::vector<Kernel::Point_3> points;
   std::vector<Polygon> polygons;
-  bool is_welded = false; // from a file without indices, such as STL: the reader merged equal points
+  std::vector<Index> origins;  // of each polygon, in the model
+  std::vector<bool> is_turned; // of each polygon: its corners are in reverse order
+  bool is_welded = false;
 };
+
+// All polygons of a model, whatever they are.
+inline Polygon_soup polygon_soup(const Model& model)
+{
+  Polygon_soup soup;
+  soup.points = model.points;
+  soup.is_welded = model.is_welded;
+  const std::size_t polygons = model.number_of_polygons();
+  soup.polygons.reserve(polygons);
+  for(std::size_t p = 0; p < polygons; ++p) {
+    soup.polygons.emplace_back(model.vertices.begin() + model.first_corners[p],
+                               model.vertices.begin() + model.first_corners[p + 1]);
+    soup.origins.push_back(static_cast<Index>(p));
+  }
+  soup.is_turned.assign(polygons, false);
+  return soup;
+}
 
 } // namespace flatten_mesh
 

@@ -28,11 +28,15 @@ public:
     }
   }
 
-  // Ignores signals from now on, so that either all complete files get their names or none.
-  static void ignore_interruptions()
+  // From now on signals have to wait, so that either all complete files get their names or none.
+  static void defer_interruptions() { is_deferring() = 1; }
+
+  // Ends that. A signal that has come meanwhile takes effect.
+  static void heed_interruptions()
   {
-    for(const int signal : signals()) {
-      std::signal(signal, SIG_IGN);
+    is_deferring() = 0;
+    if(const int signal = deferred_signal()) {
+      remove_and_die(signal);
     }
   }
 
@@ -56,6 +60,18 @@ private:
     return instance;
   }
 
+  static volatile std::sig_atomic_t& is_deferring()
+  {
+    static volatile std::sig_atomic_t instance = 0;
+    return instance;
+  }
+
+  static volatile std::sig_atomic_t& deferred_signal()
+  {
+    static volatile std::sig_atomic_t instance = 0;
+    return instance;
+  }
+
   static void replace(const char* before, const char* after)
   {
     for(std::atomic<const char*>& name : names()) {
@@ -69,6 +85,10 @@ private:
   // Calls only async-signal-safe functions.
   static void remove_and_die(const int signal)
   {
+    if(is_deferring() != 0) {
+      deferred_signal() = signal;
+      return;
+    }
     for(const std::atomic<const char*>& name : names()) {
       if(const char* file = name.load()) {
         ::unlink(file);

@@ -6,23 +6,19 @@
 #ifndef FLATTEN_MESH_BUILD_MESH_H
 #define FLATTEN_MESH_BUILD_MESH_H
 
+#include "Corner_origins.h"
+#include "Model.h"
 #include "Notes.h"
 #include "Polygon_soup.h"
 #include "check_polygons.h"
 #include "repair_soup.h"
+#include "separate_soup.h"
 #include "texts.h"
+#include "triangulate.h"
 
-// The header that triangulates faces includes one for holes with two further triangulations. They are not needed
-// here, and slow to compile.
-#define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
-#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
-
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,25 +28,6 @@
 #include <vector>
 
 namespace flatten_mesh {
-
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using Face = Mesh::Face_index;
-using Halfedge = Mesh::Halfedge_index;
-using Edge = Mesh::Edge_index;
-using Edge_marks = Mesh::Property_map<Edge, bool>;
-
-// The edges along which a mesh is cut open.
-inline Edge_marks seam_marks(Mesh& mesh)
-{
-  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_seam", false).first;
-}
-
-// The edges that divide larger polygons into triangles.
-inline Edge_marks diagonals(Mesh& mesh)
-{
-  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_diagonal", false).first;
-}
 
 namespace internal {
 
@@ -104,28 +81,6 @@ inline void add_faces(const Polygon_soup& soup, Mesh& mesh)
   }
 }
 
-inline void triangulate(Mesh& mesh)
-{
-  if(CGAL::is_triangle_mesh(mesh)) {
-    return;
-  }
-  const std::size_t number_of_sides = mesh.number_of_edges();
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  const Edge_marks is_diagonal = diagonals(mesh);
-  for(const Edge e : mesh.edges()) {
-    is_diagonal[e] = e.idx() >= number_of_sides; // new edges come last
-  }
-  mesh.collect_garbage();
-  for(const Face f : mesh.faces()) {
-    const Halfedge h = mesh.halfedge(f);
-    if(!CGAL::is_triangle(h, mesh)) {
-      throw Input_error("the face at vertices " + std::to_string(mesh.source(h).idx() + 1) + " and " +
-                        std::to_string(mesh.target(h).idx() + 1) +
-                        " cannot be divided into triangles; triangulate the mesh first");
-    }
-  }
-}
-
 // Throws a `Not_a_mesh` if the polygons do not fit together.
 inline Mesh build_polygon_mesh(const Polygon_soup& soup)
 {
@@ -153,10 +108,16 @@ inline Mesh build_repaired_mesh(Polygon_soup& soup, Notes& notes)
 
 } // namespace internal
 
-// The triangulated surface of a polygon soup, which is repaired if necessary and requested. Its vertices are those of
-// the soup, in the same order; larger polygons are divided into triangles. Throws an `Input_error` that names the
-// place unless the polygons form an oriented manifold with finite coordinates.
-inline Mesh build_mesh(Polygon_soup& soup, const bool repair, Notes& notes)
+// A triangulated surface, and where it is in the file.
+struct Surface_of_model
+{
+  Mesh mesh;
+  Corner_origins origins;
+};
+
+namespace internal {
+
+inline void check_not_empty(const Polygon_soup& soup)
 {
   if(soup.points.empty() || soup.polygons.empty()) {
     throw Input_error(
@@ -164,10 +125,31 @@ inline Mesh build_mesh(Polygon_soup& soup, const bool repair, Notes& notes)
             ? "the file has no vertices; export the mesh again"
             : "the file has vertices but no faces; a point cloud has to be made into a surface first");
   }
+}
+
+// Triangulates the mesh of a soup.
+inline Surface_of_model end_surface(const Model& model, const Polygon_soup& soup, Mesh mesh,
+                                    const bool divides_all)
+{
+  Surface_of_model surface;
+  surface.mesh = std::move(mesh);
+  surface.origins = origins_of_polygons(model, soup, surface.mesh);
+  triangulate(surface.mesh, divides_all);
+  add_origins_of_diagonals(surface.mesh, surface.origins);
+  return surface;
+}
+
+} // namespace internal
+
+// The triangulated surface of the polygons of a model, which are repaired if necessary and requested. Its vertices are
+// those of the repaired soup, in the same order; larger polygons are divided into triangles. Throws an `Input_error`
+// that names the place unless the polygons form an oriented manifold with finite coordinates.
+inline Surface_of_model build_mesh(const Model& model, Polygon_soup& soup, const bool repair, Notes& notes)
+{
+  internal::check_not_empty(soup);
   internal::check_points(soup);
   Mesh mesh = repair ? internal::build_repaired_mesh(soup, notes) : internal::build_polygon_mesh(soup);
-  internal::triangulate(mesh);
-  return mesh;
+  return internal::end_surface(model, soup, std::move(mesh), false);
 }
 
 } // namespace flatten_mesh

@@ -10,9 +10,12 @@
 #include "file_names.h"
 #include "texts.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -23,32 +26,45 @@ struct Output_option
 {
   std::string name;
   std::string Command_line::*file;
-  std::string format; // the extension
+  std::vector<std::string> formats; // the extensions
 };
 
 inline const std::array<Output_option, 5>& output_options()
 {
-  static const std::array<Output_option, 5> options = {{{"output", &Command_line::output, "obj"},
-                                                        {"svg", &Command_line::svg, "svg"},
-                                                        {"picture", &Command_line::picture, "png"},
-                                                        {"seams", &Command_line::seams, "txt"},
-                                                        {"json", &Command_line::json, "json"}}};
+  static const std::array<Output_option, 5> options = {
+      {{"output", &Command_line::output, {"obj", "ply", "glb"}},
+       {"svg", &Command_line::svg, {"svg"}},
+       {"picture", &Command_line::picture, {"png"}},
+       {"seams", &Command_line::seams, {"txt"}},
+       {"json", &Command_line::json, {"json"}}}};
   return options;
 }
 
-// The name of a file does not determine its format. Extensions of other formats are refused, because they would
-// mislead.
+// Extensions of other formats are refused, because they would mislead.
 inline void check_extension(const Output_option& option, const std::string& file)
 {
   const std::string format = file_format(file);
-  if(!format.empty() && format != option.format && !is_other_file(resolved(file))) {
+  if(is_other_file(resolved(file))) {
+    return;
+  }
+  if(!format.empty() &&
+     std::find(option.formats.begin(), option.formats.end(), format) == option.formats.end()) {
     std::string known;
     for(const Output_option& other : output_options()) {
-      known += (known.empty() ? "--" : ", --") + other.name + " ." + other.format;
+      known +=
+          (known.empty() ? "--" : ", --") + other.name + " ." + boost::algorithm::join(other.formats, "|.");
     }
     throw Output_error("cannot write '" + file + "': --" + option.name + " does not write ." + format +
                        "; the formats are " + known);
   }
+#ifndef ABF_WITH_GLTF
+  if(format == "glb") {
+    throw Output_error(
+        "cannot write '" + file +
+        "': this program was built without tinygltf, which .glb needs: install libtinygltf-dev "
+        "and build it again, or use .obj or .ply");
+  }
+#endif
 }
 
 inline void check_different(const Output_option& option, const Output_option& other, const std::string& file,
@@ -69,8 +85,12 @@ inline void check_output(const Command_line& command, const Output_option& optio
     return;
   }
   check_extension(option, file);
-  if(file != standard_output && (is_same_file(command.input, file) ||
-                                 (is_selection_file(command.cut) && is_same_file(command.cut, file)))) {
+  const auto is_read = [&file](const std::string& input) {
+    return !input.empty() && input != standard_input && is_same_file(input, file);
+  };
+  if(file != standard_output &&
+     (is_read(command.input) || (is_selection_file(command.cut) && is_read(command.cut)) ||
+      (is_selection_file(command.atlas.seams_from) && is_read(command.atlas.seams_from)))) {
     throw Output_error("'" + file + "' would overwrite the input: choose another name");
   }
   for(const Output_option& other : output_options()) {
@@ -101,6 +121,9 @@ inline bool takes_standard_output(const Command_line& command)
 // Whether the name of the report for programs is valid, so that the report can tell what else is wrong.
 inline bool can_write_json(const Command_line& command)
 {
+  if(command.input.empty() && has_placeholder(command.json)) {
+    return false;
+  }
   try {
     internal::check_output(command, internal::output_options().back());
     return !command.json.empty();

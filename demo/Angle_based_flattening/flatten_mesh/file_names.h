@@ -15,14 +15,29 @@
 
 namespace flatten_mesh {
 
-// The name of an output that stands for standard output.
+// The name of an output that stands for standard output, and that of an input that stands for standard input.
 const char* const standard_output = "-";
+const char* const standard_input = "-";
+
+// In names of outputs, for the name of the input without folder and extension
+const char* const placeholder = "%";
+
+inline bool has_placeholder(const std::string& name)
+{
+  return name.find(placeholder) != std::string::npos;
+}
 
 // The extension in lower case, without its dot.
 inline std::string file_format(const std::string& name)
 {
   const std::string extension = std::filesystem::path(name).extension().string();
   return boost::algorithm::to_lower_copy(extension.empty() ? extension : extension.substr(1));
+}
+
+// Other surfaces are written as OBJ, also to standard output and to names without an extension.
+inline bool is_obj_output(const std::string& name)
+{
+  return file_format(name) != "ply" && file_format(name) != "glb";
 }
 
 // `CGAL::Seam_mesh` and CGAL's demo ask for this ending of files of seams.

@@ -87,16 +87,35 @@ inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
   }
 }
 
+// Keeps the polygons for which `is_kept` is true, with their origins.
+template <class Is_kept>
+void keep_polygons(Polygon_soup& soup, const Is_kept& is_kept)
+{
+  std::size_t kept = 0;
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    if(is_kept(p)) {
+      soup.polygons[kept].swap(soup.polygons[p]);
+      soup.origins[kept] = soup.origins[p];
+      soup.is_turned[kept] = soup.is_turned[p];
+      ++kept;
+    }
+  }
+  soup.polygons.resize(kept);
+  soup.origins.resize(kept);
+  soup.is_turned.resize(kept);
+}
+
+inline bool has_repeated_vertex(Polygon polygon)
+{
+  std::sort(polygon.begin(), polygon.end());
+  return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+}
+
 // After equal points are merged, a triangle with two corners at the same place is only an edge.
 inline void drop_collapsed_polygons(Polygon_soup& soup, Notes& notes)
 {
   const std::size_t before = soup.polygons.size();
-  const auto is_collapsed = [](Polygon polygon) {
-    std::sort(polygon.begin(), polygon.end());
-    return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
-  };
-  soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_collapsed),
-                      soup.polygons.end());
+  keep_polygons(soup, [&soup](const std::size_t p) { return !has_repeated_vertex(soup.polygons[p]); });
   if(soup.polygons.empty()) {
     throw Input_error(
         "every face has two corners at the same place, so there is no surface; export the mesh again");
@@ -146,6 +165,9 @@ inline void orient_soup(Polygon_soup& soup, Notes& notes)
                                                      CGAL::parameters::visitor(visitor));
   internal::check_two_sided(original, is_turned);
   internal::keep_majority(soup, is_turned);
+  for(std::size_t p = 0; p < is_turned.size(); ++p) {
+    soup.is_turned[p] = soup.is_turned[p] != is_turned[p];
+  }
   const auto turned = std::find(is_turned.begin(), is_turned.end(), true);
   if(turned != is_turned.end()) {
     notes.add("faces were oriented inconsistently: " +

@@ -20,16 +20,22 @@ namespace flatten_mesh {
 
 namespace internal {
 
+// Vertices count from 0.
+[[noreturn]] inline void refuse_diagonal(const std::string& file, const Vertex v, const Vertex w)
+{
+  throw Input_error("'" + file + "': there is no edge between vertices " + std::to_string(v.idx()) + " and " +
+                    std::to_string(w.idx()) +
+                    ", counted from 0: both are corners of a larger polygon, but not next to each other");
+}
+
 inline void check_no_diagonals(const std::string& file, const Seamed_component& component)
 {
   const Mesh& mesh = component.part.mesh;
   for(const Edge e : mesh.edges()) {
     if(component.seams[e] && component.forbidden[e]) {
       const Halfedge h = mesh.halfedge(e);
-      throw Input_error("'" + file + "': there is no edge between vertices " +
-                        std::to_string(component.part.origins[mesh.source(h).idx()].idx()) + " and " +
-                        std::to_string(component.part.origins[mesh.target(h).idx()].idx()) +
-                        ", counted from 0: both are corners of a larger polygon, but not next to each other");
+      refuse_diagonal(file, component.part.origins[mesh.source(h).idx()],
+                      component.part.origins[mesh.target(h).idx()]);
     }
   }
 }

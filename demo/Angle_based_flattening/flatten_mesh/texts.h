@@ -37,6 +37,12 @@ struct Seams_failed : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+// Rounding would make the result wrong. The program ends with status 1.
+struct Precision_exceeded : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 const char* const memory_text =
     "not enough memory for this mesh; simplify it or use a machine with more memory";
 

@@ -7,9 +7,12 @@
 #define FLATTEN_MESH_WRITE_OBJ_H
 
 #include "Chart.h"
+#include "Corner_origins.h"
+#include "Model.h"
+#include "Model_texture.h"
 #include "Output_file.h"
-#include "Run_record.h"
 #include "Polygon_soup.h"
+#include "Run_record.h"
 #include "texts.h"
 
 #include <algorithm>
@@ -114,6 +117,24 @@ inline void write_obj(Output_file& file, const Polygon_soup& soup, const Mesh& m
   internal::append_obj_texture(text, chart, flattening);
   internal::append_obj_faces(text, soup, internal::Texture_numbers(mesh, chart));
   file.write(text);
+}
+
+// The same as the texture of the model, for the other formats.
+inline Model_texture texture_of_chart(const Model& model, const Mesh& input, const Corner_origins& origins,
+                                      const Polygon_soup& soup, const Mesh& mesh, const Chart& chart,
+                                      const Flattening& flattening)
+{
+  Model_texture texture = empty_texture(model, input, origins);
+  const internal::Texture_numbers numbers(mesh, chart);
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    for(std::size_t corner = 0; corner < soup.polygons[p].size(); ++corner) {
+      if(const std::size_t number = numbers(soup.polygons[p], corner); number != 0) {
+        texture.uv[internal::corner_in_model(model, soup, p, corner)] =
+            flattening.uv[chart.vertices[number - 1]];
+      }
+    }
+  }
+  return texture;
 }
 
 } // namespace flatten_mesh

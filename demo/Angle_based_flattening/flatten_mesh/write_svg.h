@@ -10,8 +10,10 @@
 #include "Distortion_scale.h"
 #include "Output_file.h"
 #include "Run_record.h"
-#include "seam_chains.h"
+#include "Textured_surface.h"
+#include "svg_paths.h"
 #include "texts.h"
+#include "textured_chart.h"
 
 #include <CGAL/Bbox_2.h>
 
@@ -19,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,49 +28,6 @@
 namespace flatten_mesh {
 
 namespace internal {
-
-// Maps the plane of the chart, y up, to integer hundredths of a unit of the picture, y down.
-class Svg_frame
-{
-public:
-  using Position = std::pair<long, long>;
-
-  static constexpr double extent = 1500; // the longer side of the chart in the picture
-  static constexpr double margin = 20;
-
-  Svg_frame(const Chart& chart, const Flattening& flattening)
-  {
-    for(const Vertex v : chart.vertices) {
-      m_box += flattening.uv[v].bbox();
-    }
-    const double longest = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
-    m_scale = longest > 0 ? extent / longest : 1.;
-  }
-
-  double width() const { return m_scale * (m_box.xmax() - m_box.xmin()); }
-
-  double height() const { return m_scale * (m_box.ymax() - m_box.ymin()); }
-
-  Position operator()(const Kernel::Point_2& uv) const
-  {
-    return {std::lround(100 * m_scale * (uv.x() - m_box.xmin())),
-            std::lround(100 * m_scale * (m_box.ymax() - uv.y()))};
-  }
-
-private:
-  CGAL::Bbox_2 m_box;
-  double m_scale;
-};
-
-inline void append_position(std::string& path, const char command, const long x, const long y)
-{
-  path += command;
-  append_number(path, x);
-  if(y >= 0) {
-    path += ' ';
-  }
-  append_number(path, y);
-}
 
 // One path for each colour: three corners a triangle, the last two relative to the one before.
 inline std::vector<std::string> triangle_paths(const Mesh& mesh, const Chart& chart,
@@ -93,48 +51,6 @@ inline std::vector<std::string> triangle_paths(const Mesh& mesh, const Chart& ch
     }
   }
   return paths;
-}
-
-inline std::string border_path(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
-                               const Svg_frame& frame)
-{
-  std::string path;
-  for(const Halfedge start : chart.borders) {
-    Halfedge h = start;
-    do {
-      const Svg_frame::Position position = frame(flattening.uv[mesh.target(h)]);
-      append_position(path, h == start ? 'M' : 'L', position.first, position.second);
-      h = mesh.next(h);
-    } while(h != start);
-    path += 'z';
-  }
-  return path;
-}
-
-// Lines along the seams. Both sides of a seam have the same colour.
-inline std::string seam_lines(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
-                              const Svg_frame& frame)
-{
-  std::map<int, std::string> paths;
-  for(const Halfedge start : chart.borders) {
-    for(const Halfedge h : mesh.halfedges_around_face(start)) {
-      const int seam = chart.seam(mesh.edge(h));
-      if(seam < 0) {
-        continue;
-      }
-      std::string& path = paths[seam];
-      const Svg_frame::Position p = frame(flattening.uv[mesh.source(h)]),
-                                q = frame(flattening.uv[mesh.target(h)]);
-      append_position(path, 'M', p.first, p.second);
-      append_position(path, 'L', q.first, q.second);
-    }
-  }
-  std::string text;
-  for(const auto& [seam, path] : paths) {
-    text += "<path fill=\"none\" stroke-width=\"350\" stroke-linecap=\"round\" stroke=\"" +
-            chain_color(seam) + "\" d=\"" + path + "\"/>\n";
-  }
-  return text;
 }
 
 inline std::string svg_text(const double x, const double y, const std::string& anchor,
@@ -168,6 +84,12 @@ inline std::string legend(const Distortion_scale& scale, const double left, cons
 inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
                                const Svg_frame& frame, const Distortion_scale& scale)
 {
+  const int width_of_seams = 350;
+  const Textured_surface surface = textured_chart(mesh, chart, flattening.uv);
+  std::string borders;
+  for(const Textured_surface::Border& border : surface.borders) {
+    append_border(borders, surface, border, frame);
+  }
   // Strokes in the colour of the triangles close the hairlines between neighbours.
   std::string text = "<g transform=\"scale(.01)\" stroke-width=\"70\" stroke-linejoin=\"bevel\">\n";
   const std::vector<std::string> paths = triangle_paths(mesh, chart, flattening, frame, scale);
@@ -177,9 +99,8 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
       text += "<path fill=\"" + color + "\" stroke=\"" + color + "\" d=\"" + paths[i] + "\"/>\n";
     }
   }
-  return text + "<path fill=\"none\" stroke=\"#222\" stroke-width=\"120\" d=\"" +
-         border_path(mesh, chart, flattening, frame) + "\"/>\n" + seam_lines(mesh, chart, flattening, frame) +
-         "</g>\n";
+  return text + "<path fill=\"none\" stroke=\"#222\" stroke-width=\"120\" d=\"" + borders + "\"/>\n" +
+         seam_lines(surface, frame, width_of_seams) + "</g>\n";
 }
 
 } // namespace internal
@@ -187,8 +108,11 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
 // A picture of the chart, coloured by the change of angles, with a legend below. Seams are coloured lines.
 inline void write_svg(Output_file& file, const Mesh& mesh, const Chart& chart, const Flattening& flattening)
 {
-  using internal::Svg_frame;
-  const Svg_frame frame(chart, flattening);
+  CGAL::Bbox_2 chart_box;
+  for(const Vertex v : chart.vertices) {
+    chart_box += flattening.uv[v].bbox();
+  }
+  const Svg_frame frame(chart_box);
   std::vector<double> distortions;
   for(const Face f : chart.faces) {
     distortions.push_back(flattening.distortion[f]);
@@ -199,12 +123,8 @@ inline void write_svg(Output_file& file, const Mesh& mesh, const Chart& chart, c
   const double legend_height = 90;
   const double width = (std::max)(frame.width(), legend_width);
   const double height = frame.height() + legend_height;
-  const std::string box = format_number("%.0f", -Svg_frame::margin) + " " +
-                          format_number("%.0f", -Svg_frame::margin) + " " +
-                          format_number("%.0f", width + 2 * Svg_frame::margin) + " " +
-                          format_number("%.0f", height + 2 * Svg_frame::margin);
-  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + box + "\">\n";
-  text += "<title>Angle-based flattening, " + count_text(chart.faces.size(), "triangle") + "</title>\n";
+  std::string text =
+      svg_head(width, height, "Angle-based flattening, " + count_text(chart.faces.size(), "triangle"));
   text += internal::svg_drawing(mesh, chart, flattening, frame, scale);
   text += internal::legend(scale, 0, frame.height() + 40, legend_width);
   file.write(text + "</svg>\n");

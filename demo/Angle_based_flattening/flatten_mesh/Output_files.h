@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_OUTPUT_FILES_H
+#define FLATTEN_MESH_OUTPUT_FILES_H
+
+#include "Command_line.h"
+#include "Output_file.h"
+#include "Unfinished_files.h"
+#include "check_outputs.h"
+#include "file_names.h"
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+// The files that are written for an input, first under temporary names.
+class Output_files
+{
+public:
+  Output_file& open(const std::string& name)
+  {
+    m_files.push_back(std::make_unique<Output_file>(name));
+    m_names.push_back(name == standard_output ? "standard output" : name);
+    return *m_files.back();
+  }
+
+  // What people call them
+  const std::vector<std::string>& names() const { return m_names; }
+
+  // All files appear together, and only when all of them are complete.
+  void publish()
+  {
+    Unfinished_files::defer_interruptions();
+    for(const std::unique_ptr<Output_file>& file : m_files) {
+      file->publish();
+    }
+    Unfinished_files::heed_interruptions();
+  }
+
+private:
+  std::vector<std::unique_ptr<Output_file>> m_files;
+  std::vector<std::string> m_names;
+};
+
+// Throws unless everything can be written that is asked for.
+inline void check_writable(const Command_line& command)
+{
+  for(const internal::Output_option& option : internal::output_options()) {
+    Output_file::check(command.*option.file);
+  }
+}
+
+// The report for people, on standard error if a file takes standard output.
+inline void tell_report(const Command_line& command, const std::string& text)
+{
+  if(command.quiet) {
+    return;
+  }
+  if(takes_standard_output(command)) {
+    std::cerr << text << std::flush;
+  } else {
+    Output_file(standard_output).write(text);
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_OUTPUT_FILES_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_CHECK_OPTIONS_H
+#define FLATTEN_MESH_CHECK_OPTIONS_H
+
+#include "Command_line.h"
+#include "commands_of_inputs.h"
+#include "describe_options.h"
+#include "file_names.h"
+#include "texts.h"
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+using Values = boost::program_options::variables_map;
+
+inline bool is_given(const Values& values, const std::string& option)
+{
+  return values.count(option) != 0 && !values[option].defaulted();
+}
+
+inline void check_name(const std::string& option, const std::string& name,
+                       const std::vector<std::string>& known)
+{
+  if(std::find(known.begin(), known.end(), name) == known.end()) {
+    throw Usage_error("unknown --" + option + " '" + name + "': it is one of " +
+                      boost::algorithm::join(known, ", "));
+  }
+}
+
+inline void check_files(Command_line& command)
+{
+  if(command.inputs.empty()) {
+    throw Usage_error(
+        "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
+  }
+  const auto from_stream = std::count(command.inputs.begin(), command.inputs.end(), standard_input);
+  if(from_stream > 1) {
+    throw Usage_error("standard input, '-', can be read once only");
+  }
+  if(from_stream == 1 && command.format.empty()) {
+    throw Usage_error("the format of standard input is unknown: give --format off, obj, ply, stl, ts or vtp");
+  }
+  if(from_stream == 1) {
+    check_name("format", command.format, {"off", "obj", "ply", "stl", "ts", "vtp"});
+  }
+  if(from_stream == 0 && !command.format.empty()) {
+    throw Usage_error("--format goes with standard input, '-', only: the names of files tell their format");
+  }
+  if(command.inputs.size() == 1) {
+    command = command_of_input(command, command.inputs.front());
+  }
+  check_outputs_of_inputs(command);
+#ifndef ABF_WITH_PNG
+  if(!command.picture.empty()) {
+    throw Usage_error(
+        "this program was built without libpng, which --picture needs: install libpng-dev and build "
+        "it again, or use --svg");
+  }
+#endif
+}
+
+inline void check_numbers(const Command_line& command)
+{
+  const auto check = [](const bool is_right, const std::string& rule) {
+    if(!is_right) {
+      throw Usage_error(rule + "; see --help");
+    }
+  };
+  const SMP::ABF_plus_plus_options& abf = command.options;
+  const Atlas_options& atlas = command.atlas;
+  const SMP::Hierarchical_options& hierarchical = command.hierarchical;
+  const double rate = hierarchical.simplification_rate;
+  check(std::isfinite(command.stretch_bound) && command.stretch_bound > 1,
+        "--stretch-bound takes a number above 1");
+  check(command.component >= 0, "--component counts from 0");
+  check(command.border >= 0, "--border counts from 0");
+  check(std::isfinite(abf.barrier) && abf.barrier >= 0, "--barrier takes a number of at least 0");
+  check(std::isfinite(abf.tolerance) && abf.tolerance >= 1e-14,
+        "--tolerance takes a number of at least 1e-14");
+  check(rate > 0 && rate < 1, "--simplification-rate takes a number between 0 and 1");
+  check(hierarchical.sweeps >= 0 && hierarchical.sweeps <= 1000, "--sweeps takes a number from 0 to 1000");
+  check(hierarchical.angle_sweeps >= 0 && hierarchical.angle_sweeps <= 1000,
+        "--angle-sweeps takes a number from 0 to 1000");
+  check(abf.area_weight >= 0 && abf.area_weight <= 1, "--area-weight takes a number from 0 to 1");
+  check(abf.clearance > 0 && abf.clearance <= 1, "--clearance takes a number above 0 and at most 1");
+  check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
+  check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
+  check(atlas.resolution >= 16 && atlas.resolution <= 16384, "--resolution takes a number from 16 to 16384");
+  check(atlas.gutter >= 0 && atlas.gutter <= atlas.resolution / 4,
+        "--gutter takes a number from 0 to a quarter of --resolution");
+  check(atlas.rotations >= 1 && atlas.rotations <= 1024, "--rotations takes a number from 1 to 1024");
+}
+
+inline void check_seams(const Values& values, Command_line& command)
+{
+  command.asks_for_stretch = is_given(values, "stretch-bound");
+  if(command.asks_for_stretch && command.cut != "auto") {
+    throw Usage_error("--stretch-bound goes with --cut auto only");
+  }
+  if(!command.seams.empty() && command.seams != standard_output && !is_selection_file(command.seams) &&
+     !is_other_file(resolved(command.seams))) {
+    throw Usage_error("--seams takes a name that ends with .selection.txt");
+  }
+}
+
+inline void check_injective(const Values& values, const Command_line& command)
+{
+  for(const char* option : {"area-weight", "clearance"}) {
+    if(is_given(values, option) && !command.options.injective) {
+      throw Usage_error(std::string("--") + option + " goes with --injective only");
+    }
+  }
+  if(command.options.injective && command.split_overlaps) {
+    throw Usage_error("--injective and --split-overlaps exclude each other: in an injective map nothing "
+                      "overlaps that could be split");
+  }
+}
+
+// An option that would have no effect is refused.
+inline void check_kind(const Values& values, const Command_line& command)
+{
+  for(const std::string& option : command.is_plain ? options_of_atlases() : options_of_plain_charts()) {
+    if(is_given(values, option)) {
+      throw Usage_error("--" + option +
+                        (command.is_plain ? " goes with an atlas, and not with --plain"
+                                          : " goes with --plain only: an atlas chooses that itself") +
+                        "; see --help");
+    }
+  }
+}
+
+inline void check_atlas(const Values& values, Command_line& command)
+{
+  Atlas_options& atlas = command.atlas;
+  check_name("units", atlas.units, {"square", "world"});
+  if(is_given(values, "seams-from") && atlas.seams_from != "uv" && !is_selection_file(atlas.seams_from)) {
+    throw Usage_error("--seams-from takes the name of a .selection.txt file, or 'uv' for the texture "
+                      "coordinates in the input");
+  }
+  if(atlas.is_packed) {
+    return;
+  }
+  for(const char* option : {"resolution", "gutter", "rotations"}) {
+    if(is_given(values, option)) {
+      throw Usage_error(std::string("--") + option +
+                        " goes without --no-pack: it says how charts are packed");
+    }
+  }
+  if(is_given(values, "units") && !atlas.is_in_world_units()) {
+    throw Usage_error("--no-pack goes with --units world: only packed charts fill the unit square");
+  }
+  atlas.units = "world";
+}
+
+// Turns the names of methods into the parameterizer's options.
+inline void understand_names(Command_line& command)
+{
+  using Options = SMP::ABF_plus_plus_options;
+  const auto check = check_name;
+  check("method", command.method, {"direct", "hierarchical", "auto"});
+  if(!is_selection_file(command.cut)) {
+    check("cut", command.cut, {"auto", "topology", "none", "the name of a .selection.txt file"});
+  }
+  check("holes", command.holes, {"solve", "fill", "refuse"});
+  check("solver", command.solver, {"superlu", "eigen", "cholmod"});
+  check("layout", command.layout, {"auto", "exact", "least-squares"});
+  check("step", command.step, {"newton", "sqp"});
+  check("linear-solver", command.linear_solver, {"iterative", "direct"});
+#ifndef ABF_WITH_CHOLMOD
+  if(command.solver == "cholmod") {
+    throw Usage_error("this program was built without CHOLMOD: use --solver superlu or --solver eigen");
+  }
+#endif
+  command.options.layout = command.layout == "exact"           ? Options::EXACT_LAYOUT
+                           : command.layout == "least-squares" ? Options::LEAST_SQUARES_LAYOUT
+                                                               : Options::AUTOMATIC_LAYOUT;
+  command.options.linear_solver = command.linear_solver == "direct" ? Options::DIRECT : Options::ITERATIVE;
+  command.options.step = command.step == "sqp" ? Options::SEQUENTIAL_LINEARLY_CONSTRAINED : Options::NEWTON;
+  command.options.holes = command.holes == "solve"  ? Options::SOLVE
+                          : command.holes == "fill" ? Options::FILL
+                                                    : Options::REFUSE;
+}
+
+// What is not given is chosen for a result close to that of the direct method.
+inline void refine_method(const Values& values, SMP::Hierarchical_options& hierarchical)
+{
+  hierarchical.energy_tolerance = 0.01;
+  if(values["simplification-rate"].defaulted()) {
+    hierarchical.simplification_rate = 0.85;
+  }
+  if(values["angle-sweeps"].defaulted()) {
+    hierarchical.angle_sweeps = 20;
+  }
+}
+
+inline void check_names_of_files(const Values& values, const Command_line& command)
+{
+  std::vector<std::string> empty;
+  if(std::count(command.inputs.begin(), command.inputs.end(), "") != 0) {
+    empty.push_back("input");
+  }
+  for(const char* option : {"output", "svg", "picture", "seams", "json"}) {
+    if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
+      empty.push_back(option);
+    }
+  }
+  if(!empty.empty()) {
+    throw Usage_error("the name after --" + empty.front() + " is empty: give the name of a file");
+  }
+}
+
+inline void check_plain(const Values& values, Command_line& command)
+{
+  understand_names(command);
+  check_seams(values, command);
+  if(command.is_plain) {
+    check_injective(values, command);
+  }
+  if(command.method == "auto" && !command.options.injective) {
+    refine_method(values, command.hierarchical);
+  }
+}
+
+} // namespace internal
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_CHECK_OPTIONS_H

@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_DESCRIBE_OPTIONS_H
+#define FLATTEN_MESH_DESCRIBE_OPTIONS_H
+
+#include "Command_line.h"
+#include "texts.h"
+
+#include <boost/program_options.hpp>
+
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+namespace po = boost::program_options;
+
+inline po::options_description file_options(Command_line& command)
+{
+  po::options_description options("Files", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("input", po::value(&command.inputs)->value_name("FILE"),
+      "the surface: OFF, OBJ, PLY, STL or TS (also VTP where built with VTK); '-' is standard input. The "
+      "word '--input' may be "
+      "left out. Several files are flattened one after the other");
+  add("format", po::value(&command.format)->value_name("NAME"),
+      "of standard input: off, obj, ply, stl, ts or vtp");
+  add("output,o", po::value(&command.output)->value_name("FILE.obj|ply|glb"),
+      "write the model with texture coordinates at each corner; faces outside the charts have none. Points "
+      "and "
+      "faces are those of the input, in their order; turned faces are turned. OBJ keeps all else, too. PLY "
+      "keeps normals and colours of points; texture coordinates are a list 'texcoord' of each face. GLB "
+      "(where "
+      "built with tinygltf) is binary glTF: triangles with normals, colours and materials; v goes down "
+      "there, "
+      "so it is 1 - v. --plain writes the repaired surface as OBJ, without groups, materials, normals and "
+      "colours");
+  add("svg", po::value(&command.svg)->value_name("FILE.svg"),
+      "draw the plane: each chart in a colour of its own, and both sides of a seam in the same colour. "
+      "--plain: every "
+      "triangle coloured by how much its angles change");
+  add("picture", po::value(&command.picture)->value_name("FILE.png"),
+      "draw the surface from six sides, with a checkerboard in the colour of each chart, and the plane "
+      "beside it: squares "
+      "remain squares where shapes are preserved, and are equally large where sizes are. --plain: from one "
+      "side (where built "
+      "with libpng)");
+  add("seams", po::value(&command.seams)->value_name("FILE.selection.txt"),
+      "write the edges along which the surface was cut open, for --seams-from, --cut, CGAL::Seam_mesh and "
+      "CGAL's demo: "
+      "pairs of vertices of the surface in FILE.obj, from 0");
+  add("json", po::value(&command.json)->value_name("FILE.json"),
+      "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
+      "Also written when something is wrong, with 'status', 'message' and 'input' at least. A '-' in place "
+      "of any of these five files is standard output; the text for people is then on standard error. With "
+      "several inputs, "
+      "each of these names has a '%', in whose place comes the input's name without folder and extension");
+  return options;
+}
+
+// A number with its default, shown as it is meant and not with all the digits of a double.
+inline po::typed_value<double>* number_option(double& number, const std::string& unit)
+{
+  return po::value(&number)->value_name(unit)->default_value(number, format_number("%g", number));
+}
+
+inline po::typed_value<int>* count_option(int& number)
+{
+  return po::value(&number)->value_name("N")->default_value(number);
+}
+
+inline po::typed_value<std::string>* name_option(std::string& name)
+{
+  return po::value(&name)->value_name("NAME")->default_value(name);
+}
+
+inline po::options_description surface_options(Command_line& command)
+{
+  po::options_description options("What is flattened", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("component", po::value(&command.component)->value_name("N"),
+      "only this connected component, numbered from 0 by falling number of faces. --plain: 0 if it is not "
+      "given");
+  add("stretch-bound", number_option(command.stretch_bound, "BOUND"),
+      "seams are added until the scale stretch is at most this, where 1 is perfect and up to 1.03 times the "
+      "bound is let "
+      "pass; if it is missed all the same, a note says so. --plain: for --cut auto; if given, "
+      "surfaces with borders and without handles get such seams, too, which join all their borders");
+  add("area-weight", number_option(command.options.area_weight, "THETA"),
+      "how much a map that was made injective keeps areas: 0 not at all, 1 as isometric as possible. An "
+      "atlas takes 0.02 if it "
+      "is not given. --plain: with --injective only");
+  add("repair", name_option(command.repair),
+      "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
+      "parts that touch in a "
+      "vertex separated, each with a note; for an atlas, also parts that meet in an edge of more than two "
+      "faces. off: such "
+      "surfaces are refused");
+  return options;
+}
+
+inline po::options_description atlas_options(Command_line& command)
+{
+  Atlas_options& atlas = command.atlas;
+  po::options_description options("The atlas", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("separate", po::bool_switch(&atlas.separates),
+      "where a map would overlap itself, cut the chart into several, which keep the angles, instead of "
+      "changing the map; "
+      "also cut charts at their necks, so that they are packed more densely");
+  add("seams-from", po::value(&atlas.seams_from)->value_name("FILE.selection.txt|uv"),
+      "keep these seams, and add what else is needed: those in a file that --seams or CGAL's demo wrote, or "
+      "those of the "
+      "texture coordinates in the input");
+  add("charts-from-materials", po::bool_switch(&atlas.charts_from_materials),
+      "edges between faces of different materials are seams");
+  add("no-pack", po::bool_switch()->notifier([&atlas](const bool is_given) { atlas.is_packed = !is_given; }),
+      "charts have the size that they have in space, and lie in rows, in their order, not turned");
+  add("units", name_option(atlas.units),
+      "square: the atlas fills the unit square. world: it is as large as the surface; so are charts that are "
+      "not packed");
+  add("resolution", count_option(atlas.resolution), "number of texels along each side of the square");
+  add("gutter", count_option(atlas.gutter), "number of texels that stay free between charts");
+  add("rotations", count_option(atlas.rotations), "number of directions in which each large chart is tried");
+  return options;
+}
+
+inline po::options_description plain_options(Command_line& command)
+{
+  po::options_description options("One chart instead of an atlas", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("plain", po::bool_switch(&command.is_plain),
+      "flatten one component, from one border, as one chart of the size that it has in space, by ABF++ "
+      "alone. Parts of its "
+      "map may overlap");
+  add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
+      "the component's outer border, numbered from 0 by falling length; all others are holes");
+  add("cut", po::value(&command.cut)->value_name("NAME|FILE.selection.txt")->default_value(command.cut),
+      "auto: closed surfaces and surfaces with handles are cut open along short seams that leave little "
+      "stretch; all others are flattened as they are, unless --stretch-bound is given. topology: only seams "
+      "that make the surface a disk; they also join its borders. none: nothing is cut. A file: its seams are "
+      "used, and no others; of several disks that they leave, the largest is flattened");
+  add("split-overlaps", po::bool_switch(&command.split_overlaps),
+      "where the map overlaps itself, split the chart along further seams into pieces whose maps do not. The "
+      "coordinates stay as they are, so that pieces still lie over one another: move them apart as islands "
+      "of the texture");
+  add("injective", po::bool_switch(&command.options.injective),
+      "a map in which no two triangles overlap, without further seams: where the map would overlap itself, "
+      "its border is kept from touching itself, and angles change more. Holes are filled meanwhile. --method "
+      "auto is hierarchical then, for any number of triangles; add --polish for less change of angles. "
+      "direct: the result of that method if it does not overlap itself, and else a polished injective map");
+  add("clearance", number_option(command.options.clearance, "LENGTHS"),
+      "parts of the border of an injective map that come nearer to one another than this many lengths of "
+      "their edges repel each other");
+  add("holes", name_option(command.holes),
+      "solve: holes take the shape that changes angles least. fill: soft triangles cover the holes while the "
+      "surface is flattened, so that their borders stay simple. refuse: a surface with holes is an error");
+  return options;
+}
+
+inline po::options_description method_options(Command_line& command)
+{
+  SMP::ABF_plus_plus_options& abf = command.options;
+  po::options_description options("How it is flattened, with --plain", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("method", name_option(command.method),
+      "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
+      "large surfaces. auto: hierarchical with --injective. Else direct for up to 200,000 triangles. For "
+      "more "
+      "it is hierarchical, with a finer coarse chart and final sweeps, if that comes close to the direct "
+      "method: energy at most 20 % higher. Else it is direct. An estimate decides");
+  add("simplification-rate", number_option(command.hierarchical.simplification_rate, "PART"),
+      "part of the vertices that the hierarchical method removes; auto: 0.85");
+  add("sweeps", count_option(command.hierarchical.sweeps),
+      "sweeps of relaxation on each level of the hierarchical method");
+  add("angle-sweeps", count_option(command.hierarchical.angle_sweeps),
+      "sweeps of the hierarchical method that lower the energy of the direct one in the end; auto: up to 20. "
+      "--injective: 5 if none are asked for, or 3 for large charts");
+  add("polish", po::bool_switch(&command.hierarchical.polish),
+      "bring the result of the hierarchical method down to the distortion of the direct one");
+  add("barrier", number_option(abf.barrier, "KAPPA"),
+      "weight of the term that keeps angles away from zero; 0 is exactly the energy of the ABF++ paper");
+  add("layout", name_option(command.layout),
+      "the way from angles to coordinates. exact: along the border, then one Laplace equation; for charts "
+      "with one border. least-squares: the way of the paper. auto: exact where it applies");
+  add("tolerance", number_option(abf.tolerance, "RADIANS"), "largest violation of a constraint at a vertex");
+  add("max-iterations", count_option(abf.max_iterations), "largest number of Newton steps");
+  add("step", name_option(command.step),
+      "newton: full Newton steps. sqp: without the constraints' second derivatives, as in the paper");
+  add("linear-solver", name_option(command.linear_solver),
+      "of a Newton step. iterative: preconditioned by small factors. direct: as a whole, as in the paper");
+  add("solver", name_option(command.solver),
+      "of the linear systems: superlu, eigen, or cholmod where built with it");
+  return options;
+}
+
+inline po::options_description other_options(Command_line& command)
+{
+  po::options_description options("Other", 100, 60);
+  po::options_description_easy_init add = options.add_options();
+  add("threads", count_option(command.options.threads), "at once; 0: one on each processor");
+  add("verbose,v", po::bool_switch(&command.verbose),
+      "tell on standard error what is done: a line for every stage, and with --plain for every Newton step");
+  add("quiet,q", po::bool_switch(&command.quiet),
+      "tell nothing but errors: no report, no notes, no progress");
+  add("help,h", po::bool_switch(&command.help), "print this text");
+  add("version", po::bool_switch(&command.version), "print the version");
+  return options;
+}
+
+inline po::options_description all_options(Command_line& command)
+{
+  po::options_description options;
+  options.add(file_options(command)).add(surface_options(command)).add(atlas_options(command));
+  options.add(plain_options(command)).add(method_options(command)).add(other_options(command));
+  return options;
+}
+
+inline std::vector<std::string> names_of(const po::options_description& options)
+{
+  std::vector<std::string> names;
+  for(const auto& option : options.options()) {
+    names.push_back(option->long_name());
+  }
+  return names;
+}
+
+} // namespace internal
+
+// The names of the options that have no meaning for an atlas.
+inline std::vector<std::string> options_of_plain_charts()
+{
+  Command_line ignored;
+  internal::po::options_description options;
+  options.add(internal::plain_options(ignored)).add(internal::method_options(ignored));
+  std::vector<std::string> names = internal::names_of(options);
+  names.erase(names.begin()); // --plain itself
+  return names;
+}
+
+// The names of the options that have no meaning with `--plain`.
+inline std::vector<std::string> options_of_atlases()
+{
+  Command_line ignored;
+  return internal::names_of(internal::atlas_options(ignored));
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_DESCRIBE_OPTIONS_H

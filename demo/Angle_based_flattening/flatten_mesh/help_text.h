@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_HELP_TEXT_H
+#define FLATTEN_MESH_HELP_TEXT_H
+
+#include "describe_options.h"
+
+#include <sstream>
+#include <string>
+
+namespace flatten_mesh {
+
+inline std::string help_text()
+{
+  Command_line defaults;
+  std::ostringstream text;
+  text << "flatten_mesh: makes a texture atlas of a surface. It cuts the surface open along short seams, "
+          "flattens it angle\n"
+          "by angle (ABF++) without overlap, and packs the charts into the unit square.\n\n"
+          "usage: flatten_mesh FILE... [options]\n"
+       << internal::all_options(defaults)
+       << "\nExamples:\n"
+          "  flatten_mesh cow.off --output cow.obj --picture cow.png\n"
+          "  flatten_mesh scan.ply --separate --resolution 4096 --gutter 4 --output scan.obj --svg scan.svg\n"
+          "  flatten_mesh model.obj --seams-from uv --output model_atlas.obj --json model.json\n"
+          "  flatten_mesh parts/*.stl --output 'atlas/%.obj' --json 'atlas/%.json' --quiet\n"
+          "  flatten_mesh - --format ply --output - < scan.ply > scan.obj\n"
+          "  flatten_mesh scan.ply --plain --output flat.obj --svg flat.svg\n"
+          "  flatten_mesh garment.obj --plain --component 2 --output sleeve.obj --json sleeve.json\n"
+          "  flatten_mesh mask.off --plain --barrier 0 --layout least-squares --step sqp --verbose\n"
+          "\nMessages count vertices, faces and lines from 1, as OBJ files do.\n"
+          "\nExit status: 0 when each face has a chart, no triangle is flipped, and all is written that was\n"
+          "asked for. 1 when the computation failed. 2 when the command line or the input is wrong, or an\n"
+          "output cannot be written; in these two cases neither models nor SVG nor PNG are written. Also 2\n"
+          "when parts of the surface cannot be flattened: the others are, and written. 3 with --plain, when\n"
+          "there is a layout, written where asked for, but of a surface without area, so that it means\n"
+          "nothing. Of several inputs, all are tried; the status is that of the first that is not 0.\n";
+  return text.str();
+}
+
+inline std::string version_text()
+{
+  return "flatten_mesh " ABF_VERSION "\n";
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_HELP_TEXT_H

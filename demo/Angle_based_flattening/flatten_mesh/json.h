@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_JSON_H
+#define FLATTEN_MESH_JSON_H
+
+#include "texts.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline std::string json_text(const std::string& value)
+{
+  std::string text = "\"";
+  for(const char c : value) {
+    if(static_cast<unsigned char>(c) < 0x20) {
+      char escape[8];
+      std::snprintf(escape, sizeof(escape), "\\u%04x", static_cast<unsigned>(c));
+      text += escape;
+    } else {
+      text += c == '"' || c == '\\' ? "\\" : "";
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+// JSON has finite numbers only.
+template <class Number>
+std::string json_number(const Number number)
+{
+  std::string text;
+  if(!std::isfinite(static_cast<double>(number))) {
+    return "null";
+  }
+  append_number(text, number);
+  return text;
+}
+
+inline std::string json_texts(const std::vector<std::string>& values)
+{
+  std::string text;
+  for(const std::string& value : values) {
+    text += (text.empty() ? "" : ", ") + json_text(value);
+  }
+  return "[" + text + "]";
+}
+
+// Builds an object from members whose values are JSON.
+class Json_object
+{
+public:
+  void add(const std::string& key, const std::string& value)
+  {
+    m_members += (m_members.empty() ? "" : ", ") + json_text(key) + ": " + value;
+  }
+
+  std::string text() const { return "{" + m_members + "}"; }
+
+private:
+  std::string m_members;
+};
+
+} // namespace internal
+
+// The report for programs if a failure occurred before the flattening.
+inline std::string failure_json(const std::string& status, const std::string& message,
+                                const std::string& input)
+{
+  internal::Json_object json;
+  json.add("status", internal::json_text(status));
+  json.add("message", internal::json_text(message));
+  json.add("input", internal::json_text(input));
+  return json.text() + "\n";
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_JSON_H

@@ -1,0 +1,664 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program `flatten_mesh` without `--plain` as a black box: atlases, pictures, several files, streams.
+
+#include "run_flatten_mesh.h"
+
+#include "flatten_mesh/Progress_bar.h"
+
+#include <pty.h>
+
+BOOST_AUTO_TEST_SUITE(test_flatten_mesh_atlas)
+
+using Uv = std::array<double, 2>;
+
+// Twice the signed area
+inline double area_of(const std::vector<Uv>& polygon)
+{
+  double area = 0;
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const Uv &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    area += p[0] * q[1] - p[1] * q[0];
+  }
+  return area;
+}
+
+// The texture coordinates of each face of an OBJ text; none for a face without
+inline std::vector<std::vector<Uv>> texture_of_faces(const std::string& text)
+{
+  const std::vector<double> all = numbers(lines_with(text, "vt"));
+  std::vector<std::vector<Uv>> faces;
+  for(const std::string& line : lines_with(text, "f")) {
+    faces.emplace_back();
+    std::istringstream words(line);
+    for(std::string word; words >> word;) {
+      const std::size_t slash = word.find('/');
+      if(slash != std::string::npos && slash + 1 < word.size() && word[slash + 1] != '/') {
+        const std::size_t i = 2 * (std::stoul(word.substr(slash + 1)) - 1);
+        faces.back().push_back({all.at(i), all.at(i + 1)});
+      }
+    }
+  }
+  return faces;
+}
+
+// Surfaces in one OFF text
+struct Collection
+{
+  int vertices = 0;
+  std::string points;
+  std::vector<std::vector<int>> faces;
+
+  void add(const int n, const std::string& more_points, const std::vector<std::vector<int>>& more_faces)
+  {
+    for(std::vector<int> face : more_faces) {
+      for(int& v : face) {
+        v += vertices;
+      }
+      faces.push_back(face);
+    }
+    vertices += n;
+    points += more_points;
+  }
+
+  void add(const Block& block)
+  {
+    const Lines lines = lines_of(block.text());
+    std::string more;
+    for(std::size_t v = 0; v < block.places.size(); ++v) {
+      more += lines[2 + v] + "\n";
+    }
+    add(static_cast<int>(block.places.size()), more, block.faces);
+  }
+
+  void add(const Sheet& sheet) { add(sheet.vertices(), sheet.points(), sheet.faces()); }
+
+  std::string text() const { return off(vertices, points, faces); }
+};
+
+struct Atlas_folder : public Folder
+{
+  boost::property_tree::ptree atlas() const { return json().get_child("atlas"); }
+
+  std::size_t charts() const { return atlas().get_child("charts").size(); }
+
+  // All faces of the input have coordinates, turned as they should be, in the unit square unless these are world units.
+  void check_atlas(const std::vector<std::vector<int>>& faces, const bool in_world_units = false)
+  {
+    BOOST_TEST(status == 0);
+    BOOST_TEST(standard_error == "");
+    BOOST_TEST(json().get<std::string>("status") == "OK");
+    BOOST_TEST(json().get_child("skipped").size() == 0u);
+    BOOST_TEST(atlas().get<int>("flipped_triangles") == 0);
+    BOOST_TEST(atlas().get<bool>("injective"));
+    std::vector<bool> has_texture;
+    BOOST_TEST((obj_faces(obj(), has_texture) == faces));
+    for(const std::vector<Uv>& face : texture_of_faces(obj())) {
+      BOOST_TEST(face.size() > 2u);
+      BOOST_TEST(area_of(face) > 0);
+      for(const Uv& uv : face) {
+        BOOST_TEST((in_world_units || (uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1)));
+      }
+    }
+  }
+
+  void remove_outputs() const
+  {
+    for(const char* name : {"flat.obj", "flat.svg", "flat.json"}) {
+      fs::remove(file(name));
+    }
+  }
+
+  // The refusal is of the whole file, and nothing is written but the report.
+  void check_refused(const std::string& input, const std::string& options, const Lines& words)
+  {
+    BOOST_TEST_CONTEXT(options)
+    {
+      remove_outputs();
+      flatten(input, options);
+      check_refusal(words);
+    }
+  }
+
+  void check_success()
+  {
+    BOOST_TEST(status == 0);
+    check_told_nothing();
+    BOOST_TEST(json().get<std::string>("status") == "OK");
+  }
+
+  void check_told_nothing() const { BOOST_TEST(standard_error == ""); }
+};
+
+BOOST_FIXTURE_TEST_SUITE(good_input, Atlas_folder)
+
+BOOST_AUTO_TEST_CASE(closed_surfaces)
+{
+  for(const Block& block : {cube(), sphere(), ring(), two_rings()}) {
+    BOOST_TEST_CONTEXT(block.text())
+    {
+      const std::string seams = file("block.selection.txt");
+      flatten(write("block.off", block.text()), "--seams " + quoted(seams));
+      check_atlas(block.faces);
+      BOOST_TEST(charts() == 1u);
+      BOOST_TEST((edges_with_two_textures(obj()) == edges_in(content(seams))));
+      const auto tree = atlas();
+      BOOST_TEST(tree.get<double>("seams.relative_length") > 0.5);
+      BOOST_TEST(tree.get<int>("seams.terminals") >= 1);
+      BOOST_TEST(tree.get<double>("packing.covered_share") > 0.2);
+      BOOST_TEST(tree.get<double>("packing.covered_share") < 1);
+      const auto chart = tree.get_child("charts").front().second;
+      BOOST_TEST(chart.get<double>("scale_stretch") >= 1);
+      BOOST_TEST(chart.get<double>("scale_stretch") <= 1.03 * 1.1);
+      BOOST_TEST(chart.get<bool>("bound_reached"));
+      BOOST_TEST(chart.get<double>("share_of_area") == 1, boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(chart.get<std::string>("method") != "");
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(figures_and_lines_of_the_reports)
+{
+  flatten(dinosaur());
+  check_success();
+  const auto tree = json();
+  for(const char* key : {"vertices", "triangles", "components", "atlas.seams.length", "atlas.l2_stretch",
+                         "atlas.linf_stretch", "atlas.mean_angle_change", "atlas.smallest_angle",
+                         "atlas.packing.covered_share", "seconds.read", "seconds.charts", "seconds.pack",
+                         "seconds.certify", "seconds.measure", "seconds.write", "peak_memory_mb"}) {
+    BOOST_TEST_CONTEXT(key)
+    {
+      BOOST_TEST(std::isfinite(tree.get<double>(key)));
+    }
+  }
+  BOOST_TEST(tree.get<std::string>("input") == dinosaur());
+  BOOST_TEST(tree.get<std::string>("atlas.units") == "square");
+  BOOST_TEST(tree.get<int>("atlas.packing.resolution") == 1024);
+  for(const char* word : {"charts ", "seams ", "scale stretch", "covered", "angle change", "L2 stretch",
+                          "flipped triangles", "seconds", "pack ", "written"}) {
+    BOOST_TEST((standard_output.find(word) != std::string::npos), standard_output << " lacks " << word);
+  }
+  BOOST_TEST((standard_output.find("all charts") == std::string::npos));
+}
+
+BOOST_AUTO_TEST_CASE(holes_and_a_looser_bound)
+{
+  Sheet sheet;
+  sheet.holes = {7, 16};
+  flatten(write("holes.off", off(sheet)));
+  check_atlas(sheet.faces());
+  BOOST_TEST(charts() == 1u);
+  const std::string input = write("sphere.off", sphere().text());
+  flatten(input, "--stretch-bound 1.5");
+  check_atlas(sphere().faces);
+  const double loose = atlas().get<double>("seams.length");
+  BOOST_TEST(atlas().get<double>("seams.stretch_bound") == 1.5);
+  flatten(input, "--stretch-bound 1.03");
+  check_atlas(sphere().faces);
+  BOOST_TEST(atlas().get<double>("seams.length") > loose);
+}
+
+BOOST_AUTO_TEST_CASE(several_components)
+{
+  Collection all;
+  all.add(sphere());
+  all.add(Sheet());
+  all.add(two_rings());
+  flatten(write("all.off", all.text()));
+  check_atlas(all.faces);
+  BOOST_TEST(charts() == 3u);
+  BOOST_TEST(json().get<int>("components") == 3);
+  double share = 0;
+  const auto tree = atlas();
+  for(const auto& chart : tree.get_child("charts")) {
+    share += chart.second.get<double>("share_of_area");
+  }
+  BOOST_TEST(share == 1, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST((standard_output.find("all charts") != std::string::npos), standard_output);
+}
+
+BOOST_AUTO_TEST_CASE(one_component)
+{
+  Collection all;
+  all.add(cube());
+  all.add(Sheet());
+  all.add(sphere());
+  const std::string input = write("all.off", all.text());
+  const auto check = [&](const std::string& number, const std::size_t first, const std::size_t count) {
+    BOOST_TEST_CONTEXT("component " << number)
+    {
+      flatten(input, "--component " + number);
+      BOOST_TEST(status == 0);
+      check_told_nothing();
+      BOOST_TEST(charts() == 1u);
+      const auto faces = texture_of_faces(obj());
+      for(std::size_t f = 0; f < faces.size(); ++f) {
+        BOOST_TEST((faces[f].empty() || area_of(faces[f]) > 0));
+        BOOST_TEST(faces[f].empty() == (f < first || f >= first + count));
+      }
+    }
+  };
+  const std::size_t in_cube = 6, in_sheet = Sheet().faces().size(), in_sphere = sphere().faces.size();
+  check("0", in_cube + in_sheet, in_sphere);
+  check("1", in_cube, in_sheet);
+  check("2", 0, in_cube);
+  check_refused(input, "--component 3", {"no component 3", "numbers 0 to 2"});
+}
+
+// The two circles of a strip that winds around twice lie over one another in the plane.
+BOOST_AUTO_TEST_CASE(overlaps)
+{
+  const std::string input = write("strip.off", spiral());
+  std::vector<bool> has_texture;
+  flatten(input, "--plain");
+  const auto faces = obj_faces(obj(), has_texture);
+  flatten(input);
+  check_atlas(faces);
+  BOOST_TEST(charts() == 1u);
+  flatten(input, "--separate");
+  check_atlas(faces);
+  BOOST_TEST(charts() > 1u);
+  flatten(input, "--area-weight 1");
+  check_atlas(faces);
+}
+
+// In world units, as large as the surface: a row of charts side by side, or the packed ones.
+BOOST_AUTO_TEST_CASE(units)
+{
+  Collection all;
+  all.add(cube());
+  Block longer;
+  longer.length = 3;
+  all.add(longer.make());
+  const std::string input = write("all.off", all.text());
+  for(const std::string options : {"--no-pack", "--units world"}) {
+    BOOST_TEST_CONTEXT(options)
+    {
+      flatten(input, options);
+      check_atlas(all.faces, true);
+      BOOST_TEST(atlas().get<std::string>("units") == "world");
+      double area = 0;
+      std::array<double, 4> a = {1e9, 1e9, -1e9, -1e9}, b = a; // the boxes of both charts
+      const auto faces = texture_of_faces(obj());
+      for(std::size_t f = 0; f < faces.size(); ++f) {
+        area += area_of(faces[f]) / 2;
+        std::array<double, 4>& box = f < 6 ? a : b;
+        for(const Uv& uv : faces[f]) {
+          box = {std::min(box[0], uv[0]), std::min(box[1], uv[1]), std::max(box[2], uv[0]),
+                 std::max(box[3], uv[1])};
+        }
+      }
+      BOOST_TEST(area == 6 + 14, boost::test_tools::tolerance(0.01));
+      if(options == "--no-pack") {
+        BOOST_TEST((a[2] < b[0] || b[2] < a[0] || a[3] < b[1] || b[3] < a[1]));
+      }
+    }
+  }
+  flatten(input, "--resolution 128 --gutter 4 --rotations 4");
+  check_atlas(all.faces);
+  BOOST_TEST(atlas().get<int>("packing.gutter") == 4);
+}
+
+BOOST_AUTO_TEST_CASE(given_seams_are_kept)
+{
+  const Block block = two_rings();
+  const std::string input = write("block.off", block.text()), seams = file("seams.selection.txt");
+  flatten(input, "--seams " + quoted(seams));
+  const std::string first = obj();
+  const Edges given = edges_in(content(seams));
+
+  flatten(input, "--seams-from " + quoted(seams));
+  check_atlas(block.faces);
+  BOOST_TEST((edges_with_two_textures(obj()) == given));
+
+  flatten(write("textured.obj", first), "--seams-from uv");
+  check_atlas(block.faces);
+  BOOST_TEST((edges_with_two_textures(obj()) == given));
+
+  const Edges ring_around = edges_in(path_line({block.vertex({1, 0, 0}), block.vertex({1, 0, 1})}));
+  flatten(input, "--seams-from " + quoted(write("part.selection.txt", path_line({block.vertex({1, 0, 0}),
+                                                                                 block.vertex({1, 0, 1})}))));
+  check_atlas(block.faces);
+  const Edges after = edges_with_two_textures(obj());
+  BOOST_TEST(std::includes(after.begin(), after.end(), ring_around.begin(), ring_around.end()));
+
+  check_refused(input, "--seams-from uv", {"no texture coordinates"});
+  check_refused(input, "--charts-from-materials", {"no materials"});
+  const std::vector<int>& face = block.faces.front();
+  check_refused(input,
+                "--seams-from " + quoted(write("diagonal.selection.txt", path_line({face[0], face[2]}))),
+                {"no edge between vertices"});
+}
+
+BOOST_AUTO_TEST_CASE(charts_of_materials)
+{
+  const Sheet sheet;
+  std::string text = obj_input(sheet);
+  text.insert(text.find("f "), "usemtl first\n");
+  text.insert(text.rfind("f ", text.size() - 40), "usemtl second\n");
+  const std::string input = write("sheet.obj", text);
+  flatten(input);
+  check_atlas(sheet.faces());
+  BOOST_TEST(charts() == 1u);
+  flatten(input, "--charts-from-materials");
+  check_atlas(sheet.faces());
+  BOOST_TEST(charts() == 2u);
+  BOOST_TEST(lines_with(obj(), "usemtl").size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(same_bytes_on_any_number_of_threads)
+{
+  Collection all;
+  all.add(sphere());
+  all.add(two_rings());
+  all.add(Sheet());
+  const std::string input = write("all.off", all.text());
+  std::array<std::string, 2> results;
+  for(std::size_t i = 0; i < 2; ++i) {
+    flatten(input, "--threads " + std::to_string(i + 1) + " --seams " + quoted(file("all.selection.txt")));
+    check_atlas(all.faces);
+    results[i] = obj() + content(file("flat.svg")) + content(file("all.selection.txt"));
+  }
+  BOOST_TEST((results[0] == results[1]));
+}
+
+// An SVG element of each chart, and lines in as many colours as there are seams
+BOOST_AUTO_TEST_CASE(drawn_plane)
+{
+  Collection all;
+  all.add(sphere());
+  all.add(Sheet());
+  flatten(write("all.off", all.text()));
+  const std::string svg = content(file("flat.svg"));
+  BOOST_TEST(svg.compare(0, 4, "<svg") == 0);
+  BOOST_TEST((svg.find("2 charts") != std::string::npos));
+  BOOST_TEST((svg.find("nan") == std::string::npos));
+  std::size_t charts = 0, seams = 0;
+  for(const std::string& line : lines_of(svg)) {
+    charts += line.compare(0, 13, "<path fill=\"#") == 0;
+    seams += line.find("stroke-linecap") != std::string::npos;
+  }
+  BOOST_TEST(charts == 2u);
+  BOOST_TEST(seams > 0u);
+}
+
+#ifdef ABF_WITH_PNG
+// Six views and the plane: both colours of the checkerboard, the lighter fill of the chart, and dark lines
+BOOST_AUTO_TEST_CASE(picture)
+{
+  run(quoted(write("sphere.off", sphere().text())) + " --picture " + quoted(file("flat.png")));
+  BOOST_TEST(status == 0);
+  const std::vector<Pixel> pixels = pixels_of(file("flat.png"));
+  const std::size_t width = 2100, size = 420;
+  BOOST_REQUIRE(pixels.size() == width * 2 * size);
+  std::size_t fill = 0;
+  std::array<std::size_t, 6> light = {}, dark = {};
+  for(std::size_t i = 0; i < pixels.size(); ++i) {
+    const std::size_t column = i % width / size, row = i / width / size;
+    const Pixel& p = pixels[i];
+    if(column < 3) {
+      light[3 * row + column] += p[0] > 100 && p[0] < 250;
+      dark[3 * row + column] += p[2] > p[0] + 25;
+    } else {
+      fill += p[2] > p[0] + 25;
+    }
+  }
+  for(std::size_t i = 0; i < 6; ++i) {
+    BOOST_TEST(light[i] > size * size / 10);
+    BOOST_TEST(dark[i] > size * size / 10);
+  }
+  BOOST_TEST(fill > size * size);
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(quiet_and_verbose)
+{
+  const std::string input = write("sphere.off", sphere().text());
+  flatten(input, "--quiet");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(standard_output == "");
+  check_told_nothing();
+  flatten(input, "--verbose");
+  for(const char* stage : {"reading: ", "cutting and flattening: ", "packing: ", "writing: "}) {
+    check_told(stage);
+  }
+  std::vector<std::vector<int>> faces = Sheet().faces();
+  std::swap(faces[0][1], faces[0][2]);
+  const std::string turned = write("turned.off", off(Sheet().vertices(), Sheet().points(), faces));
+  flatten(turned);
+  BOOST_TEST(status == 0);
+  check_told("note: ");
+  flatten(turned, "--quiet");
+  check_told_nothing();
+  BOOST_TEST(json().get_child("notes").size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(several_inputs)
+{
+  const std::string a = write("a.off", sphere().text()), b = write("b.off", off(Sheet()));
+  fs::create_directory(path / "out");
+  const std::string outputs =
+      " --output " + quoted(file("out/%_flat.obj")) + " --json " + quoted(file("out/%.json"));
+  run(quoted(a) + " " + quoted(b) + outputs);
+  BOOST_TEST(status == 0);
+  check_told_nothing();
+  BOOST_TEST(texture_of_faces(content(file("out/a_flat.obj"))).size() == sphere().faces.size());
+  BOOST_TEST(texture_of_faces(content(file("out/b_flat.obj"))).size() == Sheet().faces().size());
+  BOOST_TEST((content(file("out/b.json")).find("\"status\": \"OK\"") != std::string::npos));
+
+  fs::remove_all(path / "out");
+  fs::create_directory(path / "out");
+  run(quoted(a) + " " + quoted(file("absent.off")) + " " + quoted(b) + outputs);
+  BOOST_TEST(status == 2);
+  check_told("absent.off");
+  BOOST_TEST(fs::exists(path / "out/a_flat.obj"));
+  BOOST_TEST(!fs::exists(path / "out/absent_flat.obj"));
+  BOOST_TEST(fs::exists(path / "out/b_flat.obj"));
+  BOOST_TEST((content(file("out/absent.json")).find("WRONG_INPUT") != std::string::npos));
+}
+
+BOOST_AUTO_TEST_CASE(streams)
+{
+  const std::string input = write("sphere.off", sphere().text());
+  flatten(input);
+  const std::string expected = obj();
+  remove_outputs();
+  run("- --format off --quiet --output - < " + quoted(input));
+  BOOST_TEST(status == 0);
+  BOOST_TEST((standard_output == expected));
+  check_told_nothing();
+  run("- --format off --json - < " + quoted(input));
+  BOOST_TEST((standard_output.find("\"input\": \"standard input\"") != std::string::npos), standard_output);
+  run("- --format off < /dev/null");
+  check_refusal({"standard input", "empty"});
+  run("- --format off < " + quoted(write("broken.off", "OFF\n3 1 0\n0 0 0\n")));
+  check_refusal({"standard input"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(bad_input, Atlas_folder)
+
+// What hangs together with a wrong coordinate has no chart, and a face with a vertex twice; all else has.
+BOOST_AUTO_TEST_CASE(rubbish_is_named)
+{
+  std::vector<float> points = floats(Sheet());
+  std::vector<std::vector<int>> faces = Sheet().faces();
+  const int n = Sheet().vertices();
+  const std::size_t right = faces.size();
+  for(const float x :
+      {0.f, 0.f, 5.f, 1.f, 0.f, 5.f, 0.f, std::numeric_limits<float>::quiet_NaN(), 5.f, 1.f, 1.f, 5.f}) {
+    points.push_back(x);
+  }
+  faces.push_back({n, n + 1, n + 3});
+  faces.push_back({n, n + 3, n + 2});
+  faces.push_back({3, 4, 4});
+  flatten(write("rubbish.ply", ply(points, faces)));
+  BOOST_TEST(status == 2);
+  check_told("no chart for 2 faces, the first is face " + std::to_string(right + 1));
+  check_told("NON_FINITE_POINT: vertex " + std::to_string(n + 3));
+  check_told("DEGENERATE_FACE: face " + std::to_string(right + 3));
+  const auto tree = json();
+  BOOST_TEST(tree.get<std::string>("status") == "SOMETHING_SKIPPED");
+  BOOST_TEST(tree.get_child("skipped").size() == 2u);
+  BOOST_TEST(tree.get_child("skipped").front().second.get<std::size_t>("first_face") == right + 1);
+  BOOST_TEST(tree.get_child("skipped").front().second.get<int>("faces") == 2);
+  BOOST_TEST(charts() == 1u);
+  const auto texture = texture_of_faces(obj());
+  BOOST_REQUIRE(texture.size() == faces.size());
+  for(std::size_t f = 0; f < texture.size(); ++f) {
+    BOOST_TEST(texture[f].empty() == (f >= right));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_but_rubbish)
+{
+  flatten(write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"));
+  BOOST_TEST(status == 2);
+  check_told("no chart for 1 face");
+  BOOST_TEST(json().get<std::string>("status") == "NOTHING_FLATTENED");
+  BOOST_TEST(json().get<std::string>("atlas") == "null");
+  BOOST_TEST(!fs::exists(file("flat.obj")));
+  flatten(write("twice.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 1 0\n3 0 1 1\n"));
+  BOOST_TEST(status == 2);
+  check_told("DEGENERATE_FACE");
+  BOOST_TEST(!fs::exists(file("flat.obj")));
+}
+
+// Three sheets that share an edge are separated. Without repairs they have no chart, and others have.
+BOOST_AUTO_TEST_CASE(more_than_two_faces_at_an_edge)
+{
+  Collection all;
+  all.add(5, "0 0 0\n0 0 1\n1 0 0\n-1 1 0\n-1 -1 0\n", {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  all.add(sphere());
+  const std::string input = write("fan.off", all.text());
+  flatten(input);
+  BOOST_TEST(status == 0);
+  check_told("more than two faces meet at ");
+  for(const std::vector<Uv>& face : texture_of_faces(obj())) {
+    BOOST_TEST(face.size() > 2u);
+  }
+  flatten(input, "--repair off");
+  BOOST_TEST(status == 2);
+  check_told("NON_MANIFOLD_EDGE: the edge between vertices 1 and 2 has 3 faces");
+  const auto texture = texture_of_faces(obj());
+  for(std::size_t f = 0; f < texture.size(); ++f) {
+    BOOST_TEST(texture[f].empty() == (f < 3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  for(const std::string option :
+      {"--method direct", "--border 0", "--cut auto", "--injective", "--split-overlaps", "--holes fill",
+       "--polish", "--barrier 0", "--solver eigen", "--clearance 0.5", "--layout exact"}) {
+    check_refused(input, option, {"goes with --plain only", option.substr(0, option.find(' '))});
+  }
+  for(const std::string option :
+      {"--separate", "--no-pack", "--units world", "--seams-from uv", "--charts-from-materials",
+       "--resolution 64", "--gutter 1", "--rotations 4"}) {
+    check_refused(input, "--plain " + option, {"not with --plain", option.substr(0, option.find(' '))});
+  }
+  for(const std::string options :
+      {"--no-pack --units square", "--no-pack --gutter 3", "--units inches", "--resolution 1", "--gutter=-1",
+       "--rotations 0", "--seams-from seams.txt", "--quiet --verbose", "--format off", "--area-weight 2",
+       "--repair maybe", "--stretch-bound 1"}) {
+    check_refused(input, options, {"flatten_mesh: "});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_inputs_and_outputs)
+{
+  const std::string a = write("a.off", off(Sheet()));
+  fs::create_directory(path / "b");
+  const std::string same = write("b/a.off", off(Sheet()));
+  const auto refuse = [this](const std::string& arguments, const Lines& words) {
+    BOOST_TEST_CONTEXT(arguments)
+    {
+      run(arguments);
+      check_refusal(words);
+    }
+  };
+  refuse(quoted(a) + " " + quoted(same) + " --output " + quoted(file("flat.obj")), {"2 inputs", "'%'"});
+  refuse(quoted(a) + " " + quoted(same) + " --output " + quoted(file("flat_%.obj")),
+         {"flat_a.obj", "runs of their own"});
+  refuse(quoted(a) + " " + quoted(write("c.obj", obj_input(Sheet()))) + " --output " + quoted(file("%.obj")),
+         {"overwrite"});
+  refuse("-", {"--format"});
+  refuse("- - --format off", {"once"});
+  refuse("- --format docx < " + quoted(a), {"--format", "docx"});
+  refuse(quoted(a) + " --seams-from " + quoted(file("absent.selection.txt")), {"absent.selection.txt"});
+}
+
+// The program waits for a reader of the pipe. Its first file then exists under a temporary name.
+BOOST_AUTO_TEST_CASE(interrupted)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  BOOST_REQUIRE(::mkfifo(file("pipe").c_str(), 0600) == 0);
+  const pid_t process = ::fork();
+  if(process == 0) {
+    ::execl(program().c_str(), "flatten_mesh", input.c_str(), "--output", file("flat.obj").c_str(), "--svg",
+            file("pipe").c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  bool is_unfinished = false;
+  for(int i = 0; i < 3000 && !is_unfinished; ++i) {
+    for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
+      is_unfinished = is_unfinished || entry.path().extension() == ".unfinished";
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  BOOST_TEST(is_unfinished);
+  ::kill(process, SIGTERM);
+  int result = 0;
+  ::waitpid(process, &result, 0);
+  BOOST_TEST(WIFSIGNALED(result));
+  check_nothing_is_left();
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(progress)
+
+BOOST_AUTO_TEST_CASE(line)
+{
+  using flatten_mesh::progress_line;
+  BOOST_TEST(progress_line("packing", -1, 3.2) == "packing (3 s)");
+  BOOST_TEST(progress_line("charts", 0.5, 4) == "charts [###############...............] 50 %, 4 s left");
+  BOOST_TEST(progress_line("charts", 0, 4) == "charts [..............................] 0 %");
+  BOOST_TEST(progress_line("charts", 1, 4) == "charts [##############################] 100 %, 0 s left");
+}
+
+// The program waits for a writer of its input, on a terminal: it says that it reads.
+BOOST_FIXTURE_TEST_CASE(is_shown_on_a_terminal, Atlas_folder)
+{
+  BOOST_REQUIRE(::mkfifo(file("pipe.off").c_str(), 0600) == 0);
+  int terminal = -1;
+  const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  BOOST_REQUIRE(process >= 0);
+  if(process == 0) {
+    ::execl(program().c_str(), "flatten_mesh", file("pipe.off").c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  std::string shown;
+  char text[256];
+  while(shown.find("reading (") == std::string::npos) {
+    const ssize_t count = ::read(terminal, text, sizeof(text));
+    if(count <= 0) {
+      break;
+    }
+    shown.append(text, static_cast<std::size_t>(count));
+  }
+  BOOST_TEST((shown.find("\r\033[Kreading (") != std::string::npos), shown);
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  ::close(terminal);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,1100 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the program `flatten_mesh` keeps of a file: read, repaired, divided into triangles, textured, written, and read
+// again.
+
+#include "flatten_mesh/Atlas_input.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/build_mesh.h"
+#include "flatten_mesh/divide_polygons.h"
+#include "flatten_mesh/model_seams.h"
+#include "flatten_mesh/read_model.h"
+#include "flatten_mesh/write_model.h"
+
+#include "generated_models.h"
+#include "read_faces.h"
+
+#ifdef ABF_WITH_ASSIMP
+#include "assimp_reader.h"
+#endif
+
+#include <CGAL/IO/polygon_soup_io.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+BOOST_AUTO_TEST_SUITE(test_model_files)
+
+namespace fs = std::filesystem;
+using namespace flatten_mesh;
+
+namespace {
+
+struct Files
+{
+  Files() : path(fs::temp_directory_path() / ("test_model_files_" + std::to_string(::getpid())))
+  {
+    fs::remove_all(path);
+    fs::create_directory(path);
+    command.quiet = true;
+    write("paint.mtl", "newmtl red paint\nKd 1 0.25 0\nnewmtl blue\r\nKd 0 0 1\r\nd 0.5\r\n");
+  }
+
+  ~Files()
+  {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+
+  std::string file(const std::string& name) const { return (path / name).string(); }
+
+  std::string write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return file(name);
+  }
+
+  std::string content(const std::string& name) const
+  {
+    std::ifstream stream(path / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  }
+
+  Model read(const std::string& name, const std::string& text)
+  {
+    return read_model(write(name, text), Degenerate_faces::KEPT, notes);
+  }
+
+  std::string write_model(const std::string& name, const Model& model, const Model_texture& texture) const
+  {
+    Output_file output(file(name));
+    flatten_mesh::write_model(output, file(name), model, texture);
+    output.publish();
+    return file(name);
+  }
+
+  void check_told(const std::string& word) const
+  {
+    BOOST_TEST(std::any_of(notes.texts().begin(), notes.texts().end(),
+                           [&word](const std::string& text) { return text.find(word) != std::string::npos; }),
+               "no note says " << word);
+  }
+
+  fs::path path;
+  Command_line command;
+  Notes notes = Notes(command);
+};
+
+std::vector<double> numbers(const Kernel::Point_3& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
+
+std::vector<double> numbers(const Kernel::Vector_3& vector)
+{
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+std::vector<double> numbers(const Kernel::Point_2& point)
+{
+  return {point.x(), point.y()};
+}
+
+// The texture coordinates that the model has already, for its polygons in the mesh
+Model_texture own_texture(const Model& model, const Surface_of_model& surface)
+{
+  Model_texture texture = empty_texture(model, surface.mesh, surface.origins);
+  for(const Model_triangle& triangle : texture.triangles) {
+    for(Index c = model.first_corners[triangle.polygon]; c < model.first_corners[triangle.polygon + 1]; ++c) {
+      if(model.texture_point(c) != no_index) {
+        texture.uv[c] = model.texture[model.texture_point(c)];
+      }
+    }
+  }
+  return texture;
+}
+
+// Everything that matters of an OBJ text that the program wrote, with values in place of numbers
+struct Plain_obj
+{
+  struct Line
+  {
+    std::string statement;
+    std::vector<Read_corner> corners;
+  };
+
+  std::vector<std::vector<double>> points, texture, normals;
+  std::vector<Line> lines;
+
+  explicit Plain_obj(const std::string& text)
+  {
+    std::istringstream stream(text);
+    for(std::string line; std::getline(stream, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      words >> keyword;
+      if(keyword == "v" || keyword == "vt" || keyword == "vn") {
+        std::vector<double>& numbers = (keyword == "v"    ? points
+                                        : keyword == "vt" ? texture
+                                                          : normals)
+                                           .emplace_back();
+        for(double number; words >> number;) {
+          numbers.push_back(number);
+        }
+      } else if(keyword == "f") {
+        lines.push_back({"", {}});
+        for(std::string word; words >> word;) {
+          lines.back().corners.push_back(corner(word));
+        }
+      } else if(keyword != "#") {
+        lines.push_back({line, {}});
+      }
+    }
+  }
+
+  Read_corner corner(const std::string& word) const
+  {
+    std::array<std::string, 3> parts;
+    std::istringstream stream(word);
+    for(std::string& part : parts) {
+      std::getline(stream, part, '/');
+    }
+    const auto value = [](const std::vector<std::vector<double>>& all, const std::string& number) {
+      return number.empty() ? std::vector<double>() : all.at(std::stoul(number) - 1);
+    };
+    return {value(points, parts[0]), value(texture, parts[1]), value(normals, parts[2]), {}};
+  }
+};
+
+// The surface of which the program makes an atlas
+Surface_of_model separated_surface(const Model& model, Notes& notes)
+{
+  Atlas_input input = atlas_input_of(model, true, notes);
+  return {std::move(input.mesh), std::move(input.origins)};
+}
+
+// Each corner of the mesh is at the point of its corner in the model, each triangle in one polygon, and each polygon is
+// divided into all its triangles or left out.
+void check_origins(const Model& model, const Surface_of_model& surface, const std::set<Index>& left_out = {})
+{
+  const Mesh& mesh = surface.mesh;
+  std::vector<Index> triangles(model.number_of_polygons(), 0);
+  std::vector<std::set<Index>> corners(model.number_of_polygons());
+  std::size_t misplaced = 0, mixed = 0, backward = 0;
+  for(const Face f : mesh.faces()) {
+    const Model_triangle triangle = surface.origins.triangle(model, mesh, f);
+    ++triangles[triangle.polygon];
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Index corner = surface.origins.corners[h.idx()];
+      misplaced += model.points[model.vertices[corner]] != mesh.point(mesh.target(h));
+      mixed += model.polygon_of_corner(corner) != triangle.polygon;
+      corners[triangle.polygon].insert(corner);
+    }
+    const auto first =
+        std::min_element(triangle.corners.begin(), triangle.corners.end()) - triangle.corners.begin();
+    const auto second = static_cast<std::size_t>(first + 1) % 3, third = (second + 1) % 3;
+    backward +=
+        (triangle.corners[second] > triangle.corners[third]) != surface.origins.is_turned[triangle.polygon];
+  }
+  BOOST_TEST(misplaced == 0u);
+  BOOST_TEST(mixed == 0u);
+  BOOST_TEST(backward == 0u);
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    BOOST_TEST(triangles[p] == (left_out.count(p) != 0 ? 0 : model.size(p) - 2), "polygon " << p);
+    BOOST_TEST(corners[p].size() == (left_out.count(p) != 0 ? 0 : model.size(p)), "polygon " << p);
+  }
+  for(const Halfedge h : mesh.halfedges()) {
+    BOOST_TEST((surface.origins.corners[h.idx()] == no_index) == mesh.is_border(h));
+  }
+}
+
+std::string bow_tie()
+{
+  return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n";
+}
+
+const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+} // namespace
+
+BOOST_FIXTURE_TEST_SUITE(reading, Files)
+
+BOOST_AUTO_TEST_CASE(obj_in_every_manner)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
+      const Model model = read("model.obj", generated::obj_text(given, seed));
+      const auto polygons = given.polygons();
+      BOOST_TEST_REQUIRE(model.number_of_polygons() == polygons.size());
+      BOOST_TEST_REQUIRE(model.points.size() == given.points.size());
+      for(std::size_t v = 0; v < given.points.size(); ++v) {
+        BOOST_TEST(numbers(model.points[v]) ==
+                       std::vector<double>(given.points[v].begin(), given.points[v].end()),
+                   boost::test_tools::per_element());
+      }
+      BOOST_TEST_REQUIRE(model.colors.size() == given.colors.size());
+      for(std::size_t v = 0; v < given.colors.size(); ++v) {
+        BOOST_TEST(std::equal(given.colors[v].begin(), given.colors[v].end(), model.colors[v].begin()));
+      }
+      for(Index p = 0; p < model.number_of_polygons(); ++p) {
+        BOOST_TEST_REQUIRE(model.size(p) == polygons[p].size());
+        for(Index i = 0; i < model.size(p); ++i) {
+          const Index c = model.first_corners[p] + i;
+          const generated::Corner corner = {static_cast<int>(model.vertices[c]),
+                                            static_cast<int>(model.texture_point(c)),
+                                            static_cast<int>(model.normal(c))};
+          BOOST_TEST((corner == polygons[p][i]));
+        }
+      }
+      std::size_t statement = 0;
+      Index p = 0;
+      for(const generated::Line& line : given.lines) {
+        if(line.statement.empty()) {
+          ++p;
+          continue;
+        }
+        BOOST_TEST_REQUIRE(statement < model.statements.size());
+        BOOST_TEST(model.statements[statement].text == line.statement);
+        BOOST_TEST(model.statements[statement].polygon == p);
+        ++statement;
+      }
+      BOOST_TEST(statement == model.statements.size());
+      BOOST_TEST(model.material_names == (std::vector<std::string>{"red paint", "blue"}),
+                 boost::test_tools::per_element());
+      BOOST_TEST(model.material(0) == no_index);
+      BOOST_TEST(model.material(9) == 0u);
+      BOOST_TEST(model.material(23) == 1u);
+      BOOST_TEST(notes.texts().empty());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_attributes_are_left_out_with_a_note)
+{
+  const Model model = read("wrong.obj", std::string(square) + "v 2 2 2 1 0 x\nvt 0 zero\nvt 0.5 0.5\nvn 1 2\n"
+                                                              "f 1/2 2/1 3/7 4/x\nf 1//1 2 5//9\n");
+  BOOST_TEST(notes.texts().size() == 2u);
+  check_told("4 colours, texture coordinates or normals");
+  check_told("line 5");
+  check_told("4 times");
+  BOOST_TEST(model.colors.empty());
+  const std::vector<Index> expected = {1, no_index, no_index, no_index};
+  for(Index c = 0; c < 7; ++c) {
+    BOOST_TEST(model.texture_point(c) == (c < 4 ? expected[c] : no_index));
+    BOOST_TEST(model.normal(c) == no_index);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_numbers_of_vertices_are_errors)
+{
+  const auto refused = [this](const std::string& lines, const std::string& word) {
+    BOOST_CHECK_EXCEPTION(read("wrong.obj", square + lines), Input_error, [&word](const Input_error& error) {
+      return std::string(error.what()).find(word) != std::string::npos;
+    });
+  };
+  refused("f 1 2 5\n", "line 5: the face names vertex 5, which does not exist");
+  refused("f 1 2 3\nl 1 9\n", "line 6: the line names vertex 9");
+  refused("f 0 1 2\n", "vertex 0");
+  refused("f\n", "line 5: the face has no vertices");
+  refused("f 1 2 1e3\n", "'1e3'");
+  refused("f 1 2 99999999999999999999\n", "'99999999999999999999'");
+  refused("v 1 2 nan\nf 1 2 3\n", "line 5: the coordinate 'nan'");
+  BOOST_CHECK_THROW(
+      read_model(write("pair.obj", std::string(square) + "f 1 2\n"), Degenerate_faces::REFUSED, notes),
+      Input_error);
+}
+
+BOOST_AUTO_TEST_CASE(lines_and_points_stay)
+{
+  const Model model = read("lines.obj", std::string(square) + "f 1 2 3\nl -4/1 -3/2\nf 1 3 4\np 2\n");
+  BOOST_TEST(notes.texts().empty());
+  BOOST_TEST_REQUIRE(model.statements.size() == 2u);
+  BOOST_TEST(model.statements[0].text == "l 1 2");
+  BOOST_TEST(model.statements[0].polygon == 1u);
+  BOOST_TEST(model.statements[1].text == "p 2");
+}
+
+BOOST_AUTO_TEST_CASE(ply_with_attributes)
+{
+  const std::string points = "0 0 0  0 0 1  10 20 255 51  0.25 0.5\n1 0 0  0 1 0  0 0 0 255  0.75 0.5\n"
+                             "0 1 0  1 0 0  1 2 3 255  0.5 1\n";
+  for(const std::array<std::string, 2>& names :
+      {std::array<std::string, 2>{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+    const Model model = read(
+        "model.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+                     "float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar "
+                     "red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nproperty float " +
+                         names[0] + "\nproperty float " + names[1] +
+                         "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" + points +
+                         "3 2 0 1\n");
+    BOOST_TEST(model.normal(0) == 2u);
+    BOOST_TEST(numbers(model.normals[1]) == (std::vector<double>{0, 1, 0}), boost::test_tools::per_element());
+    BOOST_TEST(model.colors[0] == (Point_color{10 / 255., 20 / 255., 1, 0.2}),
+               boost::test_tools::per_element());
+    BOOST_TEST(model.texture_point(1) == 0u);
+    BOOST_TEST(numbers(model.texture[0]) == (std::vector<double>{0.25, 0.5}),
+               boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ply_with_texture_of_corners)
+{
+  const Model model = read(
+      "model.ply", std::string("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double "
+                               "y\nproperty double z\nelement face 3\nproperty list uchar uint "
+                               "vertex_index\nproperty list uchar float texcoord\nend_header\n") +
+                       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 0\n3 0 2 3 6 .5 .5 1 1 0 1\n3 0 1 3 2 7 7\n");
+  for(const Index c : {0, 1, 2, 6, 7, 8}) {
+    BOOST_TEST(model.texture_point(c) == no_index);
+  }
+  BOOST_TEST(numbers(model.texture[model.texture_point(4)]) == (std::vector<double>{1, 1}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(off_with_attributes)
+{
+  const Model colored =
+      read("colors.off", "COFF\n3 1 0\n0 0 0 255 0 51\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+  BOOST_TEST(colored.colors.at(0) == (Point_color{1, 0, 0.2, 1}), boost::test_tools::per_element());
+  BOOST_TEST(colored.normals.empty());
+  const Model shaded = read("normals.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1 0\n0 1 0 1 0 0\n3 0 1 2\n");
+  BOOST_TEST(shaded.normal(1) == 1u);
+  BOOST_TEST(numbers(shaded.normals.at(1)) == (std::vector<double>{0, 1, 0}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(seams_and_materials_of_the_file)
+{
+  const Model model =
+      read("seams.obj", std::string(square) +
+                            "v 2 0 0\nv 2 1 0\nv 3 0 0\nv 3 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 1 0\n"
+                            "usemtl one\nf 1/1 2/2 3/3 4/4\nusemtl two\nf 2/5 5/1 6/2 3/3\n"
+                            "f 5/3 7/1 8/1 6/2\n");
+  const Surface_of_model surface = separated_surface(model, notes);
+  const std::vector<bool> seams = texture_seams(model, surface.mesh, surface.origins);
+  std::set<std::pair<std::size_t, std::size_t>> found;
+  for(const Edge e : surface.mesh.edges()) {
+    if(seams[e.idx()]) {
+      found.insert(
+          std::minmax<std::size_t>(surface.mesh.vertex(e, 0).idx(), surface.mesh.vertex(e, 1).idx()));
+    }
+  }
+  // between the first two polygons the coordinates are equal, but not their numbers
+  BOOST_TEST((found == std::set<std::pair<std::size_t, std::size_t>>{{4, 5}}));
+  std::multiset<Index> materials;
+  for(const Index material : materials_of_faces(model, surface.mesh, surface.origins)) {
+    materials.insert(material);
+  }
+  BOOST_TEST((materials == std::multiset<Index>{0, 0, 1, 1, 1, 1}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(origins, Files)
+
+BOOST_AUTO_TEST_CASE(polygons_become_triangles)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    const Model model = read("model.obj", generated::obj_text(generated::strip(seed), seed));
+    check_origins(model, separated_surface(model, notes));
+    Polygon_soup soup = polygon_soup(model);
+    check_origins(model, build_mesh(model, soup, true, notes));
+  }
+  BOOST_TEST(notes.texts().empty());
+}
+
+BOOST_AUTO_TEST_CASE(turned_polygons)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    generated::Model given = generated::strip(seed);
+    generated::Random random(seed);
+    std::size_t turned = 0, number = 0;
+    for(generated::Line& line : given.lines) {
+      if(line.statement.empty() && (++number % 5 == 3 || random.below(12) == 0)) {
+        std::reverse(line.polygon.begin(), line.polygon.end());
+        ++turned;
+      }
+    }
+    const Model model = read("model.obj", generated::obj_text(given, seed));
+    const Surface_of_model surface = separated_surface(model, notes);
+    check_origins(model, surface);
+    const auto& is_turned = surface.origins.is_turned;
+    BOOST_TEST(static_cast<std::size_t>(std::count(is_turned.begin(), is_turned.end(), true)) ==
+               (std::min)(turned, number - turned));
+    check_told("face" + std::string(turned == 1 ? "" : "s") + " turned");
+    Polygon_soup soup = polygon_soup(model);
+    check_origins(model, build_mesh(model, soup, true, notes));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_are_split_and_merged)
+{
+  const Model tie = read("tie.obj", bow_tie());
+  const Surface_of_model split = separated_surface(tie, notes);
+  BOOST_TEST(split.mesh.number_of_vertices() == 6u);
+  check_origins(tie, split);
+  check_told("separated at 1 vertex");
+
+  const Model soup =
+      read("soup.obj", std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nf 1 2 3 4\nf 5 7 6\n");
+  const Surface_of_model merged = separated_surface(soup, notes);
+  BOOST_TEST(std::count_if(merged.mesh.edges().begin(), merged.mesh.edges().end(),
+                           [&](const Edge e) { return !merged.mesh.is_border(e); }) == 2);
+  check_origins(soup, merged);
+  check_told("were merged");
+}
+
+BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
+{
+  const Model model =
+      read("rubbish.obj", std::string(square) + "f 1 2 3\nf 1 1 2\nf 2 3\nf 1 3 4\nf 3 4 1\nf 4 3 1\n");
+  check_origins(model, separated_surface(model, notes), {1, 2, 4, 5});
+  BOOST_TEST(atlas_input_of(model, true, notes).set_aside.size() == 2u);
+  check_told("2 faces with the same corners as another, and left out: the first is face 5");
+
+  const Model lines = read("lines.obj", std::string(square) + "f 1 1 2\nf 2 3\n");
+  const Atlas_input nothing = atlas_input_of(lines, true, notes);
+  BOOST_TEST(nothing.mesh.is_empty());
+  BOOST_TEST(nothing.set_aside.size() == 2u);
+}
+
+// Three sheets at an edge, a one-sided strip, and a polygon without area
+BOOST_AUTO_TEST_CASE(what_is_no_surface_is_separated)
+{
+  const Model book =
+      read("book.obj", std::string(square) + "v 0 0 1\nv 1 0 1\nf 1 2 3 4\nf 2 1 5 6\nf 1 2 6 5\n"
+                                             "v 0 -1 0\nv 1 -1 0\nf 2 1 7 8\n");
+  const Surface_of_model pages = separated_surface(book, notes);
+  check_origins(book, pages, {2}); // the third is the second, turned
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(pages.mesh));
+  check_told("between vertices 1 and 2: they are separated there");
+
+  std::string strip;
+  const int n = 8;
+  for(int i = 0; i < n; ++i) {
+    const double a = 2 * std::acos(-1.) * i / n;
+    for(const int side : {-1, 1}) {
+      const double r = 3 + side * 0.5 * std::cos(a / 2);
+      strip += "v " + std::to_string(r * std::cos(a)) + " " + std::to_string(r * std::sin(a)) + " " +
+               std::to_string(side * 0.5 * std::sin(a / 2)) + "\n";
+    }
+  }
+  for(int i = 0; i < n; ++i) {
+    const int b = 2 * i + 1, d = i + 1 < n ? b + 2 : 2, e = i + 1 < n ? b + 3 : 1;
+    strip += "f " + std::to_string(b) + " " + std::to_string(d) + " " + std::to_string(e) + " " +
+             std::to_string(b + 1) + "\n";
+  }
+  const Model moebius = read("strip.obj", strip);
+  check_origins(moebius, separated_surface(moebius, notes));
+
+  const Model flat = read("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 1.5 1 0\nf 1 2 3 4\nf 1 4 5\n");
+  check_origins(flat, separated_surface(flat, notes));
+}
+
+// Enough faces at a vertex for all to be added together
+BOOST_AUTO_TEST_CASE(hub)
+{
+  const int n = 2000;
+  std::string points = "v 0 0 0\n", faces;
+  for(int i = 0; i <= n; ++i) {
+    const double angle = std::acos(-1.) * i / n;
+    points += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    faces += i < n ? "f 1 " + std::to_string(i + 2) + " " + std::to_string(i + 3) + "\n" : "";
+  }
+  std::string large = "f";
+  for(int i = 0; i <= n; ++i) {
+    large += " " + std::to_string(n + 2 - i);
+  }
+  const Model fan = read("hub.obj", points + faces), polygon = read("large.obj", points + large + "\n");
+  check_origins(fan, separated_surface(fan, notes));
+  check_origins(polygon, separated_surface(polygon, notes));
+}
+
+// A seam along a diagonal: the polygon is replaced by its triangles, and the others stay.
+BOOST_AUTO_TEST_CASE(torn_polygons_are_divided)
+{
+  for(unsigned seed = 0; seed < 10; ++seed) {
+    Model model = read("model.obj", generated::obj_text(generated::strip(seed), seed));
+    Surface_of_model surface = separated_surface(model, notes);
+    const Mesh& mesh = surface.mesh;
+    std::vector<bool> expected(model.number_of_polygons(), false);
+    const auto uv = [&mesh](const Halfedge h) {
+      const Kernel::Point_3& point = mesh.point(mesh.target(h));
+      return Kernel::Point_2(point.x() + (mesh.face(h).idx() % 3 == 0 ? 50 : 0), point.y());
+    };
+    const auto chart = [](const Face) { return Index(0); };
+    for(const Face f : mesh.faces()) {
+      for(const Face g : mesh.faces()) {
+        const Index p = surface.origins.triangle(model, mesh, f).polygon;
+        if(p == surface.origins.triangle(model, mesh, g).polygon &&
+           (f.idx() % 3 == 0) != (g.idx() % 3 == 0)) {
+          expected[p] = true;
+        }
+      }
+    }
+    const std::vector<bool> is_torn = torn_polygons(model, mesh, surface.origins, uv, chart);
+    BOOST_TEST(is_torn == expected, boost::test_tools::per_element());
+    const Model before = model;
+    divide_polygons(model, mesh, surface.origins, is_torn);
+    check_origins(model, surface);
+    const std::vector<bool> again = torn_polygons(model, mesh, surface.origins, uv, chart);
+    BOOST_TEST(std::count(again.begin(), again.end(), true) == 0);
+    const Model_texture texture = model_texture(model, mesh, surface.origins, uv, chart);
+    for(const Halfedge h : mesh.halfedges()) {
+      if(!mesh.is_border(h)) {
+        BOOST_TEST(texture.uv[surface.origins.corners[h.idx()]] == uv(h));
+      }
+    }
+    // the polygons between statements are the same
+    BOOST_TEST_REQUIRE(model.statements.size() == before.statements.size());
+    for(std::size_t i = 0; i < model.statements.size(); ++i) {
+      const Index p = model.statements[i].polygon, q = before.statements[i].polygon;
+      BOOST_TEST(model.statements[i].text == before.statements[i].text);
+      BOOST_TEST_REQUIRE(p < model.number_of_polygons());
+      const auto begin = before.vertices.begin();
+      BOOST_TEST((std::find(begin + before.first_corners[q], begin + before.first_corners[q + 1],
+                            model.vertices[model.first_corners[p]]) != begin + before.first_corners[q + 1]));
+      BOOST_TEST(model.material(p) == before.material(q));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(writing, Files)
+
+// Polygon by polygon, line by line
+BOOST_AUTO_TEST_CASE(obj_has_all_that_was_there)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
+      const Model model = read("model.obj", generated::obj_text(given, seed));
+      const Surface_of_model surface = separated_surface(model, notes);
+      write_model("flat.obj", model, own_texture(model, surface));
+      const Plain_obj obj(content("flat.obj"));
+      BOOST_TEST_REQUIRE(obj.lines.size() == given.lines.size());
+      for(std::size_t i = 0; i < obj.lines.size(); ++i) {
+        BOOST_TEST(obj.lines[i].statement == given.lines[i].statement);
+        const generated::Polygon& polygon = given.lines[i].polygon;
+        BOOST_TEST_REQUIRE(obj.lines[i].corners.size() == polygon.size());
+        for(std::size_t k = 0; k < polygon.size(); ++k) {
+          const Read_corner& corner = obj.lines[i].corners[k];
+          const auto& point = given.points[static_cast<std::size_t>(polygon[k].vertex)];
+          std::vector<double> uv, normal, all(point.begin(), point.end());
+          if(!given.colors.empty()) {
+            const auto& color = given.colors[static_cast<std::size_t>(polygon[k].vertex)];
+            all.insert(all.end(), color.begin(), color.end());
+          }
+          if(polygon[k].texture >= 0) {
+            const auto& t = given.texture[static_cast<std::size_t>(polygon[k].texture)];
+            uv.assign(t.begin(), t.end());
+          }
+          if(polygon[k].normal >= 0) {
+            const auto& n = given.normals[static_cast<std::size_t>(polygon[k].normal)];
+            normal.assign(n.begin(), n.end());
+          }
+          BOOST_TEST((corner.point == all && corner.uv == uv && corner.normal == normal));
+        }
+      }
+      // each texture coordinate once, though corners share some
+      BOOST_TEST(obj.texture.size() == given.texture.size());
+      BOOST_TEST(obj.points.size() == given.points.size());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(corners_share_texture_coordinates_within_a_chart_only)
+{
+  const Model model = read("two.obj", std::string(square) + "f 1 2 3\nf 1 3 4\n");
+  const Surface_of_model surface = separated_surface(model, notes);
+  const auto uv = [&](const Halfedge h) {
+    const Kernel::Point_3& point = surface.mesh.point(surface.mesh.target(h));
+    return Kernel::Point_2(point.x(), point.y());
+  };
+  for(const Index charts : {1u, 2u}) {
+    const auto chart = [charts](const Face f) { return static_cast<Index>(f.idx()) % charts; };
+    write_model("flat.obj", model, model_texture(model, surface.mesh, surface.origins, uv, chart));
+    BOOST_TEST(Plain_obj(content("flat.obj")).texture.size() == (charts == 1 ? 4u : 6u));
+  }
+  const auto first_only = [](const Face f) { return f.idx() == 0 ? Index(0) : no_index; };
+  write_model("flat.obj", model, model_texture(model, surface.mesh, surface.origins, uv, first_only));
+  const Plain_obj obj(content("flat.obj"));
+  BOOST_TEST(obj.texture.size() == 3u);
+  BOOST_TEST(std::count_if(obj.lines.begin(), obj.lines.end(),
+                           [](const Plain_obj::Line& line) { return line.corners[0].uv.empty(); }) == 1);
+}
+
+// What is left out or turned in the mesh is in the output all the same, and turned.
+BOOST_AUTO_TEST_CASE(repaired_models_are_written_whole)
+{
+  const Model model =
+      read("rubbish.obj", std::string(square) +
+                              "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                              "f 1/1 2/2 3/3 4/1\nf 1 1 2\nf 2/1 3/2 6/3 5/1\nf 4 3\nf 4 3 2 1\n");
+  const Surface_of_model surface = separated_surface(model, notes);
+  check_origins(model, surface, {1, 3, 4});
+  for(const std::string format : {"obj", "ply"}) {
+    write_model("flat." + format, model, own_texture(model, surface));
+    const Model again = read_model(file("flat." + format), Degenerate_faces::KEPT, notes);
+    BOOST_TEST(again.points.size() == 6u);
+    BOOST_TEST_REQUIRE(again.number_of_polygons() == 5u);
+    for(Index p = 0; p < 5; ++p) {
+      std::vector<Index> expected(model.vertices.begin() + model.first_corners[p],
+                                  model.vertices.begin() + model.first_corners[p + 1]);
+      if(surface.origins.is_turned[p]) {
+        std::reverse(expected.begin(), expected.end());
+      }
+      const std::vector<Index> found(again.vertices.begin() + again.first_corners[p],
+                                     again.vertices.begin() + again.first_corners[p + 1]);
+      BOOST_TEST(found == expected, boost::test_tools::per_element());
+      BOOST_TEST((again.texture_point(again.first_corners[p]) != no_index) == (p == 0 || p == 2));
+    }
+  }
+  const auto& is_turned = surface.origins.is_turned;
+  BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), true) == 1);
+}
+
+// By CGAL, which reads what the program reads, and by the program
+BOOST_AUTO_TEST_CASE(ply_is_read_back)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const generated::Model given = generated::strip(seed, {seed % 2 == 0, false, true});
+      const Model model = read("model.obj", generated::obj_text(given, seed));
+      const Model_texture texture = own_texture(model, separated_surface(model, notes));
+      const std::string name = write_model("flat.ply", model, texture);
+      std::ifstream stream(name, std::ios::binary);
+      std::vector<Kernel::Point_3> points;
+      std::vector<std::vector<std::size_t>> polygons;
+      std::vector<CGAL::IO::Color> colors, face_colors;
+      const auto parameters = CGAL::parameters::vertex_color_output_iterator(std::back_inserter(colors))
+                                  .face_color_output_iterator(std::back_inserter(face_colors))
+                                  .verbose(false);
+      BOOST_TEST_REQUIRE(CGAL::IO::read_PLY(stream, points, polygons, parameters));
+      BOOST_TEST((points == model.points));
+      BOOST_TEST_REQUIRE(polygons.size() == model.number_of_polygons());
+      for(Index p = 0; p < model.number_of_polygons(); ++p) {
+        BOOST_TEST(std::equal(polygons[p].begin(), polygons[p].end(),
+                              model.vertices.begin() + model.first_corners[p],
+                              model.vertices.begin() + model.first_corners[p + 1]));
+      }
+      BOOST_TEST_REQUIRE(colors.size() == model.colors.size());
+      for(std::size_t v = 0; v < colors.size(); ++v) {
+        BOOST_TEST(colors[v].red() == std::lround(255 * model.colors[v][0]));
+        BOOST_TEST(colors[v].blue() == std::lround(255 * model.colors[v][2]));
+      }
+      const Model again = read_model(name, Degenerate_faces::REFUSED, notes);
+      for(Index c = 0; c < model.number_of_corners(); ++c) {
+        BOOST_TEST_REQUIRE((again.texture_point(c) != no_index) == texture.has_uv(c));
+        if(texture.has_uv(c)) {
+          const Kernel::Point_2& uv = again.texture[again.texture_point(c)];
+          BOOST_TEST(uv.x() == static_cast<float>(texture.uv[c].x()));
+          BOOST_TEST(uv.y() == static_cast<float>(texture.uv[c].y()));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ply_keeps_attributes_of_points)
+{
+  const Model model = read(
+      "model.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty float y\nproperty "
+                   "float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar "
+                   "red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face "
+                   "1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0.1 0 0 0 0 1 1 2 3 4\n1 0 0 0 1 0 5 6 7 8\n0 1 0 1 0 0 9 10 11 12\n9 9 9 0 1 0 0 0 0 0\n"
+                   "3 0 1 2\n");
+  const Model_texture texture = own_texture(model, separated_surface(model, notes));
+  write_model("flat.ply", model, texture);
+  const Model again = read_model(file("flat.ply"), Degenerate_faces::REFUSED, notes);
+  BOOST_TEST((again.points == model.points));
+  BOOST_TEST((again.normals == model.normals));
+  BOOST_TEST((again.colors == model.colors));
+  BOOST_TEST(content("flat.ply").find("property double x") != std::string::npos);
+
+  Model plain = read("plain.obj", std::string(square) + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
+  write_model("flat.ply", plain, own_texture(plain, separated_surface(plain, notes)));
+  BOOST_TEST(content("flat.ply").find("property float x") != std::string::npos);
+  BOOST_TEST(content("flat.ply").find("property float nx") != std::string::npos);
+}
+
+// More corners than a byte counts
+BOOST_AUTO_TEST_CASE(ply_of_large_polygons)
+{
+  const int n = 300;
+  std::string text, face = "f";
+  for(int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * i / n;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    text += "vt " + std::to_string(i / 512.) + " 0.5\n";
+    face += " " + std::to_string(i + 1) + "/" + std::to_string(i + 1);
+  }
+  const Model model = read("large.obj", text + face + "\n");
+  write_model("flat.ply", model, own_texture(model, separated_surface(model, notes)));
+  const Model again = read_model(file("flat.ply"), Degenerate_faces::REFUSED, notes);
+  BOOST_TEST_REQUIRE(again.number_of_corners() == static_cast<std::size_t>(n));
+  for(Index c = 0; c < static_cast<Index>(n); ++c) {
+    BOOST_TEST(again.texture[again.texture_point(c)].x() == static_cast<float>(model.texture[c].x()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(obj_is_read_back_by_CGAL)
+{
+  const Model model = read("model.obj", generated::obj_text(generated::strip(1, {false, true, true}), 1));
+  write_model("flat.obj", model, own_texture(model, separated_surface(model, notes)));
+  std::ifstream stream(file("flat.obj"));
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  BOOST_TEST_REQUIRE(CGAL::IO::read_OBJ(stream, points, polygons, CGAL::parameters::verbose(false)));
+  BOOST_TEST(points.size() == model.points.size());
+  BOOST_TEST_REQUIRE(polygons.size() == model.number_of_polygons());
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    BOOST_TEST(std::equal(polygons[p].begin(), polygons[p].end(),
+                          model.vertices.begin() + model.first_corners[p],
+                          model.vertices.begin() + model.first_corners[p + 1]));
+  }
+}
+
+// The name of a material file leads to it from wherever the output is.
+BOOST_AUTO_TEST_CASE(material_files_are_found_from_other_folders)
+{
+  fs::create_directories(path / "out" / "deep");
+  fs::create_directories(path / "my paint");
+  write("my paint/a b.mtl", "newmtl a\n");
+  const std::string faces = std::string(square) + "f 1 2 3 4\n";
+  const auto line_in = [&](const std::string& line, const std::string& name) {
+    const Model model = read("model.obj", line + "\n" + faces);
+    write_model(name, model, own_texture(model, separated_surface(model, notes)));
+    return Plain_obj(content(name)).lines.at(0).statement;
+  };
+  BOOST_TEST(line_in("mtllib paint.mtl", "flat.obj") == "mtllib paint.mtl");
+  BOOST_TEST(line_in("mtllib paint.mtl", "out/deep/flat.obj") == "mtllib ../../paint.mtl");
+  BOOST_TEST(line_in("mtllib my paint/a b.mtl", "out/flat.obj") == "mtllib ../my paint/a b.mtl");
+  BOOST_TEST(line_in("mtllib absent.mtl paint.mtl", "out/flat.obj") == "mtllib absent.mtl ../paint.mtl");
+  BOOST_TEST(line_in("mtllib " + file("paint.mtl"), "out/flat.obj") == "mtllib " + file("paint.mtl"));
+}
+
+#ifdef ABF_WITH_ASSIMP
+
+namespace {
+
+Read_corner expected_corner(const Model& model, const Model_texture& texture, const Index c)
+{
+  Read_corner corner;
+  corner.point = numbers(model.points[model.vertices[c]]);
+  if(texture.has_uv(c)) {
+    corner.uv = numbers(texture.uv[c]);
+  }
+  if(model.normal(c) != no_index) {
+    corner.normal = numbers(model.normals[model.normal(c)]);
+  }
+  if(!model.colors.empty()) {
+    const Point_color& color = model.colors[model.vertices[c]];
+    corner.color = {color[0], color[1], color[2]};
+  }
+  return corner;
+}
+
+std::string material_name(const Model& model, const Index polygon, const std::string& otherwise)
+{
+  return model.material(polygon) == no_index ? otherwise : model.material_names[model.material(polygon)];
+}
+
+std::vector<Read_face> expected_polygons(const Model& model, const Model_texture& texture)
+{
+  std::vector<Read_face> faces;
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    Read_face face;
+    face.material = material_name(model, p, "DefaultMaterial");
+    for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
+      face.corners.push_back(expected_corner(model, texture, c));
+    }
+    if(texture.is_turned[p]) {
+      std::reverse(face.corners.begin(), face.corners.end());
+    }
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+} // namespace
+
+// It makes up coordinates where only some polygons of a material have them.
+BOOST_AUTO_TEST_CASE(obj_is_read_back_by_assimp)
+{
+  for(unsigned seed = 0; seed < 10; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const generated::Model given =
+          generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3, true});
+      const Model model = read("model.obj", generated::obj_text(given, seed));
+      const Model_texture texture = own_texture(model, separated_surface(model, notes));
+      const auto found = faces_by_assimp(write_model("flat.obj", model, texture));
+      BOOST_TEST(found.size() == model.number_of_polygons());
+      BOOST_TEST(missing_faces(expected_polygons(model, texture), found, 1e-6) == 0u);
+    }
+  }
+}
+
+// Of PLY files it knows one texture coordinate of a vertex only: no seams.
+BOOST_AUTO_TEST_CASE(ply_is_read_back_by_assimp)
+{
+  const Model model =
+      read("model.obj", std::string(square) + "v 2 0 0\nv 2 1 0\nvt .25 0\nvt 1 0\nvt 1 1\nvt 0 "
+                                              "1\nvt 2 0\nvt 2 1.5\n"
+                                              "f 1/1 2/2 3/3 4/4\nf 2/2 5/5 6/6 3/3\n");
+  const Model_texture texture = own_texture(model, separated_surface(model, notes));
+  const auto found = faces_by_assimp(write_model("flat.ply", model, texture));
+  BOOST_TEST(found.size() == 2u);
+  Left_out left_out;
+  left_out.material = true;
+  BOOST_TEST(missing_faces(expected_polygons(model, texture), found, 1e-6, left_out) == 0u);
+}
+
+#ifdef ABF_WITH_GLTF
+
+namespace {
+
+std::vector<Read_face> expected_triangles(const Model& model, const Model_texture& texture)
+{
+  std::vector<Read_face> faces;
+  for(const Model_triangle& triangle : texture.triangles) {
+    Read_face face;
+    face.material = material_name(model, triangle.polygon, "default");
+    bool has_uv = true, has_normals = true;
+    for(const Index c : triangle.corners) {
+      face.corners.push_back(expected_corner(model, texture, c));
+      has_uv = has_uv && texture.has_uv(c);
+      has_normals = has_normals && model.normal(c) != no_index;
+    }
+    for(Read_corner& corner : face.corners) {
+      corner.uv.resize(has_uv ? 2 : 0);
+      corner.normal.resize(has_normals ? 3 : 0);
+      double length = 0;
+      for(const double x : corner.normal) {
+        length += x * x;
+      }
+      for(double& x : corner.normal) {
+        x /= std::sqrt(length);
+      }
+    }
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(glb_is_read_back_by_assimp)
+{
+  for(unsigned seed = 0; seed < 10; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
+      const Model model = read("model.obj", generated::obj_text(given, seed));
+      const Surface_of_model surface = separated_surface(model, notes);
+      const Model_texture texture = own_texture(model, surface);
+      const auto found = faces_by_assimp(write_model("flat.glb", model, texture));
+      BOOST_TEST(found.size() == surface.mesh.number_of_faces());
+      BOOST_TEST(missing_faces(expected_triangles(model, texture), found, 1e-6) == 0u);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(glb_has_colors_of_materials)
+{
+  const Model model = read("model.obj", generated::obj_text(generated::strip(0), 0));
+  write_model("flat.glb", model, own_texture(model, separated_surface(model, notes)));
+  Assimp::Importer importer;
+  const aiScene* const scene = importer.ReadFile(file("flat.glb"), 0);
+  BOOST_TEST_REQUIRE(scene != nullptr);
+  std::map<std::string, std::array<float, 4>> colors;
+  for(unsigned m = 0; m < scene->mNumMaterials; ++m) {
+    aiColor4D color;
+    BOOST_TEST(scene->mMaterials[m]->Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS);
+    colors[scene->mMaterials[m]->GetName().C_Str()] = {color.r, color.g, color.b, color.a};
+  }
+  BOOST_TEST((colors.at("red paint") == std::array<float, 4>{1, 0.25f, 0, 1}));
+  BOOST_TEST((colors.at("blue") == std::array<float, 4>{0, 0, 1, 0.5f}));
+  BOOST_TEST(colors.count("default") == 1u);
+}
+
+// Names that are no UTF-8 are not what JSON allows.
+BOOST_AUTO_TEST_CASE(glb_with_any_name_of_material)
+{
+  const Model model = read("model.obj", std::string(square) + "usemtl gr\xFCn \"x\"\nf 1 2 3 4\n");
+  const auto found =
+      faces_by_assimp(write_model("flat.glb", model, own_texture(model, separated_surface(model, notes))));
+  BOOST_TEST_REQUIRE(found.size() == 2u);
+  BOOST_TEST(found[0].material == "grn \"x\"");
+}
+
+#endif
+#else
+
+BOOST_AUTO_TEST_CASE(read_back_by_assimp)
+{
+  BOOST_TEST_MESSAGE("skipped: libassimp-dev is not installed");
+}
+
+#endif
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// The formats of the program itself
+BOOST_FIXTURE_TEST_SUITE(program, Files)
+
+namespace {
+
+int flatten(const Files& files, const std::string& input, const std::string& output,
+            const std::string& options = "")
+{
+  const char* const program = std::getenv("ABF_FLATTEN_MESH");
+  BOOST_TEST_REQUIRE(program != nullptr);
+  const auto quoted = [](const std::string& word) { return " '" + word + "'"; };
+  const std::string command = quoted(program) + quoted(files.file(input)) + " " + options + " --output" +
+                              quoted(files.file(output)) + " > /dev/null 2>" + quoted(files.file("stderr"));
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+// Two components and a turned polygon
+std::string two_components(const unsigned seed)
+{
+  generated::Model model = generated::strip(seed);
+  std::reverse(model.lines[4].polygon.begin(), model.lines[4].polygon.end());
+  std::string text = generated::obj_text(model, seed);
+  return text + "v 9 9 9\nv 10 9 9\nv 9 10 9\nf -3 -2 -1\n";
+}
+
+// Of each face, the points and texture coordinates of its corners
+std::vector<Read_face> faces_of(const Model& model)
+{
+  std::vector<Read_face> faces;
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    Read_face face;
+    for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
+      Read_corner corner;
+      corner.point = numbers(model.points[model.vertices[c]]);
+      if(model.texture_point(c) != no_index) {
+        corner.uv = numbers(model.texture[model.texture_point(c)]);
+      }
+      face.corners.push_back(corner);
+    }
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(ply_has_the_texture_of_obj)
+{
+  for(const std::string options : {"", "--plain"}) {
+    for(unsigned seed = 0; seed < 4; ++seed) {
+      write("model.obj", two_components(seed));
+      BOOST_TEST_REQUIRE(flatten(*this, "model.obj", "flat.obj", options) == 0);
+      BOOST_TEST_REQUIRE(flatten(*this, "model.obj", "flat.ply", options) == 0);
+      const auto obj = faces_of(read_model(file("flat.obj"), Degenerate_faces::REFUSED, notes)),
+                 ply = faces_of(read_model(file("flat.ply"), Degenerate_faces::REFUSED, notes));
+      BOOST_TEST_REQUIRE(obj.size() == 25u);
+      BOOST_TEST_REQUIRE(ply.size() == 25u);
+      for(std::size_t p = 0; p < 25; ++p) {
+        BOOST_TEST(is_same_face(obj[p], ply[p], 1e-6, {}));
+        BOOST_TEST(obj[p].corners[0].uv.empty() == (options == "--plain" && p == 24));
+      }
+    }
+  }
+}
+
+// An atlas leaves all that was in the file, and adds texture coordinates.
+BOOST_AUTO_TEST_CASE(obj_of_an_atlas_has_all_that_was_there)
+{
+  const generated::Model given = generated::strip(3);
+  write("model.obj", generated::obj_text(given, 3));
+  BOOST_TEST_REQUIRE(flatten(*this, "model.obj", "flat.obj") == 0);
+  const Plain_obj obj(content("flat.obj"));
+  BOOST_TEST_REQUIRE(obj.lines.size() == given.lines.size());
+  for(std::size_t i = 0; i < obj.lines.size(); ++i) {
+    BOOST_TEST(obj.lines[i].statement == given.lines[i].statement);
+    BOOST_TEST_REQUIRE(obj.lines[i].corners.size() == given.lines[i].polygon.size());
+    for(std::size_t k = 0; k < given.lines[i].polygon.size(); ++k) {
+      const generated::Corner& corner = given.lines[i].polygon[k];
+      const Read_corner& found = obj.lines[i].corners[k];
+      const auto& point = given.points[static_cast<std::size_t>(corner.vertex)];
+      BOOST_TEST(std::equal(point.begin(), point.end(), found.point.begin()));
+      BOOST_TEST(found.point.size() == 6u); // with a colour
+      BOOST_TEST(found.uv.size() == 2u);
+      BOOST_TEST(found.normal.empty() == (corner.normal < 0));
+    }
+  }
+}
+
+#if defined(ABF_WITH_ASSIMP) && defined(ABF_WITH_GLTF)
+BOOST_AUTO_TEST_CASE(glb_has_the_texture_of_obj)
+{
+  write("model.obj", two_components(1));
+  BOOST_TEST_REQUIRE(flatten(*this, "model.obj", "flat.obj") == 0);
+  BOOST_TEST_REQUIRE(flatten(*this, "model.obj", "flat.glb") == 0);
+  const auto add_corners = [](const std::vector<Read_face>& faces, std::set<std::vector<float>>& all) {
+    for(const Read_face& face : faces) {
+      for(const Read_corner& corner : face.corners) {
+        std::vector<float> numbers;
+        for(const double x : corner.point) {
+          numbers.push_back(static_cast<float>(x));
+        }
+        for(const double x : corner.uv) { // without the last digits, of which 1 - v loses some
+          numbers.push_back(std::round(static_cast<float>(x) * 1000));
+        }
+        all.insert(numbers);
+      }
+    }
+  };
+  std::set<std::vector<float>> expected, found;
+  add_corners(faces_of(read_model(file("flat.obj"), Degenerate_faces::REFUSED, notes)), expected);
+  add_corners(faces_by_assimp(file("flat.glb")), found);
+  BOOST_TEST((found == expected));
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(other_formats_are_refused)
+{
+  write("model.obj", two_components(1));
+  BOOST_TEST(flatten(*this, "model.obj", "flat.gltf") == 2);
+  BOOST_TEST((content("stderr").find("--output .obj|.ply|.glb") != std::string::npos), content("stderr"));
+#ifndef ABF_WITH_GLTF
+  BOOST_TEST(flatten(*this, "model.obj", "flat.glb") == 2);
+  BOOST_TEST((content("stderr").find("libtinygltf-dev") != std::string::npos), content("stderr"));
+#endif
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()
