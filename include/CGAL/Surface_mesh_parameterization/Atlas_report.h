@@ -44,8 +44,8 @@ struct Atlas_report
   {
     ABF_PLUS_PLUS, ///< By ABF++, whose map does not overlap itself.
     HIERARCHICAL, ///< By hierarchical ABF++, whose map does not overlap itself. Charts of more than 20,000 triangles begin with it.
-    INJECTIVE,    ///< As injective map (`Flattening_options::injective`), as that of ABF++ overlaps itself.
-    SEPARATED     ///< A piece of a map of ABF++ that overlapped itself, cut out as `split_overlaps()` does.
+    INJECTIVE, ///< As injective map (`Flattening_options::injective`), as that of ABF++ overlaps itself, or has too few digits.
+    SEPARATED  ///< A piece of a map of ABF++ that overlapped itself, cut out as `split_overlaps()` does.
   };
 
   /// A chart of the atlas.

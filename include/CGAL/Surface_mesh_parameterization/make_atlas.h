@@ -33,7 +33,8 @@ each part remains one chart; `parameters::separate_overlaps()` cuts it into seve
 If an injective map still stretches that much, and that of ABF++ does not, the latter is separated. The report says which way was taken for each chart.
 
 Then the charts are packed with equal texel density, as by `pack_charts()`, and certified: with the final coordinates, rounded to the number type of `uv`, each chart is
-injective, by exact predicates, and no two charts share a texel with its gutter.
+injective, by exact predicates, and no two charts share a texel with its gutter. A map of ABF++ whose final coordinates have too few digits for that is replaced by an injective one,
+whose border keeps a distance from itself.
 
 A part that cannot be flattened is skipped, and named in the report with the reason. Its coordinates are unchanged, and all other parts get charts. Nothing is
 written if anything else is wrong.
