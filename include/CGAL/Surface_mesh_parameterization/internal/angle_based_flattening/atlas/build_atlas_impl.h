@@ -22,7 +22,6 @@
 #endif
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,26 +34,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 class Atlas_builder
 {
-  // Tells the visitor that a stage begins, and takes its time.
-  class Stage
-  {
-  public:
-    Stage(Atlas_visitor* visitor, Atlas_visitor::Stage stage, double& seconds) : m_seconds(seconds)
-    {
-      if(visitor != nullptr && !visitor->start(stage))
-        throw Cancelled();
-      m_timer.start();
-    }
-
-    ~Stage() { m_seconds += m_timer.time(); }
-
-    Stage(const Stage&) = delete;
-    Stage& operator=(const Stage&) = delete;
-
-  private:
-    double& m_seconds;
-    Real_timer m_timer;
-  };
+  typedef Visited_stage<Atlas_visitor> Stage;
 
 public:
   Atlas_builder(const std::vector<Surface_part>& parts, const std::vector<double>& weight,

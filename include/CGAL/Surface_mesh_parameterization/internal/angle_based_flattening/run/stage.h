@@ -16,25 +16,28 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Tells a visitor that a stage starts, and adds the time until the end of the scope to `seconds`.
-class Stage
+template <typename Visitor>
+class Visited_stage
 {
 public:
-  Stage(Flattening_visitor* visitor, Flattening_visitor::Stage stage, double& seconds) : m_seconds(seconds)
+  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, double& seconds) : m_seconds(seconds)
   {
     if(visitor != nullptr && !visitor->start(stage))
       throw Cancelled();
     m_timer.start();
   }
 
-  ~Stage() { m_seconds += m_timer.time(); }
+  ~Visited_stage() { m_seconds += m_timer.time(); }
 
-  Stage(const Stage&) = delete;
-  Stage& operator=(const Stage&) = delete;
+  Visited_stage(const Visited_stage&) = delete;
+  Visited_stage& operator=(const Visited_stage&) = delete;
 
 private:
   double& m_seconds;
   Real_timer m_timer;
 };
+
+typedef Visited_stage<Flattening_visitor> Stage;
 
 inline void visit_step(Flattening_visitor* visitor, const ABF_plus_plus_step& step)
 {
