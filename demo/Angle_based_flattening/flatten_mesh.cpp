@@ -14,8 +14,8 @@
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/help_text.h"
 #include "flatten_mesh/parse_command_line.h"
-#include "flatten_mesh/run_atlas.h"
-#include "flatten_mesh/run_plain.h"
+#include "flatten_mesh/atlas/run_atlas.h"
+#include "flatten_mesh/plain/run_plain.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/assertions_behaviour.h>

@@ -8,9 +8,9 @@
 
 #include "draw_mesh.h"
 
-#include "flatten_mesh/Canvas.h"
-#include "flatten_mesh/Distortion_scale.h"
-#include "flatten_mesh/build_mesh.h"
+#include "flatten_mesh/pictures/Canvas.h"
+#include "flatten_mesh/pictures/Distortion_scale.h"
+#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>

@@ -6,15 +6,15 @@
 // What the program `flatten_mesh` keeps of a file: read, repaired, divided into triangles, textured, written, and read
 // again.
 
-#include "flatten_mesh/Atlas_input.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_file.h"
-#include "flatten_mesh/build_mesh.h"
-#include "flatten_mesh/divide_polygons.h"
-#include "flatten_mesh/model_seams.h"
-#include "flatten_mesh/read_model.h"
-#include "flatten_mesh/write_model.h"
+#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/divide_polygons.h"
+#include "flatten_mesh/model/model_seams.h"
+#include "flatten_mesh/model/read_model.h"
+#include "flatten_mesh/model/write_model.h"
 
 #include "generated_models.h"
 #include "read_faces.h"

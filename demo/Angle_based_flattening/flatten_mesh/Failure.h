@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_FAILURE_H
 #define FLATTEN_MESH_FAILURE_H
 
-#include "Exit_status.h"
-#include "Output_file.h"
-#include "check_outputs.h"
-#include "json.h"
-#include "texts.h"
+#include "flatten_mesh/Exit_status.h"
+#include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/check_outputs.h"
+#include "flatten_mesh/json.h"
+#include "flatten_mesh/texts.h"
 
 #include <exception>
 #include <iostream>

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_NOTES_H
 #define FLATTEN_MESH_NOTES_H
 
-#include "Command_line.h"
+#include "flatten_mesh/Command_line.h"
 
 #include <functional>
 #include <iostream>

@@ -6,9 +6,9 @@
 #ifndef FLATTEN_MESH_OUTPUT_FILE_H
 #define FLATTEN_MESH_OUTPUT_FILE_H
 
-#include "Unfinished_files.h"
-#include "file_names.h"
-#include "texts.h"
+#include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/texts.h"
 
 #include <filesystem>
 #include <fstream>

@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_OUTPUT_FILES_H
 #define FLATTEN_MESH_OUTPUT_FILES_H
 
-#include "Command_line.h"
-#include "Output_file.h"
-#include "Unfinished_files.h"
-#include "check_outputs.h"
-#include "file_names.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/check_outputs.h"
+#include "flatten_mesh/file_names.h"
 
 #include <iostream>
 #include <memory>

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_PROGRESS_H
 #define FLATTEN_MESH_PROGRESS_H
 
-#include "texts.h"
+#include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_PROGRESS_BAR_H
 #define FLATTEN_MESH_PROGRESS_BAR_H
 
-#include "texts.h"
+#include "flatten_mesh/texts.h"
 
 #include <algorithm>
 #include <chrono>

@@ -6,10 +6,10 @@
 #ifndef FLATTEN_MESH_STANDARD_INPUT_FILE_H
 #define FLATTEN_MESH_STANDARD_INPUT_FILE_H
 
-#include "Command_line.h"
-#include "Unfinished_files.h"
-#include "file_names.h"
-#include "texts.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/texts.h"
 
 #include <filesystem>
 #include <fstream>

@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_CHECK_OPTIONS_H
 #define FLATTEN_MESH_CHECK_OPTIONS_H
 
-#include "Command_line.h"
-#include "commands_of_inputs.h"
-#include "describe_options.h"
-#include "file_names.h"
-#include "texts.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/commands_of_inputs.h"
+#include "flatten_mesh/describe_options.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/texts.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>

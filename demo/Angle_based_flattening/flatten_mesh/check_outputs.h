@@ -6,9 +6,9 @@
 #ifndef FLATTEN_MESH_CHECK_OUTPUTS_H
 #define FLATTEN_MESH_CHECK_OUTPUTS_H
 
-#include "Command_line.h"
-#include "file_names.h"
-#include "texts.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/texts.h"
 
 #include <boost/algorithm/string/join.hpp>
 

@@ -6,10 +6,10 @@
 #ifndef FLATTEN_MESH_COMMANDS_OF_INPUTS_H
 #define FLATTEN_MESH_COMMANDS_OF_INPUTS_H
 
-#include "Command_line.h"
-#include "check_outputs.h"
-#include "file_names.h"
-#include "texts.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/check_outputs.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/texts.h"
 
 #include <boost/algorithm/string/replace.hpp>
 

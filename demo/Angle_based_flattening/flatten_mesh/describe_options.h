@@ -6,8 +6,8 @@
 #ifndef FLATTEN_MESH_DESCRIBE_OPTIONS_H
 #define FLATTEN_MESH_DESCRIBE_OPTIONS_H
 
-#include "Command_line.h"
-#include "texts.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>
 

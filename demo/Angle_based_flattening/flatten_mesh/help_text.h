@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_HELP_TEXT_H
 #define FLATTEN_MESH_HELP_TEXT_H
 
-#include "describe_options.h"
+#include "flatten_mesh/describe_options.h"
 
 #include <sstream>
 #include <string>

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_JSON_H
 #define FLATTEN_MESH_JSON_H
 
-#include "texts.h"
+#include "flatten_mesh/texts.h"
 
 #include <cmath>
 #include <cstddef>

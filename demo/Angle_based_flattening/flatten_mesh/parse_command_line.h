@@ -6,10 +6,10 @@
 #ifndef FLATTEN_MESH_PARSE_COMMAND_LINE_H
 #define FLATTEN_MESH_PARSE_COMMAND_LINE_H
 
-#include "Command_line.h"
-#include "check_options.h"
-#include "describe_options.h"
-#include "texts.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/check_options.h"
+#include "flatten_mesh/describe_options.h"
+#include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>
 

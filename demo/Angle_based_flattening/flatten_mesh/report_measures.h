@@ -6,8 +6,8 @@
 #ifndef FLATTEN_MESH_REPORT_MEASURES_H
 #define FLATTEN_MESH_REPORT_MEASURES_H
 
-#include "json.h"
-#include "texts.h"
+#include "flatten_mesh/json.h"
+#include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/number_utils.h>

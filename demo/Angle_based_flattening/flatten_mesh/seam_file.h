@@ -6,9 +6,9 @@
 #ifndef FLATTEN_MESH_SEAM_FILE_H
 #define FLATTEN_MESH_SEAM_FILE_H
 
-#include "Seamed_component.h"
-#include "check_polygons.h"
-#include "texts.h"
+#include "flatten_mesh/plain/Seamed_component.h"
+#include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>

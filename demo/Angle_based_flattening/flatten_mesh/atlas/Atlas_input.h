@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_ATLAS_INPUT_H
+#define FLATTEN_MESH_ATLAS_INPUT_H
+
+#include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/read_model.h"
+#include "flatten_mesh/model/repair_soup.h"
+#include "flatten_mesh/model/separate_soup.h"
+#include "flatten_mesh/atlas/set_aside.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+// What an atlas is made of
+struct Atlas_input
+{
+  Model model;
+  Mesh mesh; // without what is set aside; empty if nothing remains
+  Corner_origins origins;
+  std::vector<Skipped_part> set_aside;
+};
+
+namespace internal {
+
+inline Mesh build_separated_polygon_mesh(const Model& model, Polygon_soup& soup, const bool repair,
+                                         Notes& notes)
+{
+  try {
+    return build_polygon_mesh(soup);
+  } catch(const Input_error&) {
+    if(!repair) {
+      throw;
+    }
+    separate_soup(model, soup, notes);
+    return build_polygon_mesh(soup);
+  }
+}
+
+inline void build_atlas_input(const bool repair, Notes& notes, Atlas_input& input)
+{
+  Polygon_soup soup = polygon_soup(input.model);
+  check_not_empty(soup);
+  valences(soup); // throws if a vertex does not exist
+  input.set_aside = set_aside(soup, repair);
+  if(repair && !soup.polygons.empty()) {
+    weld_soup(soup, notes);
+  }
+  if(!soup.polygons.empty()) {
+    Surface_of_model built =
+        end_surface(input.model, soup, build_separated_polygon_mesh(input.model, soup, repair, notes), true);
+    input.mesh = std::move(built.mesh);
+    input.origins = std::move(built.origins);
+  }
+}
+
+} // namespace internal
+
+// Throws an `Input_error` if the model is wrong as a whole.
+inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes)
+{
+  Atlas_input input;
+  input.model = std::move(model);
+  internal::build_atlas_input(repair, notes, input);
+  return input;
+}
+
+// Throws an `Input_error` if the file cannot be read, or is wrong as a whole.
+inline Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
+{
+  Model model = read_model(command.input, Degenerate_faces::KEPT, notes);
+  try {
+    return atlas_input_of(std::move(model), command.repair == "on", notes);
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
+  }
+}
+
+// The face of the file that a triangle is part of, from 0
+inline std::size_t face_in_file(const Atlas_input& input, const Face f)
+{
+  return input.model.polygon_of_corner(input.origins.corners[input.mesh.halfedge(f).idx()]);
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_ATLAS_INPUT_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_ATLAS_RECORD_H
+#define FLATTEN_MESH_ATLAS_RECORD_H
+
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Exit_status.h"
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+// Faces of the input that have no chart, and why
+struct Skipped_part
+{
+  std::size_t first_face = 0; // in the file, from 0
+  std::size_t faces = 0;      // of the file
+  std::string diagnosis;      // in one word
+  std::string message;
+};
+
+// The data of the reports on an atlas, for people and for programs
+struct Atlas_record
+{
+  std::string input;
+  Atlas_options options;
+  double stretch_bound = 0;
+  std::size_t vertices = 0; // these three are of the surface that the atlas is made of
+  std::size_t triangles = 0;
+  std::size_t components = 0;
+  SMP::Atlas_report report;
+  std::vector<Skipped_part> skipped; // also those that were set aside before
+  std::vector<double> share_of_area; // of each chart
+  double read_seconds = 0;
+  double write_seconds = 0;
+  double peak_memory_mb = 0; // 0 if unknown
+  std::vector<std::string> written;
+  std::vector<std::string> notes;
+};
+
+inline std::string status_name(const Atlas_record& record)
+{
+  if(!record.report.has_atlas()) {
+    return to_string(record.report.diagnosis);
+  }
+  return record.skipped.empty() ? "OK" : to_string(SMP::Atlas_report::SOMETHING_SKIPPED);
+}
+
+// Whether a computation failed for this part, rather than that it cannot be flattened
+inline bool is_failure_of_computation(const Skipped_part& part)
+{
+  static const std::array<const char*, 5> names = {"LINEAR_SYSTEM_FAILED", "NO_CONVERGENCE",
+                                                   "FLIPPED_TRIANGLES", "OVERLAPPING", "PRECISION_EXCEEDED"};
+  return std::find(names.begin(), names.end(), part.diagnosis) != names.end();
+}
+
+inline Exit_status exit_status(const Atlas_record& record)
+{
+  if(std::any_of(record.skipped.begin(), record.skipped.end(), is_failure_of_computation)) {
+    return COMPUTATION_FAILED;
+  }
+  return record.skipped.empty() && record.report.has_atlas() ? SUCCESS : WRONG_INPUT;
+}
+
+// The stages, with the time of each
+inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Atlas_record& record)
+{
+  const SMP::Atlas_report::Seconds& seconds = record.report.seconds;
+  return {{"read", record.read_seconds + seconds.read},
+          {"charts", seconds.charts},
+          {"pack", seconds.pack},
+          {"certify", seconds.certify},
+          {"measure", seconds.measure},
+          {"write", seconds.write + record.write_seconds}};
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_ATLAS_RECORD_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_KEEP_SEAMS_H
+#define FLATTEN_MESH_KEEP_SEAMS_H
+
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/model_seams.h"
+#include "flatten_mesh/seam_file.h"
+#include "flatten_mesh/texts.h"
+
+#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline void keep_seams_of_texture(Atlas_input& input, const Edge_marks& seams)
+{
+  if(input.model.texture.empty()) {
+    throw Input_error("--seams-from uv: the input has no texture coordinates; name a .selection.txt file, or "
+                      "leave the option out");
+  }
+  const std::vector<bool> is_seam = texture_seams(input.model, input.mesh, input.origins);
+  for(const Edge e : input.mesh.edges()) {
+    seams[e] = seams[e] || is_seam[e.idx()];
+  }
+}
+
+inline void keep_seams_of_materials(Atlas_input& input, const Edge_marks& seams)
+{
+  if(input.model.material_names.empty()) {
+    throw Input_error("--charts-from-materials: the input has no materials; leave the option out");
+  }
+  const std::vector<Index> materials = materials_of_faces(input.model, input.mesh, input.origins);
+  for(const Edge e : input.mesh.edges()) {
+    if(!input.mesh.is_border(e)) {
+      const Halfedge h = input.mesh.halfedge(e);
+      seams[e] = seams[e] || materials[input.mesh.face(h).idx()] !=
+                                 materials[input.mesh.face(input.mesh.opposite(h)).idx()];
+    }
+  }
+}
+
+inline void keep_seams_of_file(const std::string& file, Atlas_input& input, const Edge_marks& seams)
+{
+  const auto report = SMP::read_seam_selection(file, input.mesh, seams);
+  if(!report) {
+    throw Input_error(report.message + "; vertices count from 0 in this file");
+  }
+  const Edge_marks is_diagonal = diagonals(input.mesh);
+  for(const Edge e : input.mesh.edges()) {
+    if(seams[e] && is_diagonal[e]) {
+      refuse_diagonal(file, input.mesh.vertex(e, 0), input.mesh.vertex(e, 1));
+    }
+  }
+}
+
+} // namespace internal
+
+// Marks the seams that are given. Throws an `Input_error` if there are none where they should be.
+inline void keep_seams(const Atlas_options& options, Atlas_input& input, const Edge_marks& seams)
+{
+  if(options.seams_from == "uv") {
+    internal::keep_seams_of_texture(input, seams);
+  } else if(!options.seams_from.empty()) {
+    internal::keep_seams_of_file(options.seams_from, input, seams);
+  }
+  if(options.charts_from_materials) {
+    internal::keep_seams_of_materials(input, seams);
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_KEEP_SEAMS_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_MAKE_ATLAS_OF_INPUT_H
+#define FLATTEN_MESH_MAKE_ATLAS_OF_INPUT_H
+
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/atlas/Atlas_progress.h"
+#include "flatten_mesh/plain/Chart.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/plain/Cut_mesh.h"
+#include "flatten_mesh/atlas/keep_seams.h"
+
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                         Atlas_progress& progress)
+{
+  namespace np = CGAL::parameters;
+  const Atlas_options& options = command.atlas;
+  const double area_weight = command.asks_for_area_weight ? command.options.area_weight
+                                                          : SMP::internal::ABF::Atlas_options().area_weight;
+  const auto seams = np::edge_is_seam_map(atlas.seams, np::edge_is_constrained_map(diagonals(mesh)));
+  const auto charts = np::face_chart_map(atlas.chart, np::stretch_bound(command.stretch_bound, seams));
+  const auto pieces = np::separate_overlaps(options.separates, np::cut_necks(options.separates, charts));
+  const auto maps = np::area_weight(area_weight, pieces);
+  const auto packing = np::resolution(
+      options.resolution, np::gutter(options.gutter, np::number_of_rotations(options.rotations, maps)));
+  const auto all =
+      np::pack_into_square(options.is_packed, np::number_of_threads(command.options.threads, packing));
+  return SMP::make_atlas(mesh, atlas.uv, np::atlas_visitor(progress, all));
+}
+
+// A component as a mesh of its own
+struct Separate_component
+{
+  Cut_mesh part;
+  std::vector<Face> faces; // of the whole mesh, of each face
+
+  // The halfedge of the whole mesh
+  Halfedge origin(const Mesh& mesh, const Halfedge h) const
+  {
+    const Vertex target = part.origins[part.mesh.target(h).idx()];
+    Halfedge result = mesh.halfedge(faces[part.mesh.face(h).idx()]);
+    while(mesh.target(result) != target) {
+      result = mesh.next(result);
+    }
+    return result;
+  }
+};
+
+inline Separate_component separate_component(Mesh& mesh, const std::size_t number)
+{
+  const Component component = choose_component(mesh, number);
+  const CGAL::Constant_property_map<Edge, bool> uncut(false);
+  return {cut_open(mesh, component.faces, component.vertices, uncut), component.faces};
+}
+
+// The faces of the report are those of the whole mesh.
+inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                                 Atlas_progress& progress)
+{
+  Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
+  Mesh& part = component.part.mesh;
+  const Atlas atlas_of_part = empty_atlas(part);
+  const Edge_marks is_diagonal = diagonals(mesh), is_diagonal_of_part = diagonals(part);
+  for(const Edge e : part.edges()) {
+    atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
+    is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
+  }
+  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, progress);
+  for(const Edge e : part.edges()) {
+    atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
+  }
+  for(const Halfedge h : part.halfedges()) {
+    if(!part.is_border(h)) {
+      const Halfedge origin = component.origin(mesh, h);
+      atlas.uv[origin] = atlas_of_part.uv[h];
+      atlas.chart[mesh.face(origin)] = atlas_of_part.chart[part.face(h)];
+    }
+  }
+  for(SMP::Atlas_report::Skipped& skipped : report.skipped) {
+    skipped.first_face = component.faces[skipped.first_face].idx();
+  }
+  return report;
+}
+
+} // namespace internal
+
+// Makes charts of the mesh or of the component that is asked for.
+inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
+                                             const Atlas& atlas, Atlas_progress& progress)
+{
+  keep_seams(command.atlas, input, atlas.seams);
+  return command.asks_for_component ? internal::make_atlas_of_component(command, input.mesh, atlas, progress)
+                                    : internal::call_make_atlas(command, input.mesh, atlas, progress);
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_MAKE_ATLAS_OF_INPUT_H

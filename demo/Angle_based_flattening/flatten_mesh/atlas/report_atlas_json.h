@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_REPORT_ATLAS_JSON_H
+#define FLATTEN_MESH_REPORT_ATLAS_JSON_H
+
+#include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/json.h"
+#include "flatten_mesh/report_measures.h"
+#include "flatten_mesh/texts.h"
+
+#include <cstddef>
+#include <string>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline std::string json_bool(const bool value)
+{
+  return value ? "true" : "false";
+}
+
+template <class Values, class Text>
+std::string json_array(const Values& values, const Text& text_of)
+{
+  std::string text;
+  for(std::size_t i = 0; i < values.size(); ++i) {
+    text += (text.empty() ? "" : ", ") + text_of(i);
+  }
+  return "[" + text + "]";
+}
+
+inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const double share)
+{
+  Json_object json;
+  json.add("part", json_number(chart.part));
+  json.add("triangles", json_number(chart.number_of_faces));
+  json.add("share_of_area", json_number(share));
+  json.add("method", json_text(to_string(chart.method)));
+  json.add("scale_stretch", json_number(chart.scale_stretch));
+  json.add("l2_stretch", json_number(chart.l2_stretch));
+  json.add("bound_reached", json_bool(chart.bound_reached));
+  json.add("contact", json_number(chart.contact));
+  json.add("border_length", json_number(chart.border_length));
+  json.add("rounds", json_number(chart.rounds));
+  return json.text();
+}
+
+inline std::string skipped_json(const Skipped_part& part)
+{
+  Json_object json;
+  json.add("first_face", json_number(part.first_face + 1));
+  json.add("faces", json_number(part.faces));
+  json.add("diagnosis", json_text(part.diagnosis));
+  json.add("message", json_text(part.message));
+  return json.text();
+}
+
+inline std::string packing_json(const Atlas_record& record)
+{
+  Json_object json;
+  json.add("resolution", json_number(record.options.resolution));
+  json.add("gutter", json_number(record.options.gutter));
+  json.add("covered_share", json_number(record.report.covered_share));
+  return json.text();
+}
+
+inline std::string atlas_json(const Atlas_record& record)
+{
+  const SMP::Atlas_report& report = record.report;
+  Json_object seams, json;
+  seams.add("length", json_number(report.seam_length));
+  seams.add("relative_length", json_number(report.relative_seam_length));
+  seams.add("terminals", json_number(report.number_of_terminals));
+  seams.add("stretch_bound", json_number(record.stretch_bound));
+  json.add("parts", json_number(report.number_of_parts));
+  json.add("charts", json_array(report.charts, [&record](const std::size_t i) {
+             return chart_json(record.report.charts[i], record.share_of_area[i]);
+           }));
+  json.add("seams", seams.text());
+  json.add("units", json_text(record.options.units));
+  json.add("packing", record.options.is_packed ? packing_json(record) : "null");
+  json.add("flipped_triangles", json_number(report.measures.flipped_triangles));
+  json.add("injective", json_bool(report.measures.border_is_simple));
+  add_measures(json, &report.measures);
+  return json.text();
+}
+
+} // namespace internal
+
+// The report for programs. Without an atlas, `atlas` is `null`. Faces are counted from 1, charts and parts from 0.
+inline std::string report_json(const Atlas_record& record)
+{
+  using internal::json_number;
+  using internal::json_text;
+  internal::Json_object json, seconds;
+  const std::string& message =
+      record.skipped.empty() ? record.report.message : record.skipped.front().message;
+  json.add("status", json_text(status_name(record)));
+  json.add("message", json_text(message));
+  json.add("notes", internal::json_texts(record.notes));
+  json.add("input", json_text(record.input));
+  json.add("vertices", json_number(record.vertices));
+  json.add("triangles", json_number(record.triangles));
+  json.add("components", json_number(record.components));
+  json.add("skipped", internal::json_array(record.skipped, [&record](const std::size_t i) {
+             return internal::skipped_json(record.skipped[i]);
+           }));
+  json.add("atlas", record.report.has_atlas() ? internal::atlas_json(record) : "null");
+  for(const auto& [stage, time] : seconds_of_stages(record)) {
+    seconds.add(stage, json_number(time));
+  }
+  json.add("seconds", seconds.text());
+  json.add("peak_memory_mb", record.peak_memory_mb > 0 ? json_number(record.peak_memory_mb) : "null");
+  return json.text() + "\n";
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_REPORT_ATLAS_JSON_H

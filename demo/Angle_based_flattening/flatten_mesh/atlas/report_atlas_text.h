@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_REPORT_ATLAS_TEXT_H
+#define FLATTEN_MESH_REPORT_ATLAS_TEXT_H
+
+#include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/report_measures.h"
+#include "flatten_mesh/texts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// How many charts were made in which way
+inline std::string methods_text(const SMP::Atlas_report& report)
+{
+  std::map<SMP::Atlas_report::Method, std::size_t> counts;
+  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+    ++counts[chart.method];
+  }
+  std::string text;
+  for(const auto& [method, count] : counts) {
+    text += (text.empty() ? "" : "; ") + (counts.size() > 1 ? std::to_string(count) + " " : std::string()) +
+            to_string(method);
+  }
+  return text;
+}
+
+inline std::string charts_text(const Atlas_record& record)
+{
+  const SMP::Atlas_report& report = record.report;
+  double worst = 1;
+  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+    worst = (std::max)(worst, chart.scale_stretch);
+  }
+  std::size_t skipped = 0;
+  for(const Skipped_part& part : record.skipped) {
+    skipped += part.faces;
+  }
+  std::string text = report_line("charts", std::to_string(report.charts.size()), methods_text(report));
+  if(skipped > 0) {
+    text += report_line("skipped", count_text(skipped, "face"),
+                        "without chart, in " + count_text(record.skipped.size(), "part"));
+  }
+  text += report_line("seams", format_number("%.4g", report.relative_seam_length),
+                      "length in units of the square root of the area; " +
+                          count_text(report.number_of_terminals, "terminal"));
+  text += report_line("scale stretch", format_number("%.4g", worst),
+                      "of the worst chart, by changes of area; bound " +
+                          format_number("%.4g", record.stretch_bound) + "; best 1");
+  if(record.options.is_packed) {
+    text += report_line("covered", format_number("%.1f %%", 100 * report.covered_share),
+                        "of the square; " + std::to_string(record.options.resolution) + " x " +
+                            std::to_string(record.options.resolution) + " texels, gutter " +
+                            std::to_string(record.options.gutter));
+  }
+  return text;
+}
+
+// The charts of the largest areas, if there are several
+inline std::string largest_charts_text(const Atlas_record& record)
+{
+  const std::size_t most = 10;
+  const std::vector<SMP::Atlas_report::Chart>& charts = record.report.charts;
+  if(charts.size() < 2) {
+    return "";
+  }
+  std::vector<std::size_t> order(charts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&record](const std::size_t a, const std::size_t b) {
+    return record.share_of_area[a] > record.share_of_area[b];
+  });
+  order.resize((std::min)(order.size(), most));
+  std::string text = order.size() < charts.size() ? "largest charts\n" : "all charts\n";
+  text += "  number   triangles      area   stretch   scale stretch   method\n";
+  for(const std::size_t i : order) {
+    char line[128];
+    std::snprintf(line, sizeof(line), "%8zu %11zu %7.2f %% %9.4g %15.4g   ", i + 1, charts[i].number_of_faces,
+                  100 * record.share_of_area[i], charts[i].l2_stretch, charts[i].scale_stretch);
+    text += line + to_string(charts[i].method) + "\n";
+  }
+  return text;
+}
+
+inline std::string time_text(const Atlas_record& record)
+{
+  std::string text = "seconds\n";
+  for(const auto& [stage, seconds] : seconds_of_stages(record)) {
+    text += report_line("  " + stage, format_number("%9.3f", seconds));
+  }
+  return text;
+}
+
+} // namespace internal
+
+// The report for people
+inline std::string report_text(const Atlas_record& record)
+{
+  using internal::report_line;
+  std::string text = report_line("input", record.input,
+                                 record.components > 1 ? count_text(record.components, "component") : "");
+  text += report_line("vertices", std::to_string(record.vertices));
+  text += report_line("triangles", std::to_string(record.triangles));
+  text += internal::charts_text(record);
+  text += internal::quality_text(record.report.measures);
+  text += internal::largest_charts_text(record);
+  text += internal::time_text(record);
+  if(record.peak_memory_mb > 0) {
+    text += report_line("peak memory", format_number("%.0f MB", record.peak_memory_mb));
+  }
+  for(const std::string& name : record.written) {
+    text += report_line("written", name);
+  }
+  if(record.written.empty()) {
+    text +=
+        report_line("written", "nothing", "--output FILE.obj keeps the atlas, --picture FILE.png draws it");
+  }
+  return text;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_REPORT_ATLAS_TEXT_H

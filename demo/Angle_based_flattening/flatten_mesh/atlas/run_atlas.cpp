@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flatten_mesh/atlas/run_atlas.h"
+
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/atlas/Atlas_progress.h"
+#include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/model/Model_texture.h"
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/atlas/make_atlas_of_input.h"
+#include "flatten_mesh/atlas/place_charts.h"
+#include "flatten_mesh/atlas/report_atlas_json.h"
+#include "flatten_mesh/atlas/report_atlas_text.h"
+#include "flatten_mesh/texts.h"
+#include "flatten_mesh/atlas/textured_atlas.h"
+#include "flatten_mesh/atlas/write_atlas_svg.h"
+#include "flatten_mesh/model/write_model.h"
+
+#ifdef ABF_WITH_PNG
+#include "flatten_mesh/pictures/draw_atlas.h"
+#endif
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
+#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace {
+
+// The number of faces of the file that a part without chart consists of
+std::size_t count_faces(const Atlas_input& input, const Atlas& atlas, const Face first)
+{
+  const Mesh& mesh = input.mesh;
+  std::set<std::size_t> faces;
+  std::set<Face> triangles = {first};
+  for(std::vector<Face> stack = {first}; !stack.empty();) {
+    const Face f = stack.back();
+    stack.pop_back();
+    faces.insert(face_in_file(input, f));
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Face next = mesh.face(mesh.opposite(h));
+      if(next != Mesh::null_face() && !atlas.seams[mesh.edge(h)] && triangles.insert(next).second) {
+        stack.push_back(next);
+      }
+    }
+  }
+  return faces.size();
+}
+
+void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
+{
+  record.skipped = input.set_aside;
+  for(const SMP::Atlas_report::Skipped& part : record.report.skipped) {
+    const Face first(static_cast<Mesh::size_type>(part.first_face));
+    record.skipped.push_back(
+        {face_in_file(input, first), count_faces(input, atlas, first), part.diagnosis, part.message});
+  }
+  std::stable_sort(record.skipped.begin(), record.skipped.end(),
+                   [](const auto& a, const auto& b) { return a.first_face < b.first_face; });
+}
+
+void measure_charts(Atlas_record& record)
+{
+  double area = 0;
+  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+    area += chart.area;
+  }
+  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+    record.share_of_area.push_back(chart.area / area);
+  }
+}
+
+void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
+                  const SMP::Atlas_report& report)
+{
+  if(!options.is_in_world_units()) {
+    return;
+  }
+  if(options.is_packed) {
+    scale_charts(mesh, atlas, 1 / report.scale);
+  } else {
+    place_in_rows(mesh, atlas, report.charts.size());
+  }
+  check_orientation(mesh, atlas);
+}
+
+// Says so if charts stretch more than was asked for.
+void look_at_stretch(const Atlas_record& record, Notes& notes)
+{
+  std::size_t missed = 0;
+  double worst = 1;
+  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+    missed += !chart.bound_reached;
+    worst = (std::max)(worst, chart.scale_stretch);
+  }
+  if(missed > 0) {
+    notes.add("the scale stretch of " + count_text(missed, "chart") + ", at most " +
+              format_number("%.4g", worst) + ", misses the bound of " +
+              format_number("%.4g", record.stretch_bound) + " by more than 3 %");
+  }
+}
+
+void tell_skipped_parts(const Command_line& command, const Atlas_record& record)
+{
+  const std::size_t most = 10;
+  for(std::size_t i = 0; i < (std::min)(most, record.skipped.size()); ++i) {
+    const Skipped_part& part = record.skipped[i];
+    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << count_text(part.faces, "face")
+              << ", the first is " << face_name(part.first_face) << ": " << part.diagnosis << ": "
+              << part.message << std::endl;
+  }
+  if(record.skipped.size() > most) {
+    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << record.skipped.size() - most
+              << " more parts; --json FILE.json names all" << std::endl;
+  }
+}
+
+std::string seams_text(const Mesh& mesh, const Atlas& atlas)
+{
+  std::ostringstream text;
+  SMP::write_seam_selection(text, mesh, atlas.seams);
+  return text.str();
+}
+
+void write_surface(Output_file& file, const std::string& name, const Atlas_input& input, const Atlas& atlas)
+{
+  const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
+  const auto chart = [&atlas](const Face f) {
+    return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
+  };
+  write_model(file, name, input.model, model_texture(input.model, input.mesh, input.origins, uv, chart));
+}
+
+void draw(const Command_line& command, const Mesh& mesh, const Atlas& atlas, const std::size_t charts,
+          Output_files& files)
+{
+  const Textured_surface surface = textured_atlas(mesh, atlas);
+  const CGAL::Bbox_2 box = command.atlas.is_in_world_units() ? box_of(mesh, atlas) : CGAL::Bbox_2(0, 0, 1, 1);
+  if(!command.svg.empty()) {
+    write_atlas_svg(files.open(command.svg), surface, box, "Texture atlas, " + count_text(charts, "chart"));
+  }
+#ifdef ABF_WITH_PNG
+  if(!command.picture.empty()) {
+    files.open(command.picture).write(atlas_picture(surface, box));
+  }
+#endif
+}
+
+// Writes the requested files under temporary names.
+void write_files(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+                 Atlas_record& record, Output_files& files)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  if(record.report.has_atlas()) {
+    if(!command.output.empty()) {
+      write_surface(files.open(command.output), command.output, input, atlas);
+    }
+    if(!command.svg.empty() || !command.picture.empty()) {
+      draw(command, input.mesh, atlas, record.report.charts.size(), files);
+    }
+    if(!command.seams.empty()) {
+      files.open(command.seams).write(seams_text(input.mesh, atlas));
+    }
+  }
+  record.write_seconds = timer.time();
+  record.peak_memory_mb = static_cast<double>(SMP::internal::ABF::peak_resident_size()) / (1024. * 1024.);
+  if(!command.json.empty()) {
+    files.open(command.json).write(report_json(record));
+  }
+  record.written = files.names();
+}
+
+Atlas_record record_of(const Command_line& command, const Atlas_input& input)
+{
+  Atlas_record record;
+  record.input = name_of_input(command);
+  record.options = command.atlas;
+  record.stretch_bound = command.stretch_bound;
+  record.vertices = input.mesh.number_of_vertices();
+  record.triangles = input.mesh.number_of_faces();
+  return record;
+}
+
+void make_charts(const Command_line& command, Atlas_input& input, const Atlas& atlas, Atlas_record& record,
+                 Atlas_progress& progress)
+{
+  if(input.mesh.is_empty()) {
+    record.report.diagnosis = SMP::Atlas_report::NOTHING_FLATTENED;
+    record.report.message = "no part of the surface can be flattened";
+    return;
+  }
+  record.components = components_by_size(input.mesh).size();
+  record.report = make_atlas_of_input(command, input, atlas, progress);
+  if(record.report.has_atlas()) {
+    place_charts(command.atlas, input.mesh, atlas, record.report);
+  }
+}
+
+} // namespace
+
+Exit_status run_atlas(const Command_line& command)
+{
+  check_writable(command);
+  CGAL::Real_timer timer;
+  timer.start();
+  Atlas_progress progress(command);
+  Notes notes(command, [&progress] { progress.clear_line(); });
+  progress.stage("reading");
+  Atlas_input input = read_atlas_input(command, notes);
+  Atlas_record record = record_of(command, input);
+  record.read_seconds = timer.time();
+
+  const Atlas atlas = empty_atlas(input.mesh);
+  make_charts(command, input, atlas, record, progress);
+  list_skipped_parts(input, atlas, record);
+  measure_charts(record);
+  look_at_stretch(record, notes);
+  record.notes = notes.texts();
+  progress.stage("writing");
+  Output_files files;
+  write_files(command, input, atlas, record, files);
+  progress.end();
+  tell_skipped_parts(command, record);
+  if(record.report.has_atlas()) {
+    tell_report(command, report_text(record));
+  } else if(record.skipped.empty()) {
+    std::cerr << "flatten_mesh: " << command.title << ": " << status_name(record) << ": "
+              << record.report.message << std::endl;
+  }
+  files.publish();
+  return exit_status(record);
+}
+
+} // namespace flatten_mesh

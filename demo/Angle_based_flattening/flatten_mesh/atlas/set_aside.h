@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_SET_ASIDE_H
+#define FLATTEN_MESH_SET_ASIDE_H
+
+#include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/repair_soup.h"
+#include "flatten_mesh/texts.h"
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, and all that hang together, by
+// edges, with one that has a coordinate which is no number, or, unless that is repaired, with an edge of more than two faces
+// or of faces that are oriented differently.
+class Soup_inspector
+{
+public:
+  Soup_inspector(const Polygon_soup& soup, const bool is_repaired)
+      : m_soup(soup), m_is_repaired(is_repaired), m_sets(soup.polygons.size())
+  {
+    for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+      inspect_polygon(p);
+    }
+    if(!m_defects.empty() || !is_repaired) {
+      inspect_edges();
+    }
+  }
+
+  // The parts to set aside, in the order of the file. `is_kept` receives which polygons remain.
+  std::vector<Skipped_part> parts(std::vector<bool>& is_kept)
+  {
+    is_kept.assign(m_soup.polygons.size(), true);
+    std::vector<Skipped_part> result;
+    if(m_defects.empty()) {
+      return result;
+    }
+    std::map<std::size_t, Skipped_part> part_of; // by the representative of its polygons
+    for(const auto& [p, defect] : m_defects) {
+      part_of.try_emplace(m_sets.find_set(p), Skipped_part{no_face, 0, defect.first, defect.second});
+    }
+    for(std::size_t p = 0; p < m_soup.polygons.size(); ++p) {
+      const auto part = part_of.find(m_sets.find_set(p));
+      if(part != part_of.end()) {
+        is_kept[p] = false;
+        part->second.first_face = (std::min)(part->second.first_face, std::size_t(m_soup.origins[p]));
+        ++part->second.faces;
+      }
+    }
+    for(const auto& part : part_of) {
+      result.push_back(part.second);
+    }
+    std::sort(result.begin(), result.end(),
+              [](const Skipped_part& a, const Skipped_part& b) { return a.first_face < b.first_face; });
+    return result;
+  }
+
+private:
+  static constexpr std::size_t no_face = static_cast<std::size_t>(-1);
+
+  struct Side
+  {
+    std::size_t from, to, polygon;
+  };
+
+  void add_defect(const std::size_t p, const std::string& diagnosis, const std::string& message)
+  {
+    m_defects.try_emplace(p, diagnosis, message);
+  }
+
+  void inspect_polygon(const std::size_t p)
+  {
+    try {
+      check_polygon(m_soup, p);
+    } catch(const Input_error& error) {
+      add_defect(p, "DEGENERATE_FACE", error.what());
+    }
+    for(const std::size_t v : m_soup.polygons[p]) {
+      const Kernel::Point_3& point = m_soup.points[v];
+      if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
+        add_defect(p, "NON_FINITE_POINT", vertex_name(v) + " has a coordinate that is not a finite number");
+      }
+    }
+  }
+
+  // The sides of the polygons with at least three vertices, by their smaller vertex
+  void inspect_edges()
+  {
+    std::vector<std::size_t> first(m_soup.points.size() + 1, 0);
+    for_each_side([&first](const Side& side, std::size_t) { ++first[(std::min)(side.from, side.to) + 1]; });
+    for(std::size_t v = 1; v < first.size(); ++v) {
+      first[v] += first[v - 1];
+    }
+    std::vector<Index> polygon_of(first.back()), corner_of(first.back());
+    std::vector<std::size_t> next(first);
+    for_each_side([&](const Side& side, const std::size_t corner) {
+      const std::size_t place = next[(std::min)(side.from, side.to)]++;
+      polygon_of[place] = static_cast<Index>(side.polygon);
+      corner_of[place] = static_cast<Index>(corner);
+    });
+    std::vector<Side> sides;
+    for(std::size_t v = 0; v < m_soup.points.size(); ++v) {
+      sides.clear();
+      for(std::size_t i = first[v]; i < first[v + 1]; ++i) {
+        sides.push_back(side(polygon_of[i], corner_of[i]));
+      }
+      inspect_vertex(sides);
+    }
+  }
+
+  Side side(const std::size_t p, const std::size_t corner) const
+  {
+    const Polygon& polygon = m_soup.polygons[p];
+    return {polygon[corner], polygon[corner + 1 < polygon.size() ? corner + 1 : 0], p};
+  }
+
+  template <class Function>
+  void for_each_side(const Function& f) const
+  {
+    for(std::size_t p = 0; p < m_soup.polygons.size(); ++p) {
+      const auto defect = m_defects.find(p);
+      const bool is_degenerate = defect != m_defects.end() && defect->second.first == "DEGENERATE_FACE";
+      for(std::size_t i = 0; i < m_soup.polygons[p].size() && !is_degenerate; ++i) {
+        f(side(p, i), i);
+      }
+    }
+  }
+
+  // Sides with the same smaller vertex
+  void inspect_vertex(std::vector<Side>& sides)
+  {
+    const auto larger = [](const Side& side) { return (std::max)(side.from, side.to); };
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](const Side& a, const Side& b) { return larger(a) < larger(b); });
+    for(auto begin = sides.begin(); begin != sides.end();) {
+      const auto end =
+          std::find_if(begin, sides.end(), [&](const Side& s) { return larger(s) != larger(*begin); });
+      inspect_edge(&*begin, static_cast<std::size_t>(end - begin));
+      begin = end;
+    }
+  }
+
+  void inspect_edge(const Side* sides, const std::size_t count)
+  {
+    for(std::size_t i = 1; i < count; ++i) {
+      m_sets.union_set(sides[0].polygon, sides[i].polygon);
+    }
+    if(m_is_repaired) {
+      return;
+    }
+    if(count > 2) {
+      add_defect(sides[0].polygon, "NON_MANIFOLD_EDGE",
+                 edge_name(sides[0].from, sides[0].to) + " has " + std::to_string(count) +
+                     " faces, so the surface is not a manifold");
+    } else if(count == 2 && sides[0].from == sides[1].from) {
+      add_defect(sides[0].polygon, "INCONSISTENT_ORIENTATION",
+                 "faces " + std::to_string(m_soup.origins[sides[0].polygon] + 1) + " and " +
+                     std::to_string(m_soup.origins[sides[1].polygon] + 1) +
+                     " are oriented differently: both run along " + edge_name(sides[0].from, sides[0].to) +
+                     " in the same direction");
+    }
+  }
+
+  const Polygon_soup& m_soup;
+  bool m_is_repaired;
+  boost::disjoint_sets_with_storage<> m_sets;
+  std::map<std::size_t, std::pair<std::string, std::string>>
+      m_defects; // of polygons: in one word, and in a sentence
+};
+
+} // namespace internal
+
+// Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says why. Of a
+// soup that is repaired later, what can be repaired remains.
+inline std::vector<Skipped_part> set_aside(Polygon_soup& soup, const bool is_repaired)
+{
+  std::vector<bool> is_kept;
+  const std::vector<Skipped_part> parts = internal::Soup_inspector(soup, is_repaired).parts(is_kept);
+  if(!parts.empty()) {
+    internal::keep_polygons(soup, [&is_kept](const std::size_t p) { return is_kept[p]; });
+  }
+  for(Kernel::Point_3& point : soup.points) { // which only the removed polygons use
+    if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
+      point = Kernel::Point_3(0, 0, 0);
+    }
+  }
+  return parts;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_SET_ASIDE_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_TEXTURED_ATLAS_H
+#define FLATTEN_MESH_TEXTURED_ATLAS_H
+
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/pictures/Textured_surface.h"
+#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/plain/seam_chains.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// Whether the chart of a halfedge's face ends there
+inline bool is_chart_border(const Mesh& mesh, const Atlas& atlas, const Halfedge h)
+{
+  return mesh.is_border(mesh.edge(h)) || atlas.seams[mesh.edge(h)];
+}
+
+// The next halfedge along the border of a chart
+inline Halfedge next_on_chart_border(const Mesh& mesh, const Atlas& atlas, Halfedge h)
+{
+  h = mesh.next(h);
+  while(!is_chart_border(mesh, atlas, h)) {
+    h = mesh.next(mesh.opposite(h));
+  }
+  return h;
+}
+
+} // namespace internal
+
+// All triangles of a mesh, whose halfedges begin with the one that the mesh gives for the face
+inline Textured_surface textured_atlas(const Mesh& mesh, const Atlas& atlas)
+{
+  Textured_surface surface;
+  surface.points.assign(mesh.points().begin(), mesh.points().end());
+  std::vector<std::uint8_t> corner(mesh.number_of_halfedges(), 0); // at the source of each halfedge
+  for(const Face f : mesh.faces()) {
+    surface.triangles.emplace_back();
+    surface.uv.emplace_back();
+    surface.charts.push_back(atlas.chart[f]);
+    Halfedge h = mesh.halfedge(f);
+    for(std::uint8_t i = 0; i < 3; ++i, h = mesh.next(h)) {
+      corner[h.idx()] = i;
+      surface.triangles.back()[i] = mesh.source(h).idx();
+      surface.uv.back()[i] = atlas.uv[mesh.prev(h)];
+    }
+  }
+  const std::vector<int> seams = seam_chains(mesh, atlas.seams);
+  std::vector<bool> is_done(mesh.number_of_halfedges(), false);
+  for(const Halfedge start : mesh.halfedges()) {
+    if(mesh.is_border(start) || is_done[start.idx()] || !internal::is_chart_border(mesh, atlas, start) ||
+       atlas.chart[mesh.face(start)] < 0) {
+      continue;
+    }
+    surface.borders.push_back({atlas.chart[mesh.face(start)], {}});
+    for(Halfedge h = start; !is_done[h.idx()]; h = internal::next_on_chart_border(mesh, atlas, h)) {
+      is_done[h.idx()] = true;
+      surface.borders.back().sides.push_back(
+          {mesh.face(h).idx(), corner[h.idx()], seams[mesh.edge(h).idx()]});
+    }
+  }
+  return surface;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_TEXTURED_ATLAS_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_CORNER_ORIGINS_H
+#define FLATTEN_MESH_CORNER_ORIGINS_H
+
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace flatten_mesh {
+
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+
+// A triangle of a mesh in a polygon of a model, as corners of the model. Turned triangles are turned as in the mesh.
+struct Model_triangle
+{
+  Index polygon;
+  std::array<Index, 3> corners;
+};
+
+// Where the triangles of a mesh are in the model that it was made of, whatever was repaired.
+struct Corner_origins
+{
+  std::vector<Index> corners;  // of each halfedge: the corner at its target. `no_index` on borders
+  std::vector<bool> is_turned; // of each polygon of the model: the mesh has its corners in reverse order
+
+  Model_triangle triangle(const Model& model, const Mesh& mesh, const Face f) const
+  {
+    const Halfedge h = mesh.halfedge(f), next = mesh.next(h), last = mesh.next(next);
+    return {model.polygon_of_corner(corners[h.idx()]),
+            {corners[h.idx()], corners[next.idx()], corners[last.idx()]}};
+  }
+};
+
+namespace internal {
+
+// The corner of a polygon of a soup, in the model.
+inline Index corner_in_model(const Model& model, const Polygon_soup& soup, const std::size_t polygon,
+                             const std::size_t corner)
+{
+  const Index origin = soup.origins[polygon];
+  const std::size_t last = soup.polygons[polygon].size() - 1;
+  return model.first_corners[origin] + static_cast<Index>(soup.is_turned[polygon] ? last - corner : corner);
+}
+
+// Of a mesh whose faces are still the polygons of the soup, in their order.
+inline Corner_origins origins_of_polygons(const Model& model, const Polygon_soup& soup, const Mesh& mesh)
+{
+  Corner_origins origins;
+  origins.corners.assign(mesh.number_of_halfedges(), no_index);
+  origins.is_turned.assign(model.number_of_polygons(), false);
+  for(const Face f : mesh.faces()) {
+    const std::size_t p = f.idx();
+    const Polygon& polygon = soup.polygons[p];
+    Halfedge h = mesh.halfedge(f);
+    const auto first = std::find(polygon.begin(), polygon.end(), std::size_t(mesh.target(h)));
+    for(std::size_t i = 0; i < polygon.size(); ++i, h = mesh.next(h)) {
+      const std::size_t corner = (static_cast<std::size_t>(first - polygon.begin()) + i) % polygon.size();
+      origins.corners[h.idx()] = corner_in_model(model, soup, p, corner);
+    }
+    origins.is_turned[soup.origins[p]] = soup.is_turned[p];
+  }
+  return origins;
+}
+
+// After the polygons were divided into triangles, the new halfedges get the corners, too. The sides of the polygons
+// keep theirs: all triangles at a corner lie, one after the other, behind the side that ends there.
+inline void add_origins_of_diagonals(const Mesh& mesh, Corner_origins& origins)
+{
+  const std::size_t sides = origins.corners.size();
+  origins.corners.resize(mesh.number_of_halfedges(), no_index);
+  for(std::size_t i = 0; i < sides; ++i) {
+    if(origins.corners[i] != no_index) {
+      Halfedge h(static_cast<Mesh::size_type>(i));
+      while(mesh.next(h).idx() >= sides) {
+        h = mesh.opposite(mesh.next(h));
+        origins.corners[h.idx()] = origins.corners[i];
+      }
+    }
+  }
+}
+
+} // namespace internal
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_CORNER_ORIGINS_H

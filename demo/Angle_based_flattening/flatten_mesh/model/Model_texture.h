@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_MODEL_TEXTURE_H
+#define FLATTEN_MESH_MODEL_TEXTURE_H
+
+#include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Model.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace flatten_mesh {
+
+// New texture coordinates for a model.
+struct Model_texture
+{
+  std::vector<Kernel::Point_2> uv; // of each corner; NaN where there are none
+  std::vector<Index> charts;   // of each polygon: the chart that it is in, or `no_index`; empty: one chart
+  std::vector<bool> is_turned; // of each polygon: to be written with its corners in reverse order
+  std::vector<Model_triangle> triangles; // into which the polygons are divided where a format asks for it
+
+  bool has_uv(const Index corner) const { return std::isfinite(uv[corner].x()); }
+
+  Index chart(const Index polygon) const { return charts.empty() ? 0 : charts[polygon]; }
+};
+
+// A texture without any coordinates, for the polygons of a mesh.
+inline Model_texture empty_texture(const Model& model, const Mesh& mesh, const Corner_origins& origins)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Model_texture texture;
+  texture.uv.assign(model.number_of_corners(), {none, none});
+  texture.is_turned = origins.is_turned;
+  texture.triangles.reserve(mesh.number_of_faces());
+  for(const Face f : mesh.faces()) {
+    texture.triangles.push_back(origins.triangle(model, mesh, f));
+  }
+  return texture;
+}
+
+// The texture of a model from an atlas of the mesh that was made of it: `uv(h)` is that of the halfedge's target in its
+// face, `chart(f)` the number of the face's chart, and `no_index` for a face without. All triangles of a polygon have to
+// agree at its corners: see `torn_polygons()`.
+template <class Uv, class Chart_number>
+Model_texture model_texture(const Model& model, const Mesh& mesh, const Corner_origins& origins, const Uv& uv,
+                            const Chart_number& chart)
+{
+  Model_texture texture = empty_texture(model, mesh, origins);
+  texture.charts.assign(model.number_of_polygons(), no_index);
+  for(const Face f : mesh.faces()) {
+    const Index number = chart(f);
+    if(number != no_index) {
+      texture.charts[model.polygon_of_corner(origins.corners[mesh.halfedge(f).idx()])] = number;
+      for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        texture.uv[origins.corners[h.idx()]] = uv(h);
+      }
+    }
+  }
+  return texture;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_MODEL_TEXTURE_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_SEPARATE_SOUP_H
+#define FLATTEN_MESH_SEPARATE_SOUP_H
+
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/repair_soup.h"
+#include "flatten_mesh/texts.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// Records where sheets of the surface were separated.
+struct Separation_visitor : public CGAL::Polygon_mesh_processing::Default_orientation_visitor
+{
+  std::vector<bool>* is_turned = nullptr; // of each polygon
+  std::vector<std::pair<std::size_t, std::size_t>>* edges = nullptr;
+  std::vector<std::size_t>* vertices = nullptr;
+
+  void non_manifold_edge(const std::size_t v, const std::size_t w, std::size_t) { edges->push_back({v, w}); }
+
+  void polygon_orientation_reversed(const std::size_t p) { (*is_turned)[p] = !(*is_turned)[p]; }
+
+  void duplicated_vertex(const std::size_t v, std::size_t) { vertices->push_back(v); }
+};
+
+// The vertices of a polygon in an order that does not depend on where it begins and how it is oriented
+inline Polygon canonical(Polygon polygon)
+{
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  if(polygon.back() < polygon[1]) {
+    std::reverse(polygon.begin() + 1, polygon.end());
+  }
+  return polygon;
+}
+
+inline void tell_left_out(const Model& model, const std::vector<Index>& polygons, const std::string& why,
+                          Notes& notes)
+{
+  if(!polygons.empty()) {
+    notes.add("'" + model.file + "': " + count_text(polygons.size(), "face") + " " + why +
+              ", and left out: " + (polygons.size() == 1 ? "" : "the first is ") +
+              face_name(polygons.front()));
+  }
+}
+
+inline void leave_out_duplicates(const Model& model, Polygon_soup& soup, Notes& notes)
+{
+  std::vector<Polygon> keys;
+  for(const Polygon& polygon : soup.polygons) {
+    keys.push_back(canonical(polygon));
+  }
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&keys](const std::size_t p, const std::size_t q) { return keys[p] < keys[q]; });
+  std::vector<bool> is_duplicate(keys.size(), false);
+  for(std::size_t i = 1; i < order.size(); ++i) {
+    is_duplicate[order[i]] = keys[order[i]] == keys[order[i - 1]];
+  }
+  std::vector<Index> left_out;
+  for(std::size_t p = 0; p < keys.size(); ++p) {
+    if(is_duplicate[p]) {
+      left_out.push_back(soup.origins[p]);
+    }
+  }
+  keep_polygons(soup, [&is_duplicate](const std::size_t p) { return !is_duplicate[p]; });
+  tell_left_out(model, left_out, "with the same corners as another", notes);
+}
+
+} // namespace internal
+
+// Makes surfaces of any polygons: orients them, and separates them where more than two meet in an edge, where
+// they cannot be oriented alike, and where parts touch in a vertex.
+inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
+{
+  internal::leave_out_duplicates(model, soup, notes);
+  std::vector<bool> is_turned(soup.polygons.size(), false);
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  std::vector<std::size_t> vertices;
+  internal::Separation_visitor visitor;
+  visitor.is_turned = &is_turned;
+  visitor.edges = &edges;
+  visitor.vertices = &vertices;
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons,
+                                                     CGAL::parameters::visitor(visitor));
+  internal::keep_majority(soup, is_turned);
+  for(std::size_t p = 0; p < is_turned.size(); ++p) {
+    soup.is_turned[p] = soup.is_turned[p] != is_turned[p];
+  }
+  const std::string begin = "'" + model.file + "': ";
+  const auto turned = std::find(is_turned.begin(), is_turned.end(), true);
+  if(turned != is_turned.end()) {
+    notes.add(begin + "faces were oriented inconsistently: " +
+              count_text(static_cast<std::size_t>(std::count(turned, is_turned.end(), true)), "face") +
+              " turned; the first is " +
+              face_name(soup.origins[static_cast<std::size_t>(turned - is_turned.begin())]));
+  }
+  if(!edges.empty()) {
+    const auto& [v, w] = edges.front();
+    notes.add(begin + "more than two faces meet at " + count_text(edges.size(), "edge") +
+              ", for example at " + internal::edge_name(v, w) + ": they are separated there");
+  }
+  if(!vertices.empty()) {
+    notes.add(begin + "parts of the surface were separated at " +
+              count_text(vertices.size(), "vertex", "vertices") + ", for example at " +
+              vertex_name(vertices.front()));
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_SEPARATE_SOUP_H

@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_WRITE_MODEL_PLY_H
+#define FLATTEN_MESH_WRITE_MODEL_PLY_H
+
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Model_texture.h"
+#include "flatten_mesh/Output_file.h"
+
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// The normal of each point, or empty if points have different normals at different corners, or none at some.
+inline std::vector<Kernel::Vector_3> normals_of_points(const Model& model)
+{
+  if(model.has_point_normals) {
+    return model.normals;
+  }
+  if(model.corner_normals.empty()) {
+    return {};
+  }
+  std::vector<Kernel::Vector_3> normals(model.points.size(), Kernel::Vector_3(0, 0, 0));
+  std::vector<bool> is_known(model.points.size(), false);
+  for(Index c = 0; c < model.number_of_corners(); ++c) {
+    const Index v = model.vertices[c], normal = model.normal(c);
+    if(normal == no_index || (is_known[v] && normals[v] != model.normals[normal])) {
+      return {};
+    }
+    normals[v] = model.normals[normal];
+    is_known[v] = true;
+  }
+  return normals;
+}
+
+// A binary PLY file, a part at a time. CGAL has no writer for texture coordinates of corners.
+class Model_ply_writer
+{
+public:
+  Model_ply_writer(Output_file& file, const Model& model, const Model_texture& texture)
+      : m_file(file), m_model(model), m_texture(texture), m_normals(normals_of_points(model))
+  {
+    for(const Kernel::Point_3& point : model.points) {
+      m_is_double = m_is_double || !is_float(point.x()) || !is_float(point.y()) || !is_float(point.z());
+    }
+    for(const Point_color& color : model.colors) {
+      m_has_opacity = m_has_opacity || color[3] != 1;
+    }
+    for(Index p = 0; p < model.number_of_polygons(); ++p) {
+      m_is_large = m_is_large || 2 * model.size(p) > 255;
+    }
+  }
+
+  void write()
+  {
+    write_header();
+    for(std::size_t v = 0; v < m_model.points.size(); ++v) {
+      write_point(v);
+      pass_on();
+    }
+    for(Index p = 0; p < m_model.number_of_polygons(); ++p) {
+      write_polygon(p);
+      pass_on();
+    }
+    m_file.write(m_text);
+  }
+
+private:
+  static bool is_float(const double number)
+  {
+    return static_cast<double>(static_cast<float>(number)) == number;
+  }
+
+  void write_header()
+  {
+    const std::string real = m_is_double ? "double" : "float", count = m_is_large ? "uint" : "uchar";
+    m_text = "ply\nformat binary_little_endian 1.0\ncomment texture coordinates 'texcoord' by flatten_mesh\n"
+             "element vertex " +
+             std::to_string(m_model.points.size()) + "\n";
+    add_properties(real, {"x", "y", "z"});
+    if(!m_normals.empty()) {
+      add_properties(real, {"nx", "ny", "nz"});
+    }
+    if(!m_model.colors.empty()) {
+      add_properties("uchar", {"red", "green", "blue"});
+      if(m_has_opacity) {
+        add_properties("uchar", {"alpha"});
+      }
+    }
+    m_text += "element face " + std::to_string(m_model.number_of_polygons()) + "\nproperty list " + count +
+              " int vertex_indices\nproperty list " + count + " float texcoord\n";
+    if(!m_texture.charts.empty()) {
+      add_properties("int", {"chart"});
+    }
+    m_text += "end_header\n";
+  }
+
+  void add_properties(const std::string& type, const std::vector<std::string>& names)
+  {
+    for(const std::string& name : names) {
+      m_text += "property " + type + " " + name + "\n";
+    }
+  }
+
+  void write_point(const std::size_t v)
+  {
+    const Kernel::Point_3& point = m_model.points[v];
+    add_reals({point.x(), point.y(), point.z()});
+    if(!m_normals.empty()) {
+      add_reals({m_normals[v].x(), m_normals[v].y(), m_normals[v].z()});
+    }
+    if(!m_model.colors.empty()) {
+      const bool is_known = std::isfinite(m_model.colors[v][0]);
+      for(std::size_t i = 0; i < (m_has_opacity ? 4 : 3); ++i) {
+        const double part = is_known ? m_model.colors[v][i] : 1;
+        add(static_cast<std::uint8_t>(std::lround(255 * (std::min)((std::max)(part, 0.), 1.))));
+      }
+    }
+  }
+
+  void write_polygon(const Index p)
+  {
+    const Index first = m_model.first_corners[p], size = m_model.size(p);
+    const auto corner = [&](const Index i) { return first + (m_texture.is_turned[p] ? size - 1 - i : i); };
+    bool has_uv = true;
+    add_count(size);
+    for(Index i = 0; i < size; ++i) {
+      add(static_cast<std::int32_t>(m_model.vertices[corner(i)]));
+      has_uv = has_uv && m_texture.has_uv(corner(i));
+    }
+    add_count(has_uv ? 2 * size : 0);
+    for(Index i = 0; has_uv && i < size; ++i) {
+      add(static_cast<float>(m_texture.uv[corner(i)].x()));
+      add(static_cast<float>(m_texture.uv[corner(i)].y()));
+    }
+    if(!m_texture.charts.empty()) {
+      add(static_cast<std::int32_t>(m_texture.charts[p])); // -1: none
+    }
+  }
+
+  void add_reals(const std::initializer_list<double>& numbers)
+  {
+    for(const double number : numbers) {
+      if(m_is_double) {
+        add(number);
+      } else {
+        add(static_cast<float>(number));
+      }
+    }
+  }
+
+  void add_count(const Index count)
+  {
+    if(m_is_large) {
+      add(count);
+    } else {
+      add(static_cast<std::uint8_t>(count));
+    }
+  }
+
+  template <class Number>
+  void add(const Number number)
+  {
+    char bytes[sizeof(Number)];
+    std::memcpy(bytes, &number, sizeof(Number));
+    if(boost::endian::order::native == boost::endian::order::big) {
+      std::reverse(bytes, bytes + sizeof(Number));
+    }
+    m_text.append(bytes, sizeof(Number));
+  }
+
+  void pass_on()
+  {
+    if(m_text.size() > 1000000) {
+      m_file.write(m_text);
+      m_text.clear();
+    }
+  }
+
+  Output_file& m_file;
+  const Model& m_model;
+  const Model_texture& m_texture;
+  std::vector<Kernel::Vector_3> m_normals; // of each point, or empty
+  bool m_is_double = false;                // coordinates do not fit into `float`
+  bool m_has_opacity = false;
+  bool m_is_large = false; // numbers of corners do not fit into a byte
+  std::string m_text;
+};
+
+} // namespace internal
+
+// Points with their normals and colours, polygons, and the texture coordinates of their corners as a list `texcoord`.
+inline void write_model_ply(Output_file& file, const Model& model, const Model_texture& texture)
+{
+  internal::Model_ply_writer(file, model, texture).write();
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_WRITE_MODEL_PLY_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_SURFACE_VIEW_H
+#define FLATTEN_MESH_SURFACE_VIEW_H
+
+#include "flatten_mesh/pictures/Canvas.h"
+#include "flatten_mesh/pictures/Textured_surface.h"
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace flatten_mesh {
+
+// A part of the canvas, in pixels.
+struct Frame
+{
+  double left, top, width, height;
+};
+
+// From where a surface is seen; without perspective.
+class Surface_view
+{
+  using Vector = Kernel::Vector_3;
+
+public:
+  // `towards_eye` is a direction; `up` is upright in the picture.
+  Surface_view(const Vector& towards_eye, const Vector& up)
+      : m_depth(normalized(towards_eye)), m_right(normalized(CGAL::cross_product(up, m_depth))),
+        m_up(CGAL::cross_product(m_depth, m_right))
+  {}
+
+  // A surface that faces mainly one way is seen from there, others from the front, slightly from above and from the
+  // right.
+  static Surface_view of(const Textured_surface& surface)
+  {
+    Vector sum(0, 0, 0);
+    double area = 0;
+    for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const Vector normal = surface.doubled_area_vector(t);
+      sum = sum + normal;
+      area += std::sqrt(normal.squared_length());
+    }
+    const double one_sided = std::sqrt(sum.squared_length()) / area;
+    const Vector towards_eye = one_sided > 0.25 ? sum : Vector(0.5, -1, 0.45);
+    const bool from_above = std::abs(normalized(towards_eye).z()) > 0.9;
+    return Surface_view(towards_eye, from_above ? Vector(0, 1, 0) : Vector(0, 0, 1));
+  }
+
+  // Right, up, and towards the eye.
+  Vector operator()(const Vector& v) const { return Vector(v * m_right, v * m_up, v * m_depth); }
+
+  static Vector normalized(const Vector& v)
+  {
+    const double length = std::sqrt(v.squared_length());
+    return length > 0 ? v / length : v;
+  }
+
+private:
+  Vector m_depth, m_right, m_up;
+};
+
+// A place on the surface becomes one in the picture, without values.
+class Projection
+{
+public:
+  // A view of something with this box, in the middle of a frame and as large as fits.
+  Projection(const Surface_view& view, const CGAL::Bbox_2& box, const Frame& frame)
+      : Projection(view, box, frame, scale_to_fit(box, frame))
+  {}
+
+  Projection(const Surface_view& view, const CGAL::Bbox_2& box, const Frame& frame, const double scale)
+      : m_view(view), m_scale(scale),
+        m_left(frame.left + (frame.width - scale * box.x_span()) / 2 - scale * box.xmin()),
+        m_top(frame.top + (frame.height - scale * box.y_span()) / 2 + scale * box.ymax())
+  {}
+
+  static double scale_to_fit(const CGAL::Bbox_2& box, const Frame& frame)
+  {
+    return (std::min)(frame.width / (std::max)(box.x_span(), 1e-300),
+                      frame.height / (std::max)(box.y_span(), 1e-300));
+  }
+
+  Canvas::Corner operator()(const Kernel::Point_3& point) const
+  {
+    const Kernel::Vector_3 p = m_view(point - CGAL::ORIGIN);
+    return {m_left + m_scale * p.x(), m_top - m_scale * p.y(), m_scale * p.z(), {}};
+  }
+
+  const Surface_view& view() const { return m_view; }
+
+private:
+  Surface_view m_view;
+  double m_scale, m_left, m_top;
+};
+
+// The box of the triangles in the picture, before they are scaled
+inline CGAL::Bbox_2 box_of(const Textured_surface& surface, const Surface_view& view)
+{
+  CGAL::Bbox_2 box;
+  for(const auto& triangle : surface.triangles) {
+    for(const Textured_surface::Index v : triangle) {
+      const Kernel::Vector_3 p = view(surface.points[v] - CGAL::ORIGIN);
+      box += CGAL::Bbox_2(p.x(), p.y(), p.x(), p.y());
+    }
+  }
+  return box;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_SURFACE_VIEW_H

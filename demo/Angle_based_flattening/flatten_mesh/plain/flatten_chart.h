@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_FLATTEN_CHART_H
+#define FLATTEN_MESH_FLATTEN_CHART_H
+
+#include "flatten_mesh/plain/Chart.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Progress.h"
+#include "flatten_mesh/plain/Run_record.h"
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+
+#include <Eigen/SparseCholesky>
+
+#ifdef ABF_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// The numbers of the first few of many vertices, as in "vertices 3, 17, ...".
+inline std::string vertices_text(const Chart& chart, const std::vector<Vertex>& vertices)
+{
+  const std::size_t shown = (std::min)(vertices.size(), std::size_t(6));
+  std::string text = vertices.size() == 1 ? "vertex " : "vertices ";
+  for(std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(chart.input_vertex(vertices[i]).idx() + 1);
+  }
+  return text + (shown < vertices.size() ? ", ..." : "");
+}
+
+// Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons
+// were divided.
+template <class Parameterizer>
+std::string place_text(const Mesh& mesh, const Chart& chart, const Parameterizer& parameterizer)
+{
+  if(!parameterizer.offending_vertices().empty()) {
+    return " (" + vertices_text(chart, parameterizer.offending_vertices()) + ")";
+  }
+  if(!parameterizer.offending_faces().empty()) {
+    const Halfedge h = mesh.halfedge(parameterizer.offending_faces().front());
+    const auto vertices = mesh.vertices_around_face(h);
+    return " (the triangle of " +
+           vertices_text(chart, std::vector<Vertex>(vertices.begin(), vertices.end())) +
+           (parameterizer.offending_faces().size() > 1 ? ", and others)" : ")");
+  }
+  return "";
+}
+
+inline void take_report(const SMP::ABF_plus_plus_report& report, Flattening& flattening)
+{
+  const SMP::ABF_plus_plus_report::Seconds& seconds = report.seconds;
+  flattening.report = report;
+  flattening.stages = {{"chart", seconds.read},    {"targets", seconds.targets}, {"angles", seconds.angles},
+                       {"layout", seconds.layout}, {"certify", seconds.certify}, {"uv", seconds.write}};
+  if(report.strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT) {
+    flattening.stages.insert(flattening.stages.end() - 2, {{"coarsen", seconds.coarsen},
+                                                           {"solve", seconds.coarse_chart},
+                                                           {"refine", seconds.refine},
+                                                           {"polish", seconds.polish}});
+  }
+}
+
+inline void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
+{
+  const SMP::Hierarchical_report::Seconds& seconds = report.seconds;
+  static_cast<SMP::Flattening_report&>(flattening.report) = report;
+  flattening.report.iterations = report.polish_iterations;
+  flattening.report.energy = report.energy;
+  flattening.report.constraint_residual = report.constraint_residual;
+  flattening.levels = report.levels;
+  flattening.coarse_triangles = report.coarse_triangles;
+  flattening.is_polished = report.polished;
+  flattening.stages = {
+      {"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.coarse_chart},
+      {"refine", seconds.refine}, {"polish", seconds.polish},   {"certify", seconds.certify},
+      {"uv", seconds.write}};
+}
+
+template <class Parameterizer>
+void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer& parameterizer, const UV_map& uv,
+                       Flattening& flattening)
+{
+  const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
+  CGAL::Real_timer timer;
+  timer.start();
+  parameterizer.parameterize(mesh, chart.border, uv, get(boost::vertex_index, mesh), is_parameterized);
+  timer.stop();
+  flattening.parameterize_seconds += timer.time();
+  take_report(parameterizer.report(), flattening);
+  flattening.place = place_text(mesh, chart, parameterizer);
+  if(flattening.report.predicted_scale_range > 1e4 && flattening.succeeded()) {
+    flattening.note = "one border is far from the outer one, so that lengths vary by a factor of about " +
+                      format_number("%.1g", flattening.report.predicted_scale_range) +
+                      ": a cut from border to border gives a better map";
+  }
+}
+
+template <class Solver_traits>
+void flatten_directly(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_options& options,
+                      const UV_map& uv, Flattening& flattening)
+{
+  flattening.method = "direct";
+  SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits> direct(options);
+  run_parameterizer(mesh, chart, direct, uv, flattening);
+}
+
+// Whether the energy of a hierarchical map is at most about 20 % above that of the direct method, by an estimate: sweeps until
+// they gain little leave up to 15 %, and errors on the scale of the coarse chart were at most 1.6 % of its energy (per
+// triangle) on all terrains that were measured.
+inline bool is_close_to_direct(const SMP::Hierarchical_report& report,
+                               const SMP::ABF_plus_plus_report& coarse,
+                               const SMP::Hierarchical_options& options)
+{
+  const double energy = report.energy / report.triangles;
+  return report.start == SMP::Hierarchical_report::COARSE_PARAMETERIZER &&
+         report.angle_sweeps < options.angle_sweeps && coarse.energy / coarse.triangles <= 9 * energy;
+}
+
+// Returns whether `auto` takes the result: if it comes close to the direct one, or if the direct method would fail too.
+template <class Solver_traits>
+bool flatten_hierarchically(Mesh& mesh, const Chart& chart, SMP::Hierarchical_options hierarchical,
+                            const SMP::ABF_plus_plus_options& options, const UV_map& uv,
+                            Flattening& flattening)
+{
+  using Coarse = SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Solver_traits>;
+  flattening.method = "hierarchical";
+  static_cast<SMP::Flattening_options&>(hierarchical) = options;
+  hierarchical.visitor = nullptr; // the coarse parameterizer tells its steps
+  hierarchical.polish_options = options;
+  SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(hierarchical, Coarse(options));
+  run_parameterizer(mesh, chart, parameterizer, uv, flattening);
+  if(!flattening.succeeded()) {
+    return !is_failure_of_computation(flattening.report);
+  }
+  return options.injective || parameterizer.report().polished ||
+         is_close_to_direct(parameterizer.report(), parameterizer.coarse_parameterizer().report(),
+                            hierarchical);
+}
+
+// From more triangles on, the direct method takes several seconds, and the other one a third to a half of that.
+inline constexpr std::size_t direct_is_slow = 200000;
+
+template <class Solver_traits>
+void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
+                   const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
+{
+  const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
+  if(command.method == "direct" || (command.method == "auto" && is_direct_fast)) {
+    flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+    return;
+  }
+  const bool is_taken =
+      flatten_hierarchically<Solver_traits>(mesh, chart, command.hierarchical, options, uv, flattening);
+  if(is_taken || command.method != "auto") {
+    return;
+  }
+  flattening.note =
+      flattening.succeeded()
+          ? "the hierarchical method did not come close enough to the direct one, which replaced it"
+          : "the direct method replaced the hierarchical one, which failed: " + flattening.report.message;
+  const double seconds = flattening.parameterize_seconds;
+  flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+  flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
+}
+
+inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& command,
+                          const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
+{
+  using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
+  if(command.solver == "eigen") {
+    choose_method<CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>>(mesh, chart, command, options, uv,
+                                                                            flattening);
+#ifdef ABF_WITH_CHOLMOD
+  } else if(command.solver == "cholmod") {
+    choose_method<CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix>>>(mesh, chart, command,
+                                                                                  options, uv, flattening);
+#endif
+  } else {
+    choose_method<CGAL::SuperLU_solver_traits<>>(mesh, chart, command, options, uv, flattening);
+  }
+}
+
+} // namespace internal
+
+inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command,
+                                Progress& progress)
+{
+  Flattening flattening;
+  flattening.uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
+  flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
+  SMP::ABF_plus_plus_options options = command.options;
+  options.visitor = &progress;
+  internal::choose_solver(mesh, chart, command, options, flattening.uv, flattening);
+  if(flattening.succeeded()) {
+    CGAL::Real_timer timer;
+    timer.start();
+    flattening.measures = SMP::measure_flattening(
+        mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
+          flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
+        });
+    flattening.measure_seconds = timer.time();
+  }
+  return flattening;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_FLATTEN_CHART_H

@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flatten_mesh/plain/run_plain.h"
+
+#include "flatten_mesh/plain/Chart.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/Progress.h"
+#include "flatten_mesh/plain/Run_record.h"
+#include "flatten_mesh/plain/Seamed_component.h"
+#include "flatten_mesh/plain/area.h"
+#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/plain/choose_seams.h"
+#include "flatten_mesh/model/components.h"
+#include "flatten_mesh/plain/flatten_along_seams.h"
+#include "flatten_mesh/plain/flatten_chart.h"
+#include "flatten_mesh/model/read_model.h"
+#include "flatten_mesh/plain/report_json.h"
+#include "flatten_mesh/plain/report_text.h"
+#include "flatten_mesh/seam_file.h"
+#include "flatten_mesh/plain/split_chart.h"
+#include "flatten_mesh/texts.h"
+#include "flatten_mesh/model/write_model.h"
+#include "flatten_mesh/plain/write_obj.h"
+#include "flatten_mesh/plain/write_svg.h"
+
+#ifdef ABF_WITH_PNG
+#include "flatten_mesh/pictures/draw_surface.h"
+#endif
+
+#include <CGAL/Real_timer.h>
+
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace {
+
+// The surface in the file, and the surface that is flattened.
+struct Surface
+{
+  Model model;
+  Polygon_soup soup;
+  Mesh input;
+  Corner_origins origins; // of the input, in the model
+  Component component;
+  std::optional<Seamed_component> seamed; // if it is cut open
+  Cut_mesh cut;
+  Chart chart;
+
+  Mesh& mesh() { return chart.is_cut() ? cut.mesh : input; }
+  const Mesh& mesh() const { return chart.is_cut() ? cut.mesh : input; }
+};
+
+Surface read_surface(const Command_line& command, Notes& notes)
+{
+  Surface surface;
+  surface.model = read_model(command.input, Degenerate_faces::REFUSED, notes);
+  surface.soup = polygon_soup(surface.model);
+  try {
+    Surface_of_model built = build_mesh(surface.model, surface.soup, command.repair == "on", notes);
+    surface.input = std::move(built.mesh);
+    surface.origins = std::move(built.origins);
+    surface.component = choose_component(surface.input, static_cast<std::size_t>(command.component));
+    if(is_cut(command, surface.input, surface.component)) {
+      surface.seamed = make_seamed_component(surface.input, surface.component);
+    } else {
+      surface.chart =
+          choose_border(surface.input, surface.component, static_cast<std::size_t>(command.border));
+    }
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
+  }
+  return surface;
+}
+
+// OBJ contains the repaired surface, the other formats the model in the file.
+void write_surface(Output_file& file, const std::string& name, Surface& surface, const Flattening& flattening)
+{
+  if(is_obj_output(name)) {
+    write_obj(file, surface.soup, surface.mesh(), surface.chart, flattening);
+  } else {
+    write_model(file, name, surface.model,
+                texture_of_chart(surface.model, surface.input, surface.origins, surface.soup, surface.mesh(),
+                                 surface.chart, flattening));
+  }
+}
+
+// Writes the requested files under temporary names.
+Output_files write_files(const Command_line& command, Surface& surface, Run_record& record)
+{
+  Output_files files;
+  const auto open = [&files](const std::string& name) -> Output_file& { return files.open(name); };
+  CGAL::Real_timer timer;
+  timer.start();
+  if(!command.output.empty() && record.flattening.succeeded()) {
+    write_surface(open(command.output), command.output, surface, record.flattening);
+  }
+  if(!command.svg.empty() && record.flattening.succeeded()) {
+    write_svg(open(command.svg), surface.mesh(), surface.chart, record.flattening);
+  }
+#ifdef ABF_WITH_PNG
+  if(!command.picture.empty() && record.flattening.succeeded()) {
+    open(command.picture).write(checkerboard_picture(surface.mesh(), surface.chart, record.flattening.uv));
+  }
+#endif
+  if(!command.seams.empty() && record.flattening.succeeded()) {
+    open(command.seams).write(surface.seamed ? seams_text(surface.input, *surface.seamed) : no_seams_text());
+  }
+  record.write_seconds = timer.time();
+  record.written = files.names();
+  if(!command.json.empty()) {
+    open(command.json).write(report_json(record));
+    record.written = files.names();
+  }
+  return files;
+}
+
+void tell_stages(const Run_record& record, const Progress& progress)
+{
+  for(const auto& stage : seconds_of_stages(record)) {
+    if(stage.first != "read" && stage.first != "seams" && stage.first != "split" && stage.first != "write") {
+      progress.stage(stage.first, stage.second,
+                     stage.first == "layout" ? layout_name(record.flattening.report) : "");
+    }
+  }
+}
+
+Exit_status tell_diagnosis(const Command_line& command, const Flattening& flattening)
+{
+  std::cerr << "flatten_mesh: " << command.title << ": " << status_name(flattening.report) << ": "
+            << flattening.report.message << flattening.place << std::endl;
+  return is_failure_of_computation(flattening.report) ? COMPUTATION_FAILED : WRONG_INPUT;
+}
+
+// A surface without area can be laid out, but then the plane says nothing about its shape.
+void look_at_area(const Surface& surface, Run_record& record, Notes& notes)
+{
+  const Missing_area missing = missing_area(surface.input, surface.component);
+  record.has_area = !missing.of_all;
+  if(missing.of_all) {
+    notes.add(std::string("the surface has no area: all its vertices lie ") +
+              (missing.is_point ? "at one point" : "on a line") +
+              "; the layout and the measures are meaningless, and the exit status is " +
+              std::to_string(WITHOUT_AREA));
+  } else if(missing.triangles > 0) {
+    notes.add(count_text(missing.triangles, "triangle") + " of " + std::to_string(record.triangles) +
+              " without area: some measures are infinite, others ignore these triangles");
+  }
+}
+
+Run_record record_of(const Command_line& command, const Surface& surface)
+{
+  Run_record record;
+  record.input = name_of_input(command);
+  record.vertices = surface.component.vertices.size();
+  record.triangles = surface.component.faces.size();
+  record.borders = surface.chart.borders.size();
+  record.components = surface.component.components;
+  return record;
+}
+
+// Cuts the surface open. Without need for seams, it is flattened as it is.
+void cut_surface(const Command_line& command, Surface& surface, Run_record& record, const Progress& progress)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Seam_record seams;
+  choose_seams(command, surface.input, *surface.seamed, seams);
+  seams.seconds = timer.time();
+  progress.stage("seams", seams.seconds);
+  if(command.cut != "auto" && !has_seams(*surface.seamed)) {
+    surface.seamed.reset();
+    surface.chart = choose_border(surface.input, surface.component, static_cast<std::size_t>(command.border));
+  } else {
+    record.seams = seams;
+  }
+}
+
+Flattening flatten_cut_surface(const Command_line& command, Surface& surface, Run_record& record,
+                               Progress& progress, Notes& notes)
+{
+  Flat_surface flat = flatten_along_seams(command, *surface.seamed, *record.seams, progress);
+  surface.cut = std::move(flat.cut);
+  surface.chart = std::move(flat.chart);
+  if(flat.disks > 1) {
+    notes.add("the seams leave " + count_text(flat.disks, "disk") + "; the largest is flattened, " +
+              std::to_string(surface.chart.faces.size()) + " of " +
+              count_text(surface.component.faces.size(), "triangle"));
+  }
+  const Seam_record& seams = *record.seams;
+  if(seams.bound_reached && !*seams.bound_reached) {
+    notes.add("the scale stretch, " + format_number("%.4g", seams.scale_stretch) + ", misses the bound of " +
+              format_number("%.4g", seams.stretch_bound) + " by more than 3 %, with seams added in " +
+              count_text(static_cast<std::size_t>(seams.rounds), "round"));
+  }
+  record.vertices = surface.chart.vertices.size();
+  record.triangles = surface.chart.faces.size();
+  return flat.flattening;
+}
+
+// Splits the chart where its map overlaps itself.
+void split_surface(Surface& surface, Run_record& record, const Progress& progress)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  record.split = Split_record();
+  const Edge_marks is_diagonal = diagonals(surface.input);
+  const auto input_edge = [&surface](const Edge e) {
+    return surface.chart.is_cut() ? surface.seamed->part.edge_origins[surface.cut.edge_origins[e.idx()].idx()]
+                                  : e;
+  };
+  Split_chart split = split_chart(
+      surface.mesh(), surface.chart, record.flattening,
+      [&](const Edge e) { return is_diagonal[input_edge(e)]; }, *record.split);
+  if(record.split->pieces > 1) {
+    std::vector<bool> is_new(surface.input.number_of_edges(), false);
+    for(const Edge e : split.new_seams) {
+      is_new[input_edge(e).idx()] = true;
+    }
+    if(!surface.seamed) {
+      surface.seamed = make_seamed_component(surface.input, surface.component);
+    }
+    for(const Edge e : surface.seamed->part.mesh.edges()) {
+      if(is_new[surface.seamed->part.edge_origins[e.idx()].idx()]) {
+        surface.seamed->seams[e] = true;
+      }
+    }
+    surface.cut = std::move(split.cut);
+    surface.chart = std::move(split.chart);
+    record.flattening = std::move(split.flattening);
+  }
+  record.split->seconds = timer.time();
+  progress.stage("split", record.split->seconds);
+}
+
+// Says what else can be done.
+std::string remedy(Surface& surface, const SMP::ABF_plus_plus_report& report)
+{
+  if(report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
+    return std::string("; the usual cause: ") + memory_text; // solvers only say that they failed
+  }
+  if(surface.seamed) {
+    return "";
+  }
+  const std::string cut = report.diagnosis == SMP::Flattening_report::NONZERO_GENUS ? "; --cut auto does that"
+                          : report.diagnosis == SMP::Flattening_report::SCALE_TOO_LARGE
+                              ? "; --cut topology does that"
+                              : "";
+  return cut + other_component_text(surface.input, surface.component.number);
+}
+
+// Says so if the map overlaps itself and nothing was asked for that prevents this.
+void look_at_overlap(const Command_line& command, const Flattening& flattening, Notes& notes)
+{
+  if(flattening.succeeded() && !flattening.measures.border_is_simple && !command.split_overlaps) {
+    notes.add("the map overlaps itself: --injective gives one that does not; --split-overlaps keeps the "
+              "angles, and splits the chart along further seams");
+  }
+}
+
+} // namespace
+
+Exit_status run_plain(const Command_line& command)
+{
+  Progress progress(command.verbose);
+  check_writable(command);
+
+  CGAL::Real_timer timer;
+  timer.start();
+  Notes notes(command);
+  Surface surface = read_surface(command, notes);
+  Run_record record = record_of(command, surface);
+  record.read_seconds = timer.time();
+  progress.stage("read", record.read_seconds, std::to_string(record.triangles) + " triangles to flatten");
+  look_at_area(surface, record, notes);
+
+  if(surface.seamed) {
+    cut_surface(command, surface, record, progress);
+  }
+  record.flattening = surface.seamed ? flatten_cut_surface(command, surface, record, progress, notes)
+                                     : flatten_chart(surface.input, surface.chart, command, progress);
+  record.borders = surface.chart.borders.size();
+  if(!record.flattening.note.empty()) {
+    notes.add(record.flattening.note);
+  }
+  look_at_overlap(command, record.flattening, notes);
+  if(command.split_overlaps && record.flattening.succeeded()) {
+    split_surface(surface, record, progress);
+  }
+  record.notes = notes.texts();
+  if(!record.flattening.succeeded()) {
+    record.flattening.place += remedy(surface, record.flattening.report);
+  }
+  tell_stages(record, progress);
+  Output_files files = write_files(command, surface, record);
+  progress.stage("write", record.write_seconds);
+  if(record.flattening.succeeded()) {
+    tell_report(command, report_text(record));
+  }
+  files.publish();
+  return !record.flattening.succeeded() ? tell_diagnosis(command, record.flattening)
+         : record.has_area              ? SUCCESS
+                                        : WITHOUT_AREA;
+}
+
+} // namespace flatten_mesh
