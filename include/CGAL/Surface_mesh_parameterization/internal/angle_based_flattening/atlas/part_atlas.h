@@ -261,4 +261,8 @@ private:
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>
+#endif
+
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_H
