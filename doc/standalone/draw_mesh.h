@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_DRAW_MESH_H
 #define FLATTEN_MESH_DRAW_MESH_H
 
-#include "flatten_mesh/Canvas.h"
-#include "flatten_mesh/Surface_view.h"
-#include "flatten_mesh/build_mesh.h"
-#include "flatten_mesh/draw_checkerboard.h"
-#include "flatten_mesh/textured_chart.h"
+#include "flatten_mesh/pictures/Canvas.h"
+#include "flatten_mesh/pictures/Surface_view.h"
+#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/pictures/draw_checkerboard.h"
+#include "flatten_mesh/plain/textured_chart.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
