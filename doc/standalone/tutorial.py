@@ -1,0 +1,61 @@
+"""The commands of the tutorial and of README.md, and a folder that looks like a clone to run them in."""
+
+import re
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+DATA = "examples/Angle_based_flattening/data"
+
+
+def steps(page):
+    """The code blocks of a page in their order: ("command", words) for each command, ("output", lines) for what is printed."""
+    found = []
+    for kind, text in re.findall(r"\\code\{\.(sh|unparsed)\}\n(.*?)\\endcode", page, re.S):
+        if kind == "sh":
+            found += [("command", words) for words in commands(text)]
+        else:
+            found.append(("output", text.splitlines()))
+    return found
+
+
+def commands(text):
+    """The words of each command of a shell script of plain commands."""
+    lines = text.replace("\\\n", " ").splitlines()
+    return [words for words in (shlex.split(line, comments=True) for line in lines) if words]
+
+
+class Clone:
+    """Runs commands as if in a clone of the repository, with a program that is built already."""
+
+    def __init__(self, folder, source, program):
+        self.folder, self.source, self.program = Path(folder), Path(source), Path(program)
+
+    def make(self):
+        (self.folder / "scripts").mkdir(parents=True)
+        script = self.folder / "scripts/flatten"
+        script.write_text(f'#!/bin/sh\nexec {shlex.quote(str(self.program))} "$@"\n')
+        script.chmod(0o755)
+        shutil.copytree(self.source / DATA, self.folder / DATA)
+
+    def run(self, words):
+        """Its exit status, and what it prints. An unknown command is an error."""
+        if words[:2] == ["git", "clone"] and len(words) == 4:
+            self.folder = self.folder / words[3]
+            self.make()
+        elif words[0] == "cd" and len(words) == 2:
+            if self.folder.name != words[1]:
+                raise ValueError(f"{words[1]} is not the clone")
+        elif words[0] == "scripts/flatten":
+            done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=600)
+            return done.returncode, done.stdout, done.stderr
+        else:
+            raise ValueError(f"an unknown command: {shlex.join(words)}")
+        return 0, "", ""
+
+
+def outputs(words):
+    """The names of the files that a command writes."""
+    named = ("--output", "-o", "--picture", "--svg", "--json", "--seams", "--report")
+    return [value for option, value in zip(words, words[1:]) if option in named]
