@@ -31,7 +31,7 @@ endforeach()
 # Each part ends with links to the parts before and after it.
 foreach(part IN LISTS parts)
   file(READ ${HTML}/${part} page)
-  if(NOT page MATCHES "<div class=\"title\">([^\n]*)</div>")
+  if(NOT page MATCHES "<div class=\"title\">([^<]*[^< ]) *</div>")
     message(FATAL_ERROR "${part} has no title")
   endif()
   set(title_of_${part} "${CMAKE_MATCH_1}")
