@@ -253,6 +253,26 @@ def write_stl(mesh, file):
     file.write_text("\n".join(lines + ["endsolid mesh", ""]))
 
 
+class Helpers(unittest.TestCase):
+    """What this test would not notice, it would not check."""
+
+    def test_unknown_commands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            clone = tutorial.Clone(folder, ROOT, FLATTEN_MESH)
+            for words in (["meshlab", "mask.obj"], ["git", "push"], ["cd", "elsewhere"], ["scripts/other"]):
+                self.assertRaises(ValueError, clone.run, words)
+
+    def test_printed_lines(self):
+        self.assertTrue(same_line("covered   41.4 %", "covered  41.5 %"))
+        self.assertFalse(same_line("covered   41.4 %", "covered  45 %"))
+        self.assertFalse(same_line("covered   41.4 %", "charts  41.4 %"))
+        self.assertFalse(same_line("charts  1", "charts  2"))
+
+    def test_steps(self):
+        page = "\\code{.sh}\na b \\\n  'c d' # e\n\nf\n\\endcode text \\code{.unparsed}\ng  h\n\\endcode"
+        self.assertEqual(tutorial.steps(page), [("command", ["a", "b", "c d"]), ("command", ["f"]), ("output", ["g  h"])])
+
+
 class Options(unittest.TestCase):
     def test_options_exist(self):
         """Each option that README.md or the manual names for the program is in its help."""
