@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # What the browser shows, as a file beside what the commands write; the size of the window; the picture
 SHOTS = [("mask.png.html", (1100, 440), "tutorial_atlas.png"),
-         ("look.html", (1400, 800), "tutorial_report.png")]
+         ("look.html", (1560, 860), "tutorial_report.png")]
 
 
 def main():
