@@ -11,11 +11,10 @@
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,7 +65,7 @@ inline void check_two_sided(const std::vector<Polygon>& polygons, const std::vec
 // CGAL keeps the orientation of the first polygon of each component. This keeps that of the majority.
 inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
 {
-  boost::disjoint_sets_with_storage<> components(soup.points.size());
+  CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets components(soup.points.size());
   for(const Polygon& polygon : soup.polygons) {
     for(const std::size_t v : polygon) {
       components.union_set(polygon[0], v);

@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -94,7 +93,7 @@ template <typename IsCrossed>
 std::vector<int> connected_triangles(const Chart& patch, const IsCrossed& is_crossed)
 {
   const int n = patch.number_of_triangles();
-  boost::disjoint_sets_with_storage<> sets(static_cast<std::size_t>(n));
+  Disjoint_sets sets(static_cast<std::size_t>(n));
   for(int c = 0; c < patch.number_of_corners(); ++c)
     if(patch.opposite[c] > c && is_crossed(c))
       sets.union_set(c / 3, patch.opposite[c] / 3);

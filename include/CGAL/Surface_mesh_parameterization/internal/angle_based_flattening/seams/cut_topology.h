@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -102,8 +101,6 @@ public:
   }
 
 private:
-  typedef boost::disjoint_sets_with_storage<> Sets;
-
   // An edge between two regions, and the length of the path that it closes
   struct Bridge
   {
@@ -169,7 +166,7 @@ private:
                                  }),
                   between.end());
     std::sort(between.begin(), between.end());
-    Sets sets(borders);
+    Disjoint_sets sets(borders);
     std::vector<int> seams;
     for(const Bridge& bridge : between) {
       const int r = region[m_surface.source_node(bridge.edge)],
@@ -213,7 +210,7 @@ private:
       if(m_surface.is_node(x) && paths.last_edge(x) >= 0)
         is_in_tree[paths.last_edge(x)] = is_in_tree[chart().opposite[paths.last_edge(x)]] = true;
 
-    Sets sets(chart().number_of_triangles());
+    Disjoint_sets sets(chart().number_of_triangles());
     const auto join = [&](int c) {
       const auto s = sets.find_set(c / 3), t = sets.find_set(chart().opposite[c] / 3);
       if(s == t)
@@ -239,7 +236,7 @@ private:
   // A node from which seams may lead to as many others as possible
   int root() const
   {
-    Sets sets(m_surface.number_of_nodes());
+    Disjoint_sets sets(m_surface.number_of_nodes());
     for(int c = 0; c < chart().number_of_corners(); ++c)
       if(!m_surface.is_open(c) && m_cost[c] < forbidden)
         sets.union_set(m_surface.source_node(c), m_surface.target_node(c));

@@ -8,14 +8,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +106,7 @@ public:
   template <typename IsCut>
   std::size_t count_parts(const IsCut& is_cut) const
   {
-    boost::disjoint_sets_with_storage<> sets(m_faces.size());
+    Disjoint_sets sets(m_faces.size());
     std::size_t count = m_faces.size();
     for(std::size_t t = 0; t < m_faces.size(); ++t)
       for(const halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[t], m_mesh), m_mesh))

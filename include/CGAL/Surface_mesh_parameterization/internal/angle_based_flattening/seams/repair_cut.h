@@ -8,10 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sector_graph.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -54,7 +53,7 @@ private:
   // Without the longest seams between two parts, there is one.
   void join_parts()
   {
-    boost::disjoint_sets_with_storage<> sets(chart().number_of_triangles());
+    Disjoint_sets sets(chart().number_of_triangles());
     for(int c = 0; c < chart().number_of_corners(); ++c)
       if(!m_surface.is_open(c))
         sets.union_set(c / 3, chart().opposite[c] / 3);
