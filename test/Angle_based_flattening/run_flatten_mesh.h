@@ -420,6 +420,40 @@ inline Block two_rings()
   return block.make();
 }
 
+// Surfaces in one OFF text
+struct Collection
+{
+  int vertices = 0;
+  std::string points;
+  std::vector<std::vector<int>> faces;
+
+  void add(const int n, const std::string& more_points, const std::vector<std::vector<int>>& more_faces)
+  {
+    for(std::vector<int> face : more_faces) {
+      for(int& v : face) {
+        v += vertices;
+      }
+      faces.push_back(face);
+    }
+    vertices += n;
+    points += more_points;
+  }
+
+  void add(const Block& block)
+  {
+    const Lines lines = lines_of(block.text());
+    std::string more;
+    for(std::size_t v = 0; v < block.places.size(); ++v) {
+      more += lines[2 + v] + "\n";
+    }
+    add(static_cast<int>(block.places.size()), more, block.faces);
+  }
+
+  void add(const Sheet& sheet) { add(sheet.vertices(), sheet.points(), sheet.faces()); }
+
+  std::string text() const { return off(vertices, points, faces); }
+};
+
 // A line of a selection file: a path of vertices, from 0.
 inline std::string path_line(const std::vector<int>& path)
 {

@@ -43,6 +43,7 @@ struct Command_line
   std::string output;
   std::string svg;
   std::string picture;
+  std::string report;
   std::string json;
   std::string seams;
   bool is_plain = false;

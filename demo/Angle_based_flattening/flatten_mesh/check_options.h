@@ -70,6 +70,13 @@ inline void check_files(Command_line& command)
         "it again, or use --svg");
   }
 #endif
+#ifndef ABF_WITH_THREE
+  if(!command.report.empty()) {
+    throw Usage_error(
+        "this program was built without three.js, which --report needs: install libjs-three and build "
+        "it again, or use --picture");
+  }
+#endif
 }
 
 inline void check_numbers(const Command_line& command)
@@ -212,7 +219,7 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
   if(std::count(command.inputs.begin(), command.inputs.end(), "") != 0) {
     empty.push_back("input");
   }
-  for(const char* option : {"output", "svg", "picture", "seams", "json"}) {
+  for(const char* option : {"output", "svg", "picture", "report", "seams", "json"}) {
     if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
       empty.push_back(option);
     }

@@ -29,12 +29,13 @@ struct Output_option
   std::vector<std::string> formats; // the extensions
 };
 
-inline const std::array<Output_option, 5>& output_options()
+inline const std::array<Output_option, 6>& output_options()
 {
-  static const std::array<Output_option, 5> options = {
+  static const std::array<Output_option, 6> options = {
       {{"output", &Command_line::output, {"obj", "ply", "glb"}},
        {"svg", &Command_line::svg, {"svg"}},
        {"picture", &Command_line::picture, {"png"}},
+       {"report", &Command_line::report, {"html"}},
        {"seams", &Command_line::seams, {"txt"}},
        {"json", &Command_line::json, {"json"}}}};
   return options;

@@ -50,6 +50,12 @@ inline po::options_description file_options(Command_line& command)
       "remain squares where shapes are preserved, and are equally large where sizes are. --plain: from one "
       "side (where built "
       "with libpng)");
+  add("report", po::value(&command.report)->value_name("FILE.html"),
+      "write a page for browsers, which needs no network: the surface, to be turned, beside the plane; both "
+      "with a "
+      "checkerboard, or coloured by chart or by distortion; the measures, and the worst faces. Surfaces of "
+      "more than 250,000 "
+      "triangles are thinned for display (where built with three.js)");
   add("seams", po::value(&command.seams)->value_name("FILE.selection.txt"),
       "write the edges along which the surface was cut open, for --seams-from, --cut, CGAL::Seam_mesh and "
       "CGAL's demo: "
@@ -57,7 +63,7 @@ inline po::options_description file_options(Command_line& command)
   add("json", po::value(&command.json)->value_name("FILE.json"),
       "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
       "Also written when something is wrong, with 'status', 'message' and 'input' at least. A '-' in place "
-      "of any of these five files is standard output; the text for people is then on standard error. With "
+      "of any of these six files is standard output; the text for people is then on standard error. With "
       "several inputs, "
       "each of these names has a '%', in whose place comes the input's name without folder and extension");
   return options;

@@ -23,7 +23,7 @@ inline std::string help_text()
           "usage: flatten_mesh FILE... [options]\n"
        << internal::all_options(defaults)
        << "\nExamples:\n"
-          "  flatten_mesh cow.off --output cow.obj --picture cow.png\n"
+          "  flatten_mesh cow.off --output cow.obj --report cow.html\n"
           "  flatten_mesh scan.ply --separate --resolution 4096 --gutter 4 --output scan.obj --svg scan.svg\n"
           "  flatten_mesh model.obj --seams-from uv --output model_atlas.obj --json model.json\n"
           "  flatten_mesh parts/*.stl --output 'atlas/%.obj' --json 'atlas/%.json' --quiet\n"
@@ -34,10 +34,11 @@ inline std::string help_text()
           "\nMessages count vertices, faces and lines from 1, as OBJ files do.\n"
           "\nExit status: 0 when each face has a chart, no triangle is flipped, and all is written that was\n"
           "asked for. 1 when the computation failed. 2 when the command line or the input is wrong, or an\n"
-          "output cannot be written; in these two cases neither models nor SVG nor PNG are written. Also 2\n"
-          "when parts of the surface cannot be flattened: the others are, and written. 3 with --plain, when\n"
-          "there is a layout, written where asked for, but of a surface without area, so that it means\n"
-          "nothing. Of several inputs, all are tried; the status is that of the first that is not 0.\n";
+          "output cannot be written; in these two cases neither models nor pictures nor pages are\n"
+          "written. Also 2 when parts of the surface cannot be flattened: the others are, and written.\n"
+          "3 with --plain, when there is a layout, written where asked for, but of a surface without area,\n"
+          "so that it means nothing. Of several inputs, all are tried; the status is that of the first that\n"
+          "is not 0.\n";
   return text.str();
 }
 

@@ -46,6 +46,22 @@ std::string json_number(const Number number)
   return text;
 }
 
+inline std::string json_bool(const bool value)
+{
+  return value ? "true" : "false";
+}
+
+// `text_of(i)` is the JSON of the value number i.
+template <class Values, class Text>
+std::string json_array(const Values& values, const Text& text_of)
+{
+  std::string text;
+  for(std::size_t i = 0; i < values.size(); ++i) {
+    text += (text.empty() ? "" : ", ") + text_of(i);
+  }
+  return "[" + text + "]";
+}
+
 inline std::string json_texts(const std::vector<std::string>& values)
 {
   std::string text;

@@ -8,26 +8,17 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
+#include "flatten_mesh/atlas/Skipped_part.h"
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace flatten_mesh {
-
-// Faces of the input that have no chart, and why
-struct Skipped_part
-{
-  std::size_t first_face = 0; // in the file, from 0
-  std::size_t faces = 0;      // of the file
-  std::string diagnosis;      // in one word
-  std::string message;
-};
 
 // The data of the reports on an atlas, for people and for programs
 struct Atlas_record
@@ -54,14 +45,6 @@ inline std::string status_name(const Atlas_record& record)
     return to_string(record.report.diagnosis);
   }
   return record.skipped.empty() ? "OK" : to_string(SMP::Atlas_report::SOMETHING_SKIPPED);
-}
-
-// Whether a computation failed for this part, rather than that it cannot be flattened
-inline bool is_failure_of_computation(const Skipped_part& part)
-{
-  static const std::array<const char*, 5> names = {"LINEAR_SYSTEM_FAILED", "NO_CONVERGENCE",
-                                                   "FLIPPED_TRIANGLES", "OVERLAPPING", "PRECISION_EXCEEDED"};
-  return std::find(names.begin(), names.end(), part.diagnosis) != names.end();
 }
 
 inline Exit_status exit_status(const Atlas_record& record)

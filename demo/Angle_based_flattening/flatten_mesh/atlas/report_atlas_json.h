@@ -18,21 +18,6 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline std::string json_bool(const bool value)
-{
-  return value ? "true" : "false";
-}
-
-template <class Values, class Text>
-std::string json_array(const Values& values, const Text& text_of)
-{
-  std::string text;
-  for(std::size_t i = 0; i < values.size(); ++i) {
-    text += (text.empty() ? "" : ", ") + text_of(i);
-  }
-  return "[" + text + "]";
-}
-
 inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const double share)
 {
   Json_object json;

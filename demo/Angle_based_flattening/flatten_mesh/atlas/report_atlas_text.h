@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/report_measures.h"
+#include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ inline std::string methods_text(const SMP::Atlas_report& report)
   return text;
 }
 
-inline std::string charts_text(const Atlas_record& record)
+inline Report_rows chart_rows(const Atlas_record& record)
 {
   const SMP::Atlas_report& report = record.report;
   double worst = 1;
@@ -48,24 +49,24 @@ inline std::string charts_text(const Atlas_record& record)
   for(const Skipped_part& part : record.skipped) {
     skipped += part.faces;
   }
-  std::string text = report_line("charts", std::to_string(report.charts.size()), methods_text(report));
+  Report_rows rows = {{"charts", std::to_string(report.charts.size()), methods_text(report)}};
   if(skipped > 0) {
-    text += report_line("skipped", count_text(skipped, "face"),
-                        "without chart, in " + count_text(record.skipped.size(), "part"));
+    rows.push_back({"skipped", count_text(skipped, "face"),
+                    "without chart, in " + count_text(record.skipped.size(), "part")});
   }
-  text += report_line("seams", format_number("%.4g", report.relative_seam_length),
-                      "length in units of the square root of the area; " +
-                          count_text(report.number_of_terminals, "terminal"));
-  text += report_line("scale stretch", format_number("%.4g", worst),
-                      "of the worst chart, by changes of area; bound " +
-                          format_number("%.4g", record.stretch_bound) + "; best 1");
+  rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
+                  "length in units of the square root of the area; " +
+                      count_text(report.number_of_terminals, "terminal")});
+  rows.push_back({"scale stretch", format_number("%.4g", worst),
+                  "of the worst chart, by changes of area; bound " +
+                      format_number("%.4g", record.stretch_bound) + "; best 1"});
   if(record.options.is_packed) {
-    text += report_line("covered", format_number("%.1f %%", 100 * report.covered_share),
-                        "of the square; " + std::to_string(record.options.resolution) + " x " +
-                            std::to_string(record.options.resolution) + " texels, gutter " +
-                            std::to_string(record.options.gutter));
+    rows.push_back({"covered", format_number("%.1f %%", 100 * report.covered_share),
+                    "of the square; " + std::to_string(record.options.resolution) + " x " +
+                        std::to_string(record.options.resolution) + " texels, gutter " +
+                        std::to_string(record.options.gutter)});
   }
-  return text;
+  return rows;
 }
 
 // The charts of the largest areas, if there are several
@@ -93,40 +94,43 @@ inline std::string largest_charts_text(const Atlas_record& record)
   return text;
 }
 
-inline std::string time_text(const Atlas_record& record)
-{
-  std::string text = "seconds\n";
-  for(const auto& [stage, seconds] : seconds_of_stages(record)) {
-    text += report_line("  " + stage, format_number("%9.3f", seconds));
-  }
-  return text;
-}
-
 } // namespace internal
 
-// The report for people
-inline std::string report_text(const Atlas_record& record)
+// The report for people, as far as it is on the surface and its atlas
+inline Report_rows surface_rows(const Atlas_record& record)
 {
-  using internal::report_line;
-  std::string text = report_line("input", record.input,
-                                 record.components > 1 ? count_text(record.components, "component") : "");
-  text += report_line("vertices", std::to_string(record.vertices));
-  text += report_line("triangles", std::to_string(record.triangles));
-  text += internal::charts_text(record);
-  text += internal::quality_text(record.report.measures);
-  text += internal::largest_charts_text(record);
-  text += internal::time_text(record);
+  Report_rows rows = {
+      {"input", record.input, record.components > 1 ? count_text(record.components, "component") : ""},
+      {"vertices", std::to_string(record.vertices)},
+      {"triangles", std::to_string(record.triangles)}};
+  append(rows, internal::chart_rows(record));
+  append(rows, internal::quality_rows(record.report.measures));
+  return rows;
+}
+
+// The rest of it, on the run of the program
+inline Report_rows run_rows(const Atlas_record& record)
+{
+  Report_rows rows = {{"seconds"}};
+  for(const auto& [stage, seconds] : seconds_of_stages(record)) {
+    rows.push_back({"  " + stage, format_number("%9.3f", seconds)});
+  }
   if(record.peak_memory_mb > 0) {
-    text += report_line("peak memory", format_number("%.0f MB", record.peak_memory_mb));
+    rows.push_back({"peak memory", format_number("%.0f MB", record.peak_memory_mb)});
   }
   for(const std::string& name : record.written) {
-    text += report_line("written", name);
+    rows.push_back({"written", name});
   }
   if(record.written.empty()) {
-    text +=
-        report_line("written", "nothing", "--output FILE.obj keeps the atlas, --picture FILE.png draws it");
+    rows.push_back({"written", "nothing", "--output FILE.obj keeps the atlas, --picture FILE.png draws it"});
   }
-  return text;
+  return rows;
+}
+
+inline std::string report_text(const Atlas_record& record)
+{
+  return rows_text(surface_rows(record)) + internal::largest_charts_text(record) +
+         rows_text(run_rows(record));
 }
 
 } // namespace flatten_mesh

@@ -26,6 +26,11 @@
 #include "flatten_mesh/pictures/draw_atlas.h"
 #endif
 
+#ifdef ABF_WITH_THREE
+#include "flatten_mesh/report/contents_of_atlas.h"
+#include "flatten_mesh/report/report_page.h"
+#endif
+
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
@@ -148,17 +153,26 @@ void write_surface(Output_file& file, const std::string& name, const Atlas_input
   write_model(file, name, input.model, model_texture(input.model, input.mesh, input.origins, uv, chart));
 }
 
-void draw(const Command_line& command, const Mesh& mesh, const Atlas& atlas, const std::size_t charts,
-          Output_files& files)
+void draw(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+          const Atlas_record& record, Output_files& files)
 {
-  const Textured_surface surface = textured_atlas(mesh, atlas);
-  const CGAL::Bbox_2 box = command.atlas.is_in_world_units() ? box_of(mesh, atlas) : CGAL::Bbox_2(0, 0, 1, 1);
+  Textured_surface surface = textured_atlas(input.mesh, atlas);
+  const CGAL::Bbox_2 box =
+      command.atlas.is_in_world_units() ? box_of(input.mesh, atlas) : CGAL::Bbox_2(0, 0, 1, 1);
   if(!command.svg.empty()) {
-    write_atlas_svg(files.open(command.svg), surface, box, "Texture atlas, " + count_text(charts, "chart"));
+    write_atlas_svg(files.open(command.svg), surface, box,
+                    "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty()) {
     files.open(command.picture).write(atlas_picture(surface, box));
+  }
+#endif
+#ifdef ABF_WITH_THREE
+  if(!command.report.empty()) {
+    files.open(command.report)
+        .write(
+            report_page(contents_of_atlas(input, record, std::move(surface), box), command.options.threads));
   }
 #endif
 }
@@ -173,8 +187,8 @@ void write_files(const Command_line& command, const Atlas_input& input, const At
     if(!command.output.empty()) {
       write_surface(files.open(command.output), command.output, input, atlas);
     }
-    if(!command.svg.empty() || !command.picture.empty()) {
-      draw(command, input.mesh, atlas, record.report.charts.size(), files);
+    if(!command.svg.empty() || !command.picture.empty() || !command.report.empty()) {
+      draw(command, input, atlas, record, files);
     }
     if(!command.seams.empty()) {
       files.open(command.seams).write(seams_text(input.mesh, atlas));

@@ -34,6 +34,11 @@
 #include "flatten_mesh/pictures/draw_surface.h"
 #endif
 
+#ifdef ABF_WITH_THREE
+#include "flatten_mesh/report/contents_of_chart.h"
+#include "flatten_mesh/report/report_page.h"
+#endif
+
 #include <CGAL/Real_timer.h>
 
 #include <iostream>
@@ -112,6 +117,14 @@ Output_files write_files(const Command_line& command, Surface& surface, Run_reco
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty() && record.flattening.succeeded()) {
     open(command.picture).write(checkerboard_picture(surface.mesh(), surface.chart, record.flattening.uv));
+  }
+#endif
+#ifdef ABF_WITH_THREE
+  if(!command.report.empty() && record.flattening.succeeded()) {
+    open(command.report)
+        .write(report_page(contents_of_chart(surface.model, surface.input, surface.origins, surface.mesh(),
+                                             surface.chart, record),
+                           command.options.threads));
   }
 #endif
   if(!command.seams.empty() && record.flattening.succeeded()) {

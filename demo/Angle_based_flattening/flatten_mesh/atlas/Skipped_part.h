@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_SKIPPED_PART_H
+#define FLATTEN_MESH_SKIPPED_PART_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace flatten_mesh {
+
+// Faces of the input that have no chart, and why
+struct Skipped_part
+{
+  std::size_t first_face = 0; // in the file, from 0
+  std::size_t faces = 0;      // of the file
+  std::string diagnosis;      // in one word
+  std::string message;
+};
+
+// Whether a computation failed for this part, rather than that it cannot be flattened
+inline bool is_failure_of_computation(const Skipped_part& part)
+{
+  static const std::array<const char*, 5> names = {"LINEAR_SYSTEM_FAILED", "NO_CONVERGENCE",
+                                                   "FLIPPED_TRIANGLES", "OVERLAPPING", "PRECISION_EXCEEDED"};
+  return std::find(names.begin(), names.end(), part.diagnosis) != names.end();
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_SKIPPED_PART_H

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_REPORT_CONTENTS_H
+#define FLATTEN_MESH_REPORT_CONTENTS_H
+
+#include "flatten_mesh/atlas/Skipped_part.h"
+#include "flatten_mesh/pictures/Textured_surface.h"
+#include "flatten_mesh/report_rows.h"
+
+#include <CGAL/Bbox_2.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+// What the page of a report shows
+struct Report_contents
+{
+  struct Chart_row
+  {
+    std::size_t triangles;
+    double share_of_area; // on the surface
+    std::string method;
+    double l2_stretch, scale_stretch;
+  };
+
+  std::string title;
+  bool is_atlas = true; // otherwise one chart, of `--plain`
+  Report_rows rows;
+  std::vector<std::string> notes;
+  bool is_packed = false;
+  int resolution = 0; // if it is packed
+  CGAL::Bbox_2 box;   // of the plane
+  std::vector<Chart_row> charts;
+  std::vector<Skipped_part> skipped;
+  Textured_surface surface;
+  std::vector<Textured_surface::Index> faces; // of each triangle: its face in the file, from 0
+};
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_REPORT_CONTENTS_H

@@ -1,0 +1,92 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Puts the page of reports together and writes it as C++: OUTPUT, with the arrays of page_parts.h. PAGE is the template,
+# in which lines of comments are replaced; STYLE a file, LICENSE the notice of the first scripts, and SCRIPTS files in their order,
+# with '|' between them.
+cmake_minimum_required(VERSION 3.18)
+
+# Literals must not be longer. A character of several bytes is not divided.
+set(longest_piece 15000)
+set(delimiter page)
+
+function(read_page_file file out)
+  file(READ ${file} text)
+  if(text MATCHES "\\)${delimiter}\"")
+    message(FATAL_ERROR "${file} contains ')${delimiter}\"', which ends literals: choose another delimiter")
+  endif()
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+function(check_script file text)
+  if(text MATCHES "</[sS][cC][rR][iI][pP][tT]|<!--")
+    message(FATAL_ERROR "${file} contains '</script' or '<!--', which end scripts in HTML")
+  endif()
+endfunction()
+
+function(replace_line name replacement)
+  string(FIND "${page}" "<!-- ${name} -->\n" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${PAGE} lacks the line '<!-- ${name} -->'")
+  endif()
+  string(REPLACE "<!-- ${name} -->\n" "${replacement}" page "${page}")
+  set(page "${page}" PARENT_SCOPE)
+endfunction()
+
+function(split_at name before after)
+  set(line "<!-- ${name} -->\n")
+  string(LENGTH "${line}" length)
+  string(FIND "${page}" "${line}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${PAGE} lacks the line '<!-- ${name} -->'")
+  endif()
+  string(SUBSTRING "${page}" 0 ${place} first)
+  math(EXPR place "${place} + ${length}")
+  string(SUBSTRING "${page}" ${place} -1 second)
+  set(${before} "${first}" PARENT_SCOPE)
+  set(${after} "${second}" PARENT_SCOPE)
+endfunction()
+
+function(write_array name text)
+  file(APPEND ${OUTPUT} "const char* const ${name}[] = {\n")
+  string(LENGTH "${text}" length)
+  set(begin 0)
+  while(begin LESS length)
+    math(EXPR end "${begin} + ${longest_piece}")
+    while(end LESS length)
+      string(SUBSTRING "${text}" ${end} 1 letter)
+      if(letter MATCHES "^[\t\n -~]$")
+        break()
+      endif()
+      math(EXPR end "${end} - 1")
+    endwhile()
+    math(EXPR size "${end} - ${begin}")
+    string(SUBSTRING "${text}" ${begin} ${size} piece)
+    file(APPEND ${OUTPUT} "R\"${delimiter}(${piece})${delimiter}\",\n")
+    set(begin ${end})
+  endwhile()
+  file(APPEND ${OUTPUT} "nullptr};\n")
+endfunction()
+
+read_page_file(${PAGE} page)
+read_page_file(${STYLE} style)
+read_page_file(${LICENSE} license)
+string(REPLACE "|" ";" SCRIPTS "${SCRIPTS}")
+set(scripts "<script>\n/*\n${license}*/\n</script>\n")
+foreach(file IN LISTS SCRIPTS)
+  read_page_file(${file} script)
+  check_script(${file} "${script}")
+  string(APPEND scripts "<script>\n${script}\n</script>\n")
+endforeach()
+replace_line(style "<style>\n${style}</style>\n")
+replace_line(scripts "${scripts}")
+split_at(title before_title page)
+split_at(data before_data after_data)
+
+file(WRITE ${OUTPUT} "// Made by embed_page.cmake.\n#include \"flatten_mesh/report/page_parts.h\"\n\nnamespace flatten_mesh {\n\n")
+write_array(page_before_title "${before_title}")
+write_array(page_before_data "${before_data}")
+write_array(page_after_data "${after_data}")
+file(APPEND ${OUTPUT} "\n} // namespace flatten_mesh\n")
