@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_BAKED_TEXTURES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_BAKED_TEXTURES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Baking_report.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+/// \file Baked_textures.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The directions to which normals in tangent space refer at a corner of a face, as in glTF: the attributes `NORMAL` and `TANGENT`.
+/// A normal map is shown as it was baked if the model has these.
+struct Tangent_frame
+{
+  std::array<double, 3> normal;  ///< The normal of the vertex, of length 1.
+  std::array<double, 3> tangent; ///< The direction of growing u, orthogonal to the normal, of length 1.
+
+  /// 1, or -1 where the chart is mirrored. Times this, the cross product of normal and tangent is the bitangent, the direction of growing v.
+  double sign = 1;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is that at \f$v = 1\f$, the
+/// last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$ of a texture of \f$n^2\f$ texels have their centre at
+/// \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
+struct Baked_textures
+{
+  /// Where the values of a texel come from.
+  enum Texel : std::uint8_t
+  {
+    EMPTY, ///< The texel is in no chart and no gutter. Its normal is (0, 0, 1), its displacement 0, and its colour black.
+    GUTTER,     ///< The values are those of the nearest texel of a chart.
+    FRONT_FACE, ///< The ray met a face of the fine surface that looks along the ray.
+    BACK_FACE, ///< The ray met only faces that look against it. The normal of the nearest one was turned around.
+    CLOSEST_POINT ///< The ray met nothing. The values are those at the closest point.
+  };
+
+  int resolution = 0; ///< The number of texels along each side.
+
+  std::vector<std::uint8_t> texels; ///< For each texel, its `Texel`.
+  std::vector<float> normals;       ///< For each texel, x, y and z of a vector of length 1.
+
+  /// For each texel, the distance from the simple surface to the fine one along the simple surface's interpolated normal, in units of the surface. It is
+  /// negative where the fine surface is inside.
+  std::vector<float> displacements;
+
+  std::vector<float>
+      colors; ///< For each texel, red, green and blue from 0 to 1; empty if the fine mesh has no colours.
+
+  float least_displacement = 0;    ///< The least of the displacements of charts.
+  float greatest_displacement = 0; ///< The greatest of the displacements of charts.
+
+  Baking_report report; ///< What is wrong, if anything, and how the texels were found.
+
+  /// returns whether the textures are baked.
+  explicit operator bool() const { return bool(report); }
+
+  /// returns the normals as pixels: 0 for -1, and the largest number of the type for 1.
+  ///
+  /// \tparam Channel `std::uint8_t` or `std::uint16_t`
+  template <typename Channel>
+  std::vector<Channel> normal_pixels() const
+  {
+    return pixels<Channel>(normals, -1, 1);
+  }
+
+  /// returns the displacements as pixels: 0 for the least displacement, and the largest number of the type for the greatest one.
+  ///
+  /// \tparam Channel `std::uint8_t` or `std::uint16_t`
+  template <typename Channel>
+  std::vector<Channel> displacement_pixels() const
+  {
+    return pixels<Channel>(displacements, least_displacement, greatest_displacement);
+  }
+
+  /// returns the colours as pixels: 0 for 0, and the largest number of the type for 1.
+  ///
+  /// \tparam Channel `std::uint8_t` or `std::uint16_t`
+  template <typename Channel>
+  std::vector<Channel> color_pixels() const
+  {
+    return pixels<Channel>(colors, 0, 1);
+  }
+
+private:
+  template <typename Channel>
+  static std::vector<Channel> pixels(const std::vector<float>& values, double least, double greatest)
+  {
+    const double scale = greatest > least ? (std::numeric_limits<Channel>::max)() / (greatest - least) : 0;
+    std::vector<Channel> result(values.size());
+    for(std::size_t i = 0; i < values.size(); ++i) {
+      const double value = (std::min)((std::max)(static_cast<double>(values[i]), least), greatest);
+      result[i] = static_cast<Channel>(std::lround(scale * (value - least)));
+    }
+    return result;
+  }
+};
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_BAKED_TEXTURES_H

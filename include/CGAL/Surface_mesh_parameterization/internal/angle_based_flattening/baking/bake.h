@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/shaded_surfaces.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What baking computes
+struct Baking
+{
+  Baked_textures textures;
+  std::vector<Tangent_frame> frames; // of each corner of the simple surface
+};
+
+// Bakes the fine surface into textures of the simple one. Coordinates of both are finite, and at most about 1 in the simple one. The fine surface has a triangle with area.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Baking bake(Charted_surface simple, Painted_surface fine,
+                                               const Baking_options& options);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake_impl.h>
+#endif
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_H

@@ -1,0 +1,8 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Baking: a file of its own, for CGAL's tree takes a while to compile.
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake_impl.h>
