@@ -29,6 +29,8 @@ struct Atlas_options
   int resolution = 1024;
   int gutter = 2;
   int rotations = 32;
+  std::string bake_from;        // a file, or empty
+  int simplified_triangles = 0; // 0: the surface stays as it is
 
   bool is_in_world_units() const { return units == "world"; }
 };

@@ -9,6 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/file_names.h"
 
@@ -53,6 +54,9 @@ inline void check_writable(const Command_line& command)
 {
   for(const internal::Output_option& option : internal::output_options()) {
     Output_file::check(command.*option.file);
+  }
+  for(const std::string& file : baked_files(command)) {
+    Output_file::check(file);
   }
 }
 

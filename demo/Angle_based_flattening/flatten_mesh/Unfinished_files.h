@@ -46,7 +46,7 @@ public:
   static void remove(const char* name) { replace(name, nullptr); }
 
 private:
-  using Names = std::array<std::atomic<const char*>, 8>; // more than the number of outputs
+  using Names = std::array<std::atomic<const char*>, 16>; // more than the number of outputs
 
   static Names& names()
   {

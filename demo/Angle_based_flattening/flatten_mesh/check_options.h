@@ -149,6 +149,31 @@ inline void check_kind(const Values& values, const Command_line& command)
   }
 }
 
+inline void check_baking(const Values& values, const Command_line& command)
+{
+  const Atlas_options& atlas = command.atlas;
+  if(is_given(values, "simplify") && atlas.simplified_triangles < 4) {
+    throw Usage_error("--simplify takes a number of at least 4; see --help");
+  }
+  if(is_given(values, "simplify") && (!atlas.seams_from.empty() || atlas.charts_from_materials)) {
+    throw Usage_error(
+        "--simplify excludes --seams-from and --charts-from-materials: the simplified surface has neither "
+        "the edges nor the materials of the file");
+  }
+  if(!is_given(values, "bake-from")) {
+    return;
+  }
+#ifndef ABF_WITH_PNG
+  throw Usage_error(
+      "this program was built without libpng, which --bake-from needs: install libpng-dev and build "
+      "it again");
+#endif
+  if(!atlas.is_packed || atlas.is_in_world_units()) {
+    throw Usage_error(std::string("--bake-from goes without ") +
+                      (atlas.is_packed ? "--units world" : "--no-pack") + ": textures cover the unit square");
+  }
+}
+
 inline void check_atlas(const Values& values, Command_line& command)
 {
   Atlas_options& atlas = command.atlas;
@@ -157,6 +182,7 @@ inline void check_atlas(const Values& values, Command_line& command)
     throw Usage_error("--seams-from takes the name of a .selection.txt file, or 'uv' for the texture "
                       "coordinates in the input");
   }
+  check_baking(values, command);
   if(atlas.is_packed) {
     return;
   }
@@ -219,7 +245,7 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
   if(std::count(command.inputs.begin(), command.inputs.end(), "") != 0) {
     empty.push_back("input");
   }
-  for(const char* option : {"output", "svg", "picture", "report", "seams", "json"}) {
+  for(const char* option : {"output", "svg", "picture", "report", "seams", "json", "bake-from"}) {
     if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
       empty.push_back(option);
     }

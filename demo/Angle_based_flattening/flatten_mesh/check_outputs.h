@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_CHECK_OUTPUTS_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/texts.h"
 
@@ -101,6 +102,37 @@ inline void check_output(const Command_line& command, const Output_option& optio
   }
 }
 
+// The files that are written beside the model, and the file that is baked
+inline void check_baking_files(const Command_line& command)
+{
+  if(command.atlas.bake_from.empty()) {
+    return;
+  }
+  if(command.output.empty() || command.output == standard_output || is_other_file(resolved(command.output)) ||
+     file_format(command.output) == "ply") {
+    throw Output_error("--bake-from needs --output NAME.obj or NAME.glb, which have a place for pictures");
+  }
+  std::vector<std::string> written = baked_files(command);
+  for(const std::string& file : written) {
+    if(is_same_file(file, command.input)) {
+      throw Output_error("'" + file + "' would overwrite the input: choose another name");
+    }
+    for(const Output_option& option : output_options()) {
+      if(!(command.*option.file).empty()) {
+        check_different(option, {"bake-from", nullptr, {}}, command.*option.file, file);
+      }
+    }
+  }
+  for(const Output_option& option : output_options()) {
+    written.push_back(command.*option.file);
+  }
+  for(const std::string& file : written) {
+    if(!file.empty() && file != standard_output && is_same_file(file, command.atlas.bake_from)) {
+      throw Output_error("'" + file + "' would overwrite the surface that is baked: choose another name");
+    }
+  }
+}
+
 } // namespace internal
 
 // Throws unless the names of the outputs fit their formats and lead to different files.
@@ -109,6 +141,7 @@ inline void check_outputs(const Command_line& command)
   for(const internal::Output_option& option : internal::output_options()) {
     internal::check_output(command, option);
   }
+  internal::check_baking_files(command);
 }
 
 inline bool takes_standard_output(const Command_line& command)

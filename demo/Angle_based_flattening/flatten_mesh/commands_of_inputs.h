@@ -28,6 +28,7 @@ inline Command_line command_of_input(Command_line command, const std::string& in
   command.title = is_stream ? "standard input" : "'" + input + "'";
   const std::string stem = is_stream ? "stdin" : std::filesystem::path(input).stem().string();
   boost::replace_all(command.atlas.seams_from, placeholder, stem);
+  boost::replace_all(command.atlas.bake_from, placeholder, stem);
   for(const internal::Output_option& option : internal::output_options()) {
     boost::replace_all(command.*option.file, placeholder, stem);
   }

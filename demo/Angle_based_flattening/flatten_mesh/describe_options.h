@@ -133,6 +133,15 @@ inline po::options_description atlas_options(Command_line& command)
   add("resolution", count_option(atlas.resolution), "number of texels along each side of the square");
   add("gutter", count_option(atlas.gutter), "number of texels that stay free between charts");
   add("rotations", count_option(atlas.rotations), "number of directions in which each large chart is tried");
+  add("simplify", po::value(&atlas.simplified_triangles)->value_name("N"),
+      "first simplify the surface to N triangles, or as few as keep it valid; the output is then the "
+      "simplified surface");
+  add("bake-from", po::value(&atlas.bake_from)->value_name("FILE"),
+      "bake this fine surface, in any format that is read, into the texture of the input: its normals, its "
+      "distance, and its colours if it has some. "
+      "With --output NAME.obj, the pictures are NAME_normals.png, NAME_displacement.png and NAME_colors.png, "
+      "and NAME.mtl names them. "
+      "NAME.glb contains those of normals and colours (where built with libpng)");
   return options;
 }
 

@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_ATLAS_RECORD_H
 #define FLATTEN_MESH_ATLAS_RECORD_H
 
+#include "flatten_mesh/bake/Baking_record.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/atlas/Skipped_part.h"
@@ -33,8 +34,10 @@ struct Atlas_record
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart
   double read_seconds = 0;
+  double simplify_seconds = 0; // 0 if nothing was simplified
   double write_seconds = 0;
   double peak_memory_mb = 0; // 0 if unknown
+  Baking_record baking;
   std::vector<std::string> written;
   std::vector<std::string> notes;
 };
@@ -59,12 +62,19 @@ inline Exit_status exit_status(const Atlas_record& record)
 inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Atlas_record& record)
 {
   const SMP::Atlas_report::Seconds& seconds = record.report.seconds;
-  return {{"read", record.read_seconds + seconds.read},
-          {"charts", seconds.charts},
-          {"pack", seconds.pack},
-          {"certify", seconds.certify},
-          {"measure", seconds.measure},
-          {"write", seconds.write + record.write_seconds}};
+  std::vector<std::pair<std::string, double>> stages = {{"read", record.read_seconds + seconds.read}};
+  if(record.simplify_seconds > 0) {
+    stages.emplace_back("simplify", record.simplify_seconds);
+  }
+  stages.insert(stages.end(), {{"charts", seconds.charts},
+                               {"pack", seconds.pack},
+                               {"certify", seconds.certify},
+                               {"measure", seconds.measure}});
+  if(!record.baking.from.empty()) {
+    stages.emplace_back("bake", record.baking.seconds);
+  }
+  stages.emplace_back("write", seconds.write + record.write_seconds);
+  return stages;
 }
 
 } // namespace flatten_mesh

@@ -95,6 +95,7 @@ inline std::string report_json(const Atlas_record& record)
              return internal::skipped_json(record.skipped[i]);
            }));
   json.add("atlas", record.report.has_atlas() ? internal::atlas_json(record) : "null");
+  json.add("baking", record.baking.from.empty() ? "null" : baking_json(record.baking));
   for(const auto& [stage, time] : seconds_of_stages(record)) {
     seconds.add(stage, json_number(time));
   }

@@ -105,6 +105,9 @@ inline Report_rows surface_rows(const Atlas_record& record)
       {"triangles", std::to_string(record.triangles)}};
   append(rows, internal::chart_rows(record));
   append(rows, internal::quality_rows(record.report.measures));
+  if(!record.baking.from.empty()) {
+    append(rows, baking_rows(record.baking));
+  }
   return rows;
 }
 

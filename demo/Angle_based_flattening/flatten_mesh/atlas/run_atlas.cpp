@@ -20,9 +20,12 @@
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/atlas/write_atlas_svg.h"
+#include "flatten_mesh/bake/bake_textures.h"
+#include "flatten_mesh/bake/simplify_input.h"
 #include "flatten_mesh/model/write_model.h"
 
 #ifdef ABF_WITH_PNG
+#include "flatten_mesh/bake/write_baked_model.h"
 #include "flatten_mesh/pictures/draw_atlas.h"
 #endif
 
@@ -144,13 +147,29 @@ std::string seams_text(const Mesh& mesh, const Atlas& atlas)
   return text.str();
 }
 
-void write_surface(Output_file& file, const std::string& name, const Atlas_input& input, const Atlas& atlas)
+Model_texture texture_of(const Atlas_input& input, const Atlas& atlas)
 {
   const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
   const auto chart = [&atlas](const Face f) {
     return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
   };
-  write_model(file, name, input.model, model_texture(input.model, input.mesh, input.origins, uv, chart));
+  return model_texture(input.model, input.mesh, input.origins, uv, chart);
+}
+
+void write_surface(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+                   const Baked_surface& baked, Output_files& files)
+{
+#ifdef ABF_WITH_PNG
+  if(!command.atlas.bake_from.empty()) {
+    write_baked_model(command, input, baked, texture_of(input, atlas), files);
+    return;
+  }
+#else
+  (void)baked;
+#endif
+  if(!command.output.empty()) {
+    write_model(files.open(command.output), command.output, input.model, texture_of(input, atlas));
+  }
 }
 
 void draw(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
@@ -179,14 +198,12 @@ void draw(const Command_line& command, const Atlas_input& input, const Atlas& at
 
 // Writes the requested files under temporary names.
 void write_files(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
-                 Atlas_record& record, Output_files& files)
+                 const Baked_surface& baked, Atlas_record& record, Output_files& files)
 {
   CGAL::Real_timer timer;
   timer.start();
   if(record.report.has_atlas()) {
-    if(!command.output.empty()) {
-      write_surface(files.open(command.output), command.output, input, atlas);
-    }
+    write_surface(command, input, atlas, baked, files);
     if(!command.svg.empty() || !command.picture.empty() || !command.report.empty()) {
       draw(command, input, atlas, record, files);
     }
@@ -239,18 +256,30 @@ Exit_status run_atlas(const Command_line& command)
   Notes notes(command, [&progress] { progress.clear_line(); });
   progress.stage("reading");
   Atlas_input input = read_atlas_input(command, notes);
+  const double read_seconds = timer.time();
+  if(command.atlas.simplified_triangles > 0 && !input.mesh.is_empty()) {
+    progress.stage("simplifying");
+    simplify_input(static_cast<std::size_t>(command.atlas.simplified_triangles), input, notes);
+  }
   Atlas_record record = record_of(command, input);
-  record.read_seconds = timer.time();
+  record.read_seconds = read_seconds;
+  record.simplify_seconds = command.atlas.simplified_triangles > 0 ? timer.time() - read_seconds : 0;
 
   const Atlas atlas = empty_atlas(input.mesh);
   make_charts(command, input, atlas, record, progress);
   list_skipped_parts(input, atlas, record);
   measure_charts(record);
   look_at_stretch(record, notes);
+  Baked_surface baked;
+  if(record.report.has_atlas() && !command.atlas.bake_from.empty()) {
+    progress.stage("baking");
+    baked = bake_textures(command, input, atlas, notes);
+    record.baking = baked.record;
+  }
   record.notes = notes.texts();
   progress.stage("writing");
   Output_files files;
-  write_files(command, input, atlas, record, files);
+  write_files(command, input, atlas, baked, record, files);
   progress.end();
   tell_skipped_parts(command, record);
   if(record.report.has_atlas()) {

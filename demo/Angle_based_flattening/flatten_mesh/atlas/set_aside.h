@@ -12,8 +12,7 @@
 #include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/texts.h"
 
-#include <boost/pending/disjoint_sets.hpp>
-
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -179,7 +178,7 @@ private:
 
   const Polygon_soup& m_soup;
   bool m_is_repaired;
-  boost::disjoint_sets_with_storage<> m_sets;
+  CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets m_sets;
   std::map<std::size_t, std::pair<std::string, std::string>>
       m_defects; // of polygons: in one word, and in a sentence
 };

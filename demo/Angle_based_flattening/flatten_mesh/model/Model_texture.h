@@ -9,9 +9,11 @@
 #include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace flatten_mesh {
@@ -22,6 +24,8 @@ struct Model_texture
   std::vector<Kernel::Point_2> uv; // of each corner; NaN where there are none
   std::vector<Index> charts;   // of each polygon: the chart that it is in, or `no_index`; empty: one chart
   std::vector<bool> is_turned; // of each polygon: to be written with its corners in reverse order
+  std::vector<std::array<double, 4>> tangents; // of each corner, as in glTF, or empty
+  std::string normal_picture, color_picture;   // PNG files that fit the coordinates, or empty
   std::vector<Model_triangle> triangles; // into which the polygons are divided where a format asks for it
 
   bool has_uv(const Index corner) const { return std::isfinite(uv[corner].x()); }

@@ -18,23 +18,27 @@ namespace flatten_mesh {
 
 namespace {
 
-// Appends numbers to the only buffer of the model, and describes them.
-template <class Number>
-int add_accessor(tinygltf::Model& model, const std::vector<Number>& numbers, const std::size_t width,
-                 const int type, const int component, const int target)
+// Appends bytes to the only buffer of the model, and describes them.
+int add_view(tinygltf::Model& model, const void* bytes, const std::size_t size, const int target)
 {
   std::vector<unsigned char>& data = model.buffers[0].data;
   tinygltf::BufferView view;
   view.buffer = 0;
   view.byteOffset = data.size();
-  view.byteLength = sizeof(Number) * numbers.size();
+  view.byteLength = size;
   view.target = target;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(numbers.data());
-  data.insert(data.end(), bytes, bytes + view.byteLength);
+  const auto* first = static_cast<const unsigned char*>(bytes);
+  data.insert(data.end(), first, first + size);
   model.bufferViews.push_back(view);
+  return static_cast<int>(model.bufferViews.size()) - 1;
+}
 
+template <class Number>
+int add_accessor(tinygltf::Model& model, const std::vector<Number>& numbers, const std::size_t width,
+                 const int type, const int component, const int target)
+{
   tinygltf::Accessor accessor;
-  accessor.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
+  accessor.bufferView = add_view(model, numbers.data(), sizeof(Number) * numbers.size(), target);
   accessor.componentType = component;
   accessor.type = type;
   accessor.count = numbers.size() / width;
@@ -74,6 +78,9 @@ tinygltf::Primitive add_primitive(tinygltf::Model& model, const Glb_primitive& g
   if(!given.normals.empty()) {
     primitive.attributes["NORMAL"] = add_floats(model, given.normals, 3, TINYGLTF_TYPE_VEC3);
   }
+  if(!given.tangents.empty()) {
+    primitive.attributes["TANGENT"] = add_floats(model, given.tangents, 4, TINYGLTF_TYPE_VEC4);
+  }
   if(!given.texture.empty()) {
     primitive.attributes["TEXCOORD_0"] = add_floats(model, given.texture, 2, TINYGLTF_TYPE_VEC2);
   }
@@ -84,6 +91,34 @@ tinygltf::Primitive add_primitive(tinygltf::Model& model, const Glb_primitive& g
       add_accessor(model, given.indices, 1, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
                    TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   return primitive;
+}
+
+// Returns the number of the texture, or -1 without a picture.
+int add_texture(tinygltf::Model& model, const std::string& png)
+{
+  if(png.empty()) {
+    return -1;
+  }
+  tinygltf::Image image;
+  image.mimeType = "image/png";
+  image.bufferView = add_view(model, png.data(), png.size(), 0);
+  model.images.push_back(image);
+  tinygltf::Texture texture;
+  texture.source = static_cast<int>(model.images.size()) - 1;
+  model.textures.push_back(texture);
+  return static_cast<int>(model.textures.size()) - 1;
+}
+
+void add_textures(tinygltf::Model& model, const std::vector<Glb_material>& materials,
+                  const Glb_pictures& pictures)
+{
+  const int normals = add_texture(model, pictures.normals), colors = add_texture(model, pictures.colors);
+  for(std::size_t i = 0; i < materials.size(); ++i) {
+    if(materials[i].has_pictures) {
+      model.materials[i].normalTexture.index = normals;
+      model.materials[i].pbrMetallicRoughness.baseColorTexture.index = colors;
+    }
+  }
 }
 
 tinygltf::Material make_material(const Glb_material& given)
@@ -101,7 +136,8 @@ tinygltf::Material make_material(const Glb_material& given)
 
 } // namespace
 
-std::string glb_text(const std::vector<Glb_material>& materials, const std::vector<Glb_primitive>& primitives)
+std::string glb_text(const std::vector<Glb_material>& materials, const std::vector<Glb_primitive>& primitives,
+                     const Glb_pictures& pictures)
 {
   tinygltf::Model model;
   model.asset.version = "2.0";
@@ -109,7 +145,7 @@ std::string glb_text(const std::vector<Glb_material>& materials, const std::vect
   for(const Glb_material& material : materials) {
     model.materials.push_back(make_material(material));
   }
-  std::size_t bytes = 0;
+  std::size_t bytes = pictures.normals.size() + pictures.colors.size();
   for(const Glb_primitive& primitive : primitives) {
     bytes += primitive.bytes();
   }
@@ -119,6 +155,7 @@ std::string glb_text(const std::vector<Glb_material>& materials, const std::vect
   for(const Glb_primitive& primitive : primitives) {
     mesh.primitives.push_back(add_primitive(model, primitive));
   }
+  add_textures(model, materials, pictures); // behind the numbers, which have to be aligned
   model.meshes.push_back(mesh);
   tinygltf::Node node;
   node.mesh = 0;

@@ -18,6 +18,13 @@ struct Glb_material
 {
   std::string name;
   std::array<double, 4> color; // red, green, blue, opacity
+  bool has_pictures = false;
+};
+
+// PNG files, or empty
+struct Glb_pictures
+{
+  std::string normals, colors;
 };
 
 // Triangles of one material. The numbers of a vertex follow one another.
@@ -26,14 +33,15 @@ struct Glb_primitive
   std::size_t material = 0;
   std::vector<float> positions; // 3
   std::vector<float> normals;   // 3, or empty
+  std::vector<float> tangents;  // 4, or empty
   std::vector<float> texture;   // 2, or empty
   std::vector<float> colors;    // 4, or empty
   std::vector<std::uint32_t> indices;
 
   std::size_t bytes() const
   {
-    return sizeof(float) *
-           (positions.size() + normals.size() + texture.size() + colors.size() + indices.size());
+    return sizeof(float) * (positions.size() + normals.size() + tangents.size() + texture.size() +
+                            colors.size() + indices.size());
   }
 };
 
@@ -41,8 +49,8 @@ struct Glb_primitive
 constexpr std::size_t largest_glb = 4200000000;
 
 // A binary glTF file of one mesh, of at most `largest_glb` bytes of numbers.
-std::string glb_text(const std::vector<Glb_material>& materials,
-                     const std::vector<Glb_primitive>& primitives);
+std::string glb_text(const std::vector<Glb_material>& materials, const std::vector<Glb_primitive>& primitives,
+                     const Glb_pictures& pictures = {});
 
 } // namespace flatten_mesh
 

@@ -42,10 +42,13 @@ public:
   Glb_primitive&& result() { return std::move(m_primitive); }
 
 private:
+  bool has_tangents() const { return m_has_uv && m_has_normals && !m_texture.tangents.empty(); }
+
   bool is_same(const Index c, const Index d) const
   {
     return (!m_has_uv || m_texture.uv[c] == m_texture.uv[d]) &&
-           (!m_has_normals || m_model.normals[m_model.normal(c)] == m_model.normals[m_model.normal(d)]);
+           (!m_has_normals || m_model.normals[m_model.normal(c)] == m_model.normals[m_model.normal(d)]) &&
+           (!has_tangents() || m_texture.tangents[c] == m_texture.tangents[d]);
   }
 
   std::uint32_t vertex_of(const Index c)
@@ -83,6 +86,11 @@ private:
         add(m_primitive.normals, normal[axis] / std::sqrt(normal.squared_length()));
       }
     }
+    if(has_tangents()) {
+      for(const double part : m_texture.tangents[c]) {
+        add(m_primitive.tangents, part);
+      }
+    }
     if(!m_model.colors.empty()) {
       const Point_color& color = m_model.colors[v];
       for(const double part : std::isfinite(color[0]) ? color : Point_color{1, 1, 1, 1}) {
@@ -108,6 +116,19 @@ inline bool has_direction(const Model& model, const Index corner)
   return std::isfinite(length) && length > (std::numeric_limits<double>::min)();
 }
 
+// The number of a material with or without pictures. Those with pictures are asked for first.
+inline std::size_t pictured_material(std::vector<Glb_material>& materials, const std::size_t number,
+                                     const bool has_pictures)
+{
+  if(has_pictures || !materials[number].has_pictures) {
+    materials[number].has_pictures = has_pictures;
+    return number;
+  }
+  materials.push_back(materials[number]);
+  materials.back().has_pictures = false;
+  return materials.size() - 1;
+}
+
 } // namespace internal
 
 // The triangles of a model as a binary glTF file. Each material has at most four primitives: of polygons with and without
@@ -119,6 +140,12 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
   const std::vector<Point_color> colors = material_colors(model);
   for(std::size_t i = 0; i < colors.size(); ++i) {
     materials.push_back({model.material_names[i], colors[i]});
+  }
+  const bool has_pictures = !texture.normal_picture.empty() || !texture.color_picture.empty();
+  if(!texture.color_picture.empty()) { // which would be multiplied by them
+    for(Glb_material& material : materials) {
+      material.color = {1, 1, 1, material.color[3]};
+    }
   }
   const std::size_t without_name = materials.size();
   std::map<std::tuple<std::size_t, bool, bool>, internal::Glb_part> parts;
@@ -138,19 +165,20 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
     }
   }
   std::vector<Glb_primitive> primitives;
-  std::size_t bytes = 0;
+  std::size_t bytes = texture.normal_picture.size() + texture.color_picture.size();
   for(auto& [key, part] : parts) {
-    primitives.push_back(part.result());
-    primitives.back().material = std::get<0>(key);
-    bytes += primitives.back().bytes();
-    if(std::get<0>(key) == without_name && materials.size() == without_name) {
+    const auto& [material, has_no_uv, has_no_normals] = key;
+    if(material == without_name && materials.size() == without_name) {
       materials.push_back({"default", {1, 1, 1, 1}});
     }
+    primitives.push_back(part.result());
+    primitives.back().material = internal::pictured_material(materials, material, has_pictures && !has_no_uv);
+    bytes += primitives.back().bytes();
   }
   if(bytes > largest_glb) {
     throw Output_error("cannot write '" + name + "': binary glTF files have at most 4 GB; use .ply or .obj");
   }
-  file.write(glb_text(materials, primitives));
+  file.write(glb_text(materials, primitives, {texture.normal_picture, texture.color_picture}));
 }
 
 } // namespace flatten_mesh

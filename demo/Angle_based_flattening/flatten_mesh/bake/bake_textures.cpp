@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flatten_mesh/bake/bake_textures.h"
+
+#include "flatten_mesh/texts.h"
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace flatten_mesh {
+
+namespace {
+
+using Colors = Mesh::Property_map<Vertex, CGAL::IO::Color>;
+
+struct Fine_surface
+{
+  Mesh mesh;
+  bool has_colors = false;
+  Colors colors;
+};
+
+unsigned char byte_of(const double part)
+{
+  return static_cast<unsigned char>(std::lround(255 * (std::min)((std::max)(part, 0.), 1.)));
+}
+
+// Points without a colour are white.
+void add_colors(const Atlas_input& input, Fine_surface& fine)
+{
+  const Model& model = input.model;
+  fine.has_colors = std::any_of(model.colors.begin(), model.colors.end(),
+                                [](const Point_color& color) { return std::isfinite(color[0]); });
+  if(!fine.has_colors) {
+    return;
+  }
+  fine.colors = fine.mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color", CGAL::IO::white()).first;
+  for(const Halfedge h : fine.mesh.halfedges()) {
+    if(!fine.mesh.is_border(h)) {
+      const Point_color& color = model.colors[model.vertices[input.origins.corners[h.idx()]]];
+      if(std::isfinite(color[0])) {
+        fine.colors[fine.mesh.target(h)] =
+            CGAL::IO::Color(byte_of(color[0]), byte_of(color[1]), byte_of(color[2]));
+      }
+    }
+  }
+}
+
+// Repairs it as the surface that is flattened, and says so.
+Fine_surface read_fine_surface(const std::string& name, Notes& notes)
+{
+  Command_line quiet;
+  quiet.quiet = true;
+  Notes own(quiet);
+  Atlas_input input;
+  try {
+    input = atlas_input_of(read_model(name, Degenerate_faces::KEPT, own), true, own);
+  } catch(const Input_error& error) {
+    const std::string text = error.what();
+    throw Input_error("--bake-from: " + (text.find(name) == std::string::npos ? "'" + name + "': " : "") +
+                      text);
+  }
+  for(const std::string& text : own.texts()) {
+    notes.add("'" + name + "': " + text);
+  }
+  std::size_t left_out = 0;
+  for(const Skipped_part& part : input.set_aside) {
+    left_out += part.faces;
+  }
+  if(left_out > 0) {
+    notes.add("'" + name + "': " + count_text(left_out, "face") + " are no surface, and are not baked");
+  }
+  Fine_surface fine;
+  fine.mesh = std::move(input.mesh);
+  add_colors(input, fine);
+  return fine;
+}
+
+// From this share of texels on, people will see them.
+constexpr double notable_share = 0.01;
+
+void look_at_rays(const Baking_record& record, Notes& notes)
+{
+  const double missed = record.share(record.report.number_of_missed_rays),
+               back = record.share(record.report.number_of_back_faces);
+  if(missed >= notable_share) {
+    notes.add(format_number("%.1f %%", 100 * missed) + " of the rays met nothing of '" + record.from +
+              "' within " + format_number("%.4g", record.report.ray_length) +
+              ": it has holes there, or lies elsewhere. The closest points were taken");
+  }
+  if(back >= notable_share) {
+    notes.add(format_number("%.1f %%", 100 * back) + " of the rays met the wrong side of '" + record.from +
+              "' only: its faces are turned, or it is not closed. Normals were turned around there");
+  }
+}
+
+// What baking changes of the model itself
+void tell_what_is_replaced(const Model& model, const Baking_record& baking, Notes& notes)
+{
+  std::string replaced;
+  const auto add = [&replaced](const bool has, const std::string& what) {
+    replaced += has ? (replaced.empty() ? "" : ", ") + what : "";
+  };
+  add(!model.normals.empty(), "normals");
+  add(!model.colors.empty() && baking.has_colors, "colours of points");
+  add(!model.material_names.empty(), baking.has_colors
+                                         ? "all of its materials but names and opacities"
+                                         : "all of its materials but names, opacities and colours");
+  if(!replaced.empty()) {
+    notes.add("what is baked takes the place of what the input has: " + replaced);
+  }
+}
+
+} // namespace
+
+Baked_surface bake_textures(const Command_line& command, Atlas_input& input, const Atlas& atlas, Notes& notes)
+{
+  Mesh& mesh = input.mesh;
+  namespace np = CGAL::parameters;
+  CGAL::Real_timer timer;
+  timer.start();
+  const Fine_surface fine = read_fine_surface(command.atlas.bake_from, notes);
+  Baked_surface baked;
+  baked.frames = mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:flatten_mesh_frame").first;
+  const auto parameters = np::resolution(
+      command.atlas.resolution,
+      np::gutter(command.atlas.gutter,
+                 np::face_chart_map(
+                     atlas.chart,
+                     np::tangent_frame_map(baked.frames, np::number_of_threads(command.options.threads)))));
+  baked.textures = fine.has_colors ? SMP::bake_surface(mesh, atlas.uv, fine.mesh, parameters,
+                                                       np::vertex_color_map(fine.colors))
+                                   : SMP::bake_surface(mesh, atlas.uv, fine.mesh, parameters);
+  if(!baked.textures) {
+    throw Input_error("cannot bake '" + command.atlas.bake_from + "': " + baked.textures.report.message);
+  }
+  baked.record = {command.atlas.bake_from,
+                  fine.mesh.number_of_faces(),
+                  fine.has_colors,
+                  baked.textures.least_displacement,
+                  baked.textures.greatest_displacement,
+                  baked.textures.report,
+                  timer.time()};
+  look_at_rays(baked.record, notes);
+  tell_what_is_replaced(input.model, baked.record, notes);
+  return baked;
+}
+
+} // namespace flatten_mesh

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_WRITE_BAKED_MODEL_H
+#define FLATTEN_MESH_WRITE_BAKED_MODEL_H
+
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/bake/bake_textures.h"
+#include "flatten_mesh/bake/baked_files.h"
+#include "flatten_mesh/bake/png_textures.h"
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Model_texture.h"
+#include "flatten_mesh/model/material_files.h"
+#include "flatten_mesh/model/write_model.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+constexpr const char* baked_material = "baked";
+
+// The normals of a model become those that the texture refers to: one for each vertex of the mesh.
+inline void replace_normals(const Atlas_input& input, const Baked_surface& baked, Model& model,
+                            Model_texture& texture)
+{
+  const Mesh& mesh = input.mesh;
+  std::vector<Index> number(mesh.number_of_vertices(), no_index);
+  model.normals.clear();
+  model.has_point_normals = false;
+  model.corner_normals.assign(model.number_of_corners(), no_index);
+  texture.tangents.resize(model.number_of_corners());
+  for(const Halfedge h : mesh.halfedges()) {
+    const Index corner = input.origins.corners[h.idx()];
+    if(corner == no_index || !texture.has_uv(corner)) {
+      continue;
+    }
+    const SMP::Tangent_frame& frame = baked.frames[h];
+    Index& normal = number[mesh.target(h).idx()];
+    if(normal == no_index) {
+      normal = static_cast<Index>(model.normals.size());
+      model.normals.emplace_back(frame.normal[0], frame.normal[1], frame.normal[2]);
+    }
+    model.corner_normals[corner] = normal;
+    texture.tangents[corner] = {frame.tangent[0], frame.tangent[1], frame.tangent[2], frame.sign};
+  }
+}
+
+// The material file of the input must not be lost.
+inline void check_material_file(const std::string& material_file, const Model& model)
+{
+  const std::filesystem::path folder = folder_of(model.file);
+  for(const Statement& statement : model.statements) {
+    for(const std::string& name : material_files_in(statement.text, folder)) {
+      if(is_same_file((folder / name).string(), material_file)) {
+        throw Output_error(
+            "'" + material_file +
+            "' would overwrite the material file of the input: choose another name for --output");
+      }
+    }
+  }
+}
+
+// All materials keep their names, so that what is said about faces remains true; their file is the one that is written with the pictures.
+inline void replace_materials(const std::string& material_file, Model& model)
+{
+  auto& statements = model.statements;
+  statements.erase(
+      std::remove_if(statements.begin(), statements.end(),
+                     [](const Statement& statement) { return statement.text.compare(0, 7, "mtllib ") == 0; }),
+      statements.end());
+  const std::string file = std::filesystem::path(material_file).filename().string();
+  statements.insert(statements.begin(),
+                    {{0, "mtllib " + file}, {0, std::string("usemtl ") + baked_material}});
+}
+
+inline std::string material_text(const Command_line& command, const Model& model, const Baking_record& record)
+{
+  const auto file = [&command](const char* ending) {
+    return std::filesystem::path(baked_file(command, ending)).filename().string();
+  };
+  const std::string normals = file(normals_ending);
+  std::string pictures = record.has_colors ? "map_Kd " + file(colors_ending) + "\n" : std::string();
+  pictures += "norm " + normals + "\nmap_Bump " + normals + "\ndisp -mm " +
+              format_number("%.9g", record.least_displacement) + " " +
+              format_number("%.9g", record.greatest_displacement - record.least_displacement) + " " +
+              file(displacement_ending) + "\n";
+  std::vector<std::string> names = model.material_names;
+  std::vector<Point_color> colors = material_colors(model);
+  if(std::find(names.begin(), names.end(), baked_material) == names.end()) {
+    names.emplace_back(baked_material);
+    colors.push_back({1, 1, 1, 1});
+  }
+  std::string text = "# materials with baked pictures, by flatten_mesh\n";
+  for(std::size_t i = 0; i < names.size(); ++i) {
+    const Point_color color = record.has_colors ? Point_color{1, 1, 1, colors[i][3]} : colors[i];
+    text += "newmtl " + names[i] + "\nKd " + format_number("%.6g", color[0]) + " " +
+            format_number("%.6g", color[1]) + " " + format_number("%.6g", color[2]) + "\nd " +
+            format_number("%.6g", color[3]) + "\n" + pictures;
+  }
+  return text;
+}
+
+} // namespace internal
+
+// The model with the normals that its textures refer to, and its pictures: in the same file for GLB, beside it for OBJ.
+inline void write_baked_model(const Command_line& command, const Atlas_input& input,
+                              const Baked_surface& baked, Model_texture texture, Output_files& files)
+{
+  Model model = input.model;
+  internal::replace_normals(input, baked, model, texture);
+  if(baked.record.has_colors) {
+    model.colors.clear();
+  }
+  const std::string normals = normals_png(baked.textures);
+  const std::string colors = baked.record.has_colors ? colors_png(baked.textures) : std::string();
+  if(!is_obj_output(command.output)) {
+    texture.normal_picture = normals;
+    texture.color_picture = colors;
+    write_model(files.open(command.output), command.output, model, texture);
+    return;
+  }
+  const std::string material_file = baked_file(command, material_ending);
+  internal::check_material_file(material_file, model);
+  files.open(material_file).write(internal::material_text(command, model, baked.record));
+  internal::replace_materials(material_file, model);
+  model.file = command.output; // what it refers to is beside it
+  write_model(files.open(command.output), command.output, model, texture);
+  files.open(baked_file(command, normals_ending)).write(normals);
+  files.open(baked_file(command, displacement_ending)).write(displacements_png(baked.textures));
+  if(baked.record.has_colors) {
+    files.open(baked_file(command, colors_ending)).write(colors);
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_WRITE_BAKED_MODEL_H

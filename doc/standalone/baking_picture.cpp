@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Draws the figure of the manual's part on baking: a fine surface, a simple one, and the simple one with the normals of the fine one.
+
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/bake/simplify_input.h"
+#include "flatten_mesh/model/read_model.h"
+#include "flatten_mesh/pictures/Canvas.h"
+#include "flatten_mesh/pictures/Surface_view.h"
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Origin.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace {
+
+using Vector = Kernel::Vector_3;
+using Weights = std::array<double, 3>;
+constexpr int texels = 1024;
+
+Mesh read_surface(const std::string& file, const std::size_t triangles)
+{
+  Command_line command;
+  Notes notes(command);
+  Atlas_input input = atlas_input_of(read_model(file, Degenerate_faces::KEPT, notes), true, notes);
+  if(triangles > 0) {
+    simplify_input(triangles, input, notes);
+  }
+  return std::move(input.mesh);
+}
+
+std::array<Halfedge, 3> corners(const Mesh& mesh, const Face f)
+{
+  const Halfedge h = mesh.halfedge(f);
+  return {h, mesh.next(h), mesh.prev(h)};
+}
+
+template <class Value_of>
+Vector interpolated(const std::array<Halfedge, 3>& h, const Weights& weights, const Value_of& value_of)
+{
+  return weights[0] * value_of(h[0]) + weights[1] * value_of(h[1]) + weights[2] * value_of(h[2]);
+}
+
+// Grey, lit from the upper left
+Color shaded(const Vector& normal, const Surface_view& view)
+{
+  const Vector n = Surface_view::normalized(view(normal)),
+               light = Surface_view::normalized(Vector(-0.5, 0.6, 0.6)),
+               half = Surface_view::normalized(light + Vector(0, 0, 1));
+  const double diffuse = (std::max)(n * light, 0.), shine = std::pow((std::max)(n * half, 0.), 25);
+  const double brightness = 0.16 + 0.72 * diffuse + 0.18 * shine;
+  return {brightness, 0.97 * brightness, 0.92 * brightness};
+}
+
+// Draws a mesh; `normal(h, weights)` is that in a triangle with these halfedges.
+template <class Normal>
+void draw(Canvas& canvas, const Mesh& mesh, const Projection& projection, const Normal& normal)
+{
+  for(const Face f : mesh.faces()) {
+    const std::array<Halfedge, 3> h = corners(mesh, f);
+    std::array<Canvas::Corner, 3> places;
+    for(std::size_t k = 0; k < 3; ++k) {
+      places[k] = projection(mesh.point(mesh.target(h[k])));
+      places[k].values[k] = 1;
+    }
+    canvas.draw_triangle(places[0], places[1], places[2],
+                         [&](const std::array<double, Canvas::number_of_values>& values) {
+                           return shaded(normal(h, {values[0], values[1], values[2]}), projection.view());
+                         });
+  }
+}
+
+// The simple surface, with what is baked
+class Baked_mesh
+{
+public:
+  Baked_mesh(Mesh mesh, const Mesh& fine)
+      : m_mesh(std::move(mesh)), m_atlas(empty_atlas(m_mesh)),
+        m_frames(m_mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:frame").first)
+  {
+    namespace np = CGAL::parameters;
+    const SMP::Atlas_report report =
+        SMP::make_atlas(m_mesh, m_atlas.uv, np::face_chart_map(m_atlas.chart, np::resolution(texels)));
+    if(!report) {
+      throw std::runtime_error(report.message);
+    }
+    m_textures = SMP::bake_surface(
+        m_mesh, m_atlas.uv, fine,
+        np::resolution(texels, np::face_chart_map(m_atlas.chart, np::tangent_frame_map(m_frames))));
+    if(!m_textures) {
+      throw std::runtime_error(m_textures.report.message);
+    }
+    m_pixels = m_textures.normal_pixels<std::uint8_t>();
+    std::cout << fine.number_of_faces() << " triangles baked into " << m_mesh.number_of_faces() << ", "
+              << report.charts.size() << " chart(s), " << m_textures.report.number_of_chart_texels
+              << " texels, " << m_textures.report.number_of_missed_rays << " rays missed, "
+              << m_textures.report.number_of_back_faces << " met back faces, largest distance "
+              << m_textures.report.largest_distance << '\n';
+  }
+
+  const Mesh& mesh() const { return m_mesh; }
+
+  Vector normal(const std::array<Halfedge, 3>& h, const Weights& weights) const
+  {
+    return interpolated(h, weights, [this](const Halfedge g) { return vector_of(m_frames[g].normal); });
+  }
+
+  // As viewers compute it from the picture
+  Vector baked_normal(const std::array<Halfedge, 3>& h, const Weights& weights) const
+  {
+    double u = 0, v = 0;
+    for(std::size_t k = 0; k < 3; ++k) {
+      u += weights[k] * m_atlas.uv[h[k]].x();
+      v += weights[k] * m_atlas.uv[h[k]].y();
+    }
+    const Vector n = read(u * texels - 0.5, (1 - v) * texels - 0.5);
+    const Vector tangent = Surface_view::normalized(
+        interpolated(h, weights, [this](const Halfedge g) { return vector_of(m_frames[g].tangent); }));
+    const Vector bitangent = Surface_view::normalized(interpolated(h, weights, [this](const Halfedge g) {
+      const SMP::Tangent_frame& frame = m_frames[g];
+      return frame.sign * CGAL::cross_product(vector_of(frame.normal), vector_of(frame.tangent));
+    }));
+    return n.x() * tangent + n.y() * bitangent + n.z() * Surface_view::normalized(normal(h, weights));
+  }
+
+private:
+  static Vector vector_of(const std::array<double, 3>& v) { return Vector(v[0], v[1], v[2]); }
+
+  Vector pixel(const int x, const int y) const
+  {
+    const std::uint8_t* p =
+        &m_pixels[3 * (static_cast<std::size_t>(y) * texels + static_cast<std::size_t>(x))];
+    return Vector(p[0], p[1], p[2]) * (2. / 255) - Vector(1, 1, 1);
+  }
+
+  Vector read(const double x, const double y) const
+  {
+    const int i = (std::min)((std::max)(static_cast<int>(std::floor(x)), 0), texels - 2),
+              j = (std::min)((std::max)(static_cast<int>(std::floor(y)), 0), texels - 2);
+    const double s = x - i, t = y - j;
+    return (1 - t) * ((1 - s) * pixel(i, j) + s * pixel(i + 1, j)) +
+           t * ((1 - s) * pixel(i, j + 1) + s * pixel(i + 1, j + 1));
+  }
+
+  Mesh m_mesh;
+  Atlas m_atlas;
+  Mesh::Property_map<Halfedge, SMP::Tangent_frame> m_frames;
+  SMP::Baked_textures m_textures;
+  std::vector<std::uint8_t> m_pixels;
+};
+
+void draw_baking(const std::string& input, const std::string& file)
+{
+  const int column = 300, height = 345;
+  Mesh fine = read_surface(input, 0);
+  const auto normals = fine.add_property_map<Vertex, Vector>("v:normal").first;
+  CGAL::Polygon_mesh_processing::compute_vertex_normals(fine, normals);
+  const Baked_mesh baked(read_surface(input, 1500), fine);
+
+  const Surface_view view(Vector(0.35, 0.15, -1), Vector(0, 1, 0));
+  CGAL::Bbox_2 box;
+  for(const Vertex v : fine.vertices()) {
+    const Vector p = view(fine.point(v) - CGAL::ORIGIN);
+    box += CGAL::Bbox_2(p.x(), p.y(), p.x(), p.y());
+  }
+  Canvas canvas(3 * column, height);
+  const auto projection = [&](const int number) {
+    return Projection(view, box, Frame{number * column + 4., 4, column - 8., height - 8.});
+  };
+  draw(canvas, fine, projection(0), [&](const std::array<Halfedge, 3>& h, const Weights& weights) {
+    return interpolated(h, weights, [&](const Halfedge g) { return normals[fine.target(g)]; });
+  });
+  draw(canvas, baked.mesh(), projection(1),
+       [&](const std::array<Halfedge, 3>& h, const Weights& weights) { return baked.normal(h, weights); });
+  draw(canvas, baked.mesh(), projection(2), [&](const std::array<Halfedge, 3>& h, const Weights& weights) {
+    return baked.baked_normal(h, weights);
+  });
+  std::ofstream(file, std::ios::binary) << canvas.png(63);
+}
+
+} // namespace
+
+} // namespace flatten_mesh
+
+int main(int argc, char* argv[])
+{
+  if(argc != 3) {
+    std::cerr << "usage: draw_baking MESH PICTURE.png\n";
+    return 2;
+  }
+  try {
+    flatten_mesh::draw_baking(argv[1], argv[2]);
+  } catch(const std::exception& error) {
+    std::cerr << "draw_baking: " << error.what() << '\n';
+    return 1;
+  }
+}
