@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Draws a small picture of what each method is for, and prints measures of it:
+// `draw_methods DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER`.
+
+#include "draw_tile.h"
+
+#include "flatten_mesh/atlas/textured_atlas.h"
+#include "flatten_mesh/texts.h"
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+const Surface_view dinosaur_view({0.45, -1, 0.35}, {0, 0, 1}), mask_view({0.3, -1, 0.1}, {0, 0, 1}),
+    bust_view({0.3, 0.1, 1}, {0, 1, 0}), camel_view({1, 0.25, 0.5}, {0, 1, 0}),
+    diplodocus_view({0.6, 0.3, 1}, {0, 1, 0}), bull_view({0.4, 0.2, 1}, {0, 1, 0});
+
+void check(const bool is_right, const std::string& what)
+{
+  if(!is_right) {
+    throw std::runtime_error(what + " failed");
+  }
+}
+
+Mesh read_mesh(const std::string& file)
+{
+  Mesh mesh;
+  check(CGAL::IO::read_polygon_mesh(file, mesh), "reading " + file);
+  return mesh;
+}
+
+class Pictures
+{
+public:
+  explicit Pictures(std::string folder) : m_folder(std::move(folder)) {}
+
+  // The surface to the left, the plane to the right. The borders of what was cut open are drawn like seams.
+  void draw(const std::string& name, const Mesh& mesh, const Atlas& atlas, const Surface_view& view,
+            const bool is_cut_open = false, const bool is_packed = false) const
+  {
+    const int size = 260, levels = 25, squares = 18;
+    const double margin = 6, inner = size - 2 * margin;
+    Textured_surface surface = textured_atlas(mesh, atlas);
+    if(is_cut_open) {
+      mark_borders(surface);
+    }
+    const double side = side_of_squares(surface, squares);
+    const Frame left{margin, margin, inner, inner}, right{size + margin, margin, inner, inner};
+    Canvas canvas(2 * size, size);
+    draw_textured_surface(canvas, surface, side, view, left);
+    if(is_packed) {
+      draw_atlas_square(canvas, surface, side, right);
+    } else {
+      const Plane_drawing drawing(canvas, box_in_plane(surface), right);
+      drawing.draw_charts(surface, side);
+      drawing.draw_borders(surface);
+    }
+    const std::string png = canvas.png(levels), file = m_folder + "/method_" + name + ".png";
+    std::ofstream stream(file, std::ios::binary);
+    check(!!stream.write(png.data(), static_cast<std::streamsize>(png.size())), "writing " + file);
+  }
+
+private:
+  static void mark_borders(Textured_surface& surface)
+  {
+    for(Textured_surface::Border& border : surface.borders) {
+      for(Textured_surface::Side& side : border.sides) {
+        side.seam = (std::max)(side.seam, 0);
+      }
+    }
+  }
+
+  std::string m_folder;
+};
+
+// A map of a mesh without seams, as coordinates of its vertices
+template <class Parameterizer>
+Atlas flatten(const std::string& name, Mesh& mesh, const Parameterizer& parameterizer)
+{
+  const Halfedge border = PMP::longest_border(mesh).first;
+  const auto vertex_uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv_of_" + name).first;
+  check(SMP::parameterize(mesh, parameterizer, border, vertex_uv) == SMP::OK, name);
+  const SMP::Flattening_measures measures = SMP::measure_flattening(mesh, border, vertex_uv);
+  std::cout << "<tr><td>" << name << "</td>";
+  for(const double value : {measures.mean_angle_change * 180 / CGAL_PI, measures.mean_quasi_conformal_ratio,
+                            measures.l2_area_distortion}) {
+    std::cout << "<td>" << format_number("%.3g", value) << "</td>";
+  }
+  std::cout << "<td>" << measures.flipped_triangles << "</td><td>"
+            << (measures.border_is_simple && measures.flipped_triangles == 0 ? "yes" : "no")
+            << "</td></tr>\n";
+  const Atlas atlas = empty_atlas(mesh);
+  for(const Face f : mesh.faces()) {
+    atlas.chart[f] = 0;
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      atlas.uv[h] = vertex_uv[mesh.target(h)];
+    }
+  }
+  return atlas;
+}
+
+// The surface, cut open along seams
+Mesh cut_open(Mesh surface, const double stretch_bound)
+{
+  const Edge_marks seams = seam_marks(surface);
+  const SMP::Seam_report report =
+      SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(stretch_bound));
+  check(report.diagnosis == report.NOTHING_WRONG, "selecting seams");
+  Mesh open;
+  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams), open);
+  return open;
+}
+
+void draw_disks(const std::string& demo, const Pictures& pictures)
+{
+  Mesh bust = read_mesh(demo + "/nefertiti.off");
+  pictures.draw("direct", bust, flatten("ABF++", bust, SMP::ABF_plus_plus_parameterizer_3<Mesh>()),
+                bust_view);
+  pictures.draw("lscm", bust, flatten("LSCM", bust, SMP::LSCM_parameterizer_3<Mesh>()), bust_view);
+  pictures.draw("arap", bust, flatten("ARAP", bust, SMP::ARAP_parameterizer_3<Mesh>()), bust_view);
+  pictures.draw(
+      "circle", bust,
+      flatten("mean value coordinates, circle", bust, SMP::Mean_value_coordinates_parameterizer_3<Mesh>()),
+      bust_view);
+}
+
+void draw_cut_surfaces(const std::string& demo, const Pictures& pictures)
+{
+  Mesh camel = cut_open(read_mesh(demo + "/camel.off"), 1.1);
+  pictures.draw("seams", camel, flatten("seams, ABF++", camel, SMP::ABF_plus_plus_parameterizer_3<Mesh>()),
+                camel_view, true);
+  Mesh diplodocus = cut_open(read_mesh(demo + "/diplodocus.off"), 1.1);
+  pictures.draw("hierarchical", diplodocus,
+                flatten("seams, hierarchical ABF++", diplodocus, SMP::Hierarchical_parameterizer_3<Mesh>()),
+                diplodocus_view, true);
+}
+
+void draw_holes(const std::string& data, const Pictures& pictures)
+{
+  Mesh mask = read_mesh(data + "/mask.off");
+  SMP::ABF_plus_plus_options options;
+  options.holes = options.SOLVE;
+  pictures.draw("solved", mask,
+                flatten("holes solved", mask, SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)), mask_view);
+  options.holes = options.FILL;
+  pictures.draw("filled", mask,
+                flatten("holes filled", mask, SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)), mask_view);
+}
+
+// The dinosaur, cut so that its map overlaps itself: as one injective chart, and split into charts that are packed
+void draw_overlaps(const std::string& data, const Pictures& pictures)
+{
+  Mesh dinosaur = cut_open(read_mesh(data + "/dinosaur.off"), 1.05);
+  SMP::Hierarchical_options options;
+  options.injective = true;
+  pictures.draw(
+      "injective", dinosaur,
+      flatten("injective", dinosaur, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options)),
+      dinosaur_view, true);
+  const Atlas atlas = flatten("the same, overlapping", dinosaur, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
+  const SMP::Overlap_split_report split = SMP::split_overlaps(dinosaur, atlas.seams, atlas.uv, atlas.chart);
+  check(!!split, "splitting");
+  check(!!SMP::pack_charts(dinosaur, atlas.chart, atlas.uv), "packing");
+  pictures.draw("split", dinosaur, atlas, dinosaur_view, true, true);
+}
+
+// Charts of several surfaces side by side
+class Collection
+{
+public:
+  // Flattens a surface and adds it to the right of the others.
+  void add(Mesh surface, const double size)
+  {
+    const Atlas atlas = flatten("packed chart", surface, options_with_holes());
+    const CGAL::Bbox_3 box = PMP::bbox(surface);
+    const double scale = size / box.z_span();
+    for(const Vertex v : surface.vertices()) {
+      const Kernel::Point_3 p = surface.point(v);
+      surface.point(v) = {m_right + scale * (p.x() - box.xmin()), scale * (p.y() - box.ymin()),
+                          scale * (p.z() - box.zmin())};
+    }
+    m_right += 1.05 * scale * box.x_span();
+    std::vector<std::pair<Halfedge, Halfedge>> copies;
+    CGAL::copy_face_graph(surface, m_mesh,
+                          CGAL::parameters::halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
+    for(const auto& [from, to] : copies) {
+      if(!m_mesh.is_border(to)) {
+        m_atlas.uv[to] = Kernel::Point_2(scale * atlas.uv[from].x(), scale * atlas.uv[from].y());
+        m_atlas.chart[m_mesh.face(to)] = m_number_of_charts;
+      }
+    }
+    ++m_number_of_charts;
+  }
+
+  void draw(const Pictures& pictures)
+  {
+    check(!!SMP::pack_charts(m_mesh, m_atlas.chart, m_atlas.uv), "packing");
+    pictures.draw("packed", m_mesh, m_atlas, mask_view, false, true);
+  }
+
+private:
+  static SMP::ABF_plus_plus_parameterizer_3<Mesh> options_with_holes()
+  {
+    SMP::ABF_plus_plus_options options;
+    options.holes = options.SOLVE;
+    return SMP::ABF_plus_plus_parameterizer_3<Mesh>(options);
+  }
+
+  Mesh m_mesh;
+  Atlas m_atlas = empty_atlas(m_mesh);
+  int m_number_of_charts = 0;
+  double m_right = 0;
+};
+
+void draw_packed_charts(const std::string& data, const Pictures& pictures)
+{
+  Collection collection;
+  collection.add(read_mesh(data + "/mask.off"), 1);
+  collection.add(cut_open(read_mesh(data + "/egg.off"), 1.1), 0.7);
+  collection.add(cut_open(read_mesh(data + "/dinosaur.off"), 1.2), 0.5);
+  collection.draw(pictures);
+}
+
+void draw_atlas(const std::string& demo, const Pictures& pictures)
+{
+  Mesh bull = read_mesh(demo + "/bull.off");
+  const Atlas atlas = empty_atlas(bull);
+  const SMP::Atlas_report report = SMP::make_atlas(
+      bull, atlas.uv,
+      CGAL::parameters::edge_is_seam_map(atlas.seams, CGAL::parameters::face_chart_map(atlas.chart)));
+  check(!!report, "the atlas");
+  pictures.draw("atlas", bull, atlas, bull_view, false, true);
+}
+
+void run(const std::string& data, const std::string& demo, const Pictures& pictures)
+{
+  if(!std::ifstream(demo + "/camel.off")) {
+    std::cerr << "no camel.off in '" << demo << "': the pictures of the methods are left as they are\n";
+    return;
+  }
+  draw_disks(demo, pictures);
+  draw_cut_surfaces(demo, pictures);
+  draw_holes(data, pictures);
+  draw_overlaps(data, pictures);
+  draw_packed_charts(data, pictures);
+  draw_atlas(demo, pictures);
+}
+
+} // namespace flatten_mesh
+
+int main(int argc, char* argv[])
+{
+  if(argc != 4) {
+    std::cerr << "usage: draw_methods DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER\n";
+    return 2;
+  }
+  try {
+    flatten_mesh::run(argv[1], argv[2], flatten_mesh::Pictures(argv[3]));
+  } catch(const std::exception& error) {
+    std::cerr << "draw_methods: " << error.what() << '\n';
+    return 1;
+  }
+}
