@@ -13,7 +13,11 @@ import urllib.request
 from pathlib import Path
 
 ARGUMENTS = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             "--hide-scrollbars", "--force-prefers-reduced-motion", "--force-color-profile=srgb"]
+             "--disable-dev-shm-usage", "--hide-scrollbars", "--force-prefers-reduced-motion",
+             "--force-color-profile=srgb"]
+
+# A proxy for the network does not know this machine.
+OPENER = urllib.request.build_opener(urllib.request.ProxyHandler({}))
 
 
 def missing_programs() -> list[str]:
@@ -51,7 +55,7 @@ class Chromium:
 
     def wait_for_driver(self) -> None:
         """Until it answers"""
-        deadline = time.monotonic() + 20
+        deadline = time.monotonic() + 60
         while True:
             try:
                 self.call("GET", "/status")
@@ -67,7 +71,7 @@ class Chromium:
             self.address + path, method=method, headers={"Content-Type": "application/json"},
             data=None if body is None else json.dumps(body).encode())
         try:
-            with urllib.request.urlopen(request, timeout=120) as answer:
+            with OPENER.open(request, timeout=120) as answer:
                 return json.load(answer)["value"]
         except urllib.error.HTTPError as error:
             raise RuntimeError(json.load(error)["value"]["message"]) from None
