@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -19,6 +20,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <string>
+#include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -73,6 +76,46 @@ bool write_mtl(const SMP::Baked_textures& textures)
   return bool(out);
 }
 
+// Each corner is a vertex of its own: 12 numbers, 48 bytes. In glTF, v goes down, and numbers are little endian, as on most machines.
+bool write_gltf(const Surface& surface, const UV_map& uv, const Frame_map& frames)
+{
+  std::vector<float> numbers;
+  for(auto f : faces(surface)) {
+    for(auto h : halfedges_around_face(halfedge(f, surface), surface)) {
+      const auto& p = surface.point(target(h, surface));
+      const auto& [n, t, sign] = frames[h];
+      for(double number :
+          {p.x(), p.y(), p.z(), n[0], n[1], n[2], t[0], t[1], t[2], sign, uv[h].x(), 1 - uv[h].y()}) {
+        numbers.push_back(static_cast<float>(number));
+      }
+    }
+  }
+  const std::size_t bytes = numbers.size() * sizeof(float);
+  std::ofstream data("bake_normals.bin", std::ios::binary), out("bake_normals.gltf");
+  data.write(reinterpret_cast<const char*>(numbers.data()), static_cast<std::streamsize>(bytes));
+
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
+  const auto accessor = [&numbers](int offset, const char* type) {
+    return R"({"bufferView":0,"componentType":5126,"count":)" + std::to_string(numbers.size() / 12) +
+           R"(,"byteOffset":)" + std::to_string(offset) + R"(,"type":")" + type + '"';
+  };
+  out.precision(9);
+  out << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"material":0}]}],
+"materials":[{"normalTexture":{"index":0},"pbrMetallicRoughness":{"metallicFactor":0}}],
+"textures":[{"source":0}],"images":[{"uri":"bake_normals.png"}],
+"buffers":[{"uri":"bake_normals.bin","byteLength":)"
+      << bytes << R"(}],"bufferViews":[{"buffer":0,"byteStride":48,"byteLength":)" << bytes << R"(}],
+"accessors":[)"
+      << accessor(0, "VEC3") << R"(,"min":[)" << float(box.xmin()) << ',' << float(box.ymin()) << ','
+      << float(box.zmin()) << R"(],"max":[)" << float(box.xmax()) << ',' << float(box.ymax()) << ','
+      << float(box.zmax()) << "]},\n"
+      << accessor(12, "VEC3") << "},\n"
+      << accessor(24, "VEC4") << "},\n"
+      << accessor(40, "VEC2") << "}]}\n";
+  return bool(data) && bool(out);
+}
+
 int main(int argc, char* argv[])
 {
   Surface fine;
@@ -115,6 +158,6 @@ int main(int argc, char* argv[])
       write_png("bake_normals.png", 512, PNG_FORMAT_RGB, textures.normal_pixels<std::uint8_t>().data()) &&
       write_png("bake_displacement.png", 512, PNG_FORMAT_LINEAR_Y,
                 textures.displacement_pixels<std::uint16_t>().data()) &&
-      write_mtl(textures) && write_obj(simple, uv, frames);
+      write_mtl(textures) && write_obj(simple, uv, frames) && write_gltf(simple, uv, frames);
   return is_written ? 0 : 1;
 }

@@ -47,7 +47,7 @@ std::string escaped_html(const std::string& title)
   return text;
 }
 
-// More take long to open, and their files are large: this many make one of about 18 MB.
+// More take long to open, and their files are large: this many make one of about 16 MB.
 constexpr std::size_t most_triangles = 250000;
 
 std::vector<std::size_t> worst_triangles(const std::array<Measure_summary, 3>& summaries)
