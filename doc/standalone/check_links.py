@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Checks links: check_links.py PATH...
 
 Of a folder of HTML, all links to files and anchors in it; of a Markdown file, those to files and headings. Links to other hosts

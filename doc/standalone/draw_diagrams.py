@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the diagrams of the manual as SVG: draw_diagrams.py RESULTS.md PICTURE_FOLDER."""
 
 import math

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pictures of the tutorial by its own commands, and a browser: draw_tutorial.py FLATTEN_MESH PICTURE_FOLDER."""
 
 import shutil

@@ -1,3 +1,5 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes atlases of the meshes in a list, draws them, and writes the manual's page with the figures of the program's
 reports. `scripts/gallery` calls it."""
 
@@ -23,7 +25,7 @@ columns = {
 
 head = """/*!
 \\page ABF_part_gallery Gallery
-\cgalAutoToc
+\\cgalAutoToc
 
 These atlases were made by `flatten_mesh` with default options, and drawn by `scripts/gallery`, which also wrote this page:
 all figures are those of the program's reports. Left: the surface with a checkerboard of the plane, in a colour for each chart; seams are

@@ -1,3 +1,5 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The commands of the tutorial and of README.md, and a folder that looks like a clone to run them in."""
 
 import re

@@ -1,3 +1,5 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The diagrams of the manual are those that their script draws from the benchmarks' figures: test_diagrams.py SOURCE_FOLDER."""
 
 import subprocess

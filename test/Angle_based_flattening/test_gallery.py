@@ -1,3 +1,5 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes a gallery of small generated meshes, and compares the page and its pictures with what is known of them. Looks at the page of the
 manual, too: all its pictures are there. Usage: test_gallery.py SOURCE_FOLDER FLATTEN_MESH DRAW_ATLASES"""
 

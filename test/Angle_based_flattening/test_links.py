@@ -1,3 +1,5 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The links of the Markdown files lead somewhere, and those that lead nowhere are found: test_links.py SOURCE_FOLDER."""
 
 import subprocess

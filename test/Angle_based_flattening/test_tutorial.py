@@ -1,3 +1,5 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every command of the tutorial and of README.md works as printed: test_tutorial.py SOURCE_FOLDER FLATTEN_MESH."""
 
 import json
