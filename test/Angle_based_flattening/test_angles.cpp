@@ -81,6 +81,32 @@ Matrix full_jacobian(const Chart& chart, const std::vector<double>& alpha)
   return jacobian;
 }
 
+// Two interior vertices with added equations, two with one equation each, and two border vertices with an angle alone
+Chart bump_with_other_nodes()
+{
+  Chart chart = bump(5, 7);
+  chart.nodes[0].angle_sum += chart.nodes[1].angle_sum;
+  std::replace(chart.node.begin(), chart.node.end(), 1, 0);
+  chart.nodes[1] = {3, true, false}; // where a border vertex is now
+  chart.nodes[4].has_reconstruction = false;
+  chart.nodes[5].has_planarity = false;
+  chart.node[chart.edge_source(chart.borders[0][3])] = 1;
+  chart.node[chart.edge_source(chart.borders[0][8])] = chart.number_of_nodes();
+  chart.nodes.push_back({2.5, true, false});
+  return chart;
+}
+
+// Multipliers, which are 0 where there is no equation
+Vector random_multipliers(const Chart& chart, unsigned int seed)
+{
+  Vector multipliers = random_vector(2 * chart.number_of_nodes(), seed);
+  for(int i = 0; i < chart.number_of_nodes(); ++i) {
+    multipliers[2 * i] *= chart.nodes[i].has_planarity;
+    multipliers[2 * i + 1] *= chart.nodes[i].has_reconstruction;
+  }
+  return multipliers;
+}
+
 abf::Angle_solution solve(const Chart& chart, const Options& options, std::vector<double>& alpha)
 {
   const std::vector<double> beta = abf::target_angles(chart);
@@ -190,12 +216,11 @@ BOOST_AUTO_TEST_CASE(are_those_of_the_paper)
   }
 }
 
-BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
+void check_derivatives(const Chart& chart)
 {
-  const Chart chart = bump(4, 2);
   const std::vector<double> alpha = random_angles(chart.vertex.size(), 4);
   const Matrix jacobian = constraint_jacobian(chart, alpha);
-  const Vector multipliers = random_vector(jacobian.rows(), 5);
+  const Vector multipliers = random_multipliers(chart, 5);
   const double h = 1e-5;
   for(std::size_t c = 0; c < alpha.size(); ++c) {
     auto less = alpha, more = alpha;
@@ -211,6 +236,26 @@ BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
     Vector expected = Vector::Zero(alpha.size());
     expected[c] = abf::constraint_curvature(chart, multipliers, static_cast<int>(c), 1 / std::tan(alpha[c]));
     BOOST_TEST((change - expected).cwiseAbs().maxCoeff() < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
+{
+  check_derivatives(bump(4, 2));
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_of_any_nodes_match_finite_differences)
+{
+  check_derivatives(bump_with_other_nodes());
+  // Each equation of each node there or not
+  std::mt19937 random(11);
+  for(int i = 0; i < 5; ++i) {
+    Chart chart = bump(4, 2);
+    for(abf::Constraint_node& node : chart.nodes) {
+      node.has_planarity = random() % 2;
+      node.has_reconstruction = random() % 2;
+    }
+    check_derivatives(chart);
   }
 }
 
@@ -363,30 +408,11 @@ BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
   }
 }
 
-// Two interior vertices with added equations, two with one equation each, and two border vertices with an angle alone
-Chart bump_with_other_nodes()
-{
-  Chart chart = bump(5, 7);
-  chart.nodes[0].angle_sum += chart.nodes[1].angle_sum;
-  std::replace(chart.node.begin(), chart.node.end(), 1, 0);
-  chart.nodes[1] = {3, true, false}; // where a border vertex is now
-  chart.nodes[4].has_reconstruction = false;
-  chart.nodes[5].has_planarity = false;
-  chart.node[chart.edge_source(chart.borders[0][3])] = 1;
-  chart.node[chart.edge_source(chart.borders[0][8])] = chart.number_of_nodes();
-  chart.nodes.push_back({2.5, true, false});
-  return chart;
-}
-
 BOOST_AUTO_TEST_CASE(give_the_step_of_equation_6_for_any_nodes)
 {
   const Chart chart = bump_with_other_nodes();
   const std::vector<double> alpha = abf::starting_angles(abf::target_angles(chart));
-  Vector multipliers = 0.01 * random_vector(2 * chart.number_of_nodes(), 9);
-  for(int i = 0; i < chart.number_of_nodes(); ++i) {
-    multipliers[2 * i] *= chart.nodes[i].has_planarity;
-    multipliers[2 * i + 1] *= chart.nodes[i].has_reconstruction;
-  }
+  const Vector multipliers = 0.01 * random_multipliers(chart, 9);
   for(bool curvature : {false, true})
     check_step_against_dense_kkt(chart, 0.1, curvature, alpha, multipliers);
 }
