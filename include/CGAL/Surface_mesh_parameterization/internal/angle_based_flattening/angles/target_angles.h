@@ -49,7 +49,7 @@ inline std::vector<double> target_angles(const Chart& chart)
   parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
     for(int c = begin; c < end; ++c) {
       const int i = chart.node_of_corner(c);
-      if(i >= 0 && i < chart.number_of_free_nodes() && chart.nodes[i].has_planarity && sum[i] > 0)
+      if(i >= 0 && i < chart.number_of_free_nodes() && chart.nodes[i].angle_sum > 0 && sum[i] > 0)
         beta[c] *= chart.nodes[i].angle_sum / sum[i];
       beta[c] = (std::min)((std::max)(beta[c], least_target_angle), pi - least_target_angle);
     }

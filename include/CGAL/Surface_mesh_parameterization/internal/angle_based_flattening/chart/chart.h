@@ -36,7 +36,7 @@ inline constexpr double pi = CGAL_PI;
 // angles (Eq. 3), one for the lengths of the edges around (Eq. 4). What is not there has the multiplier 0.
 struct Constraint_node
 {
-  double angle_sum = 2 * pi;
+  double angle_sum = 2 * pi; // 0 if there is none; target angles have it also where the equation is not there
   bool has_planarity = true;
   bool has_reconstruction = true;
 
@@ -57,12 +57,15 @@ struct Chart
   std::vector<int> opposite;   // of each corner: the one that faces the same edge, -1 at the border
   std::vector<double> weight;  // of each triangle in the energy; empty if all are 1
   std::vector<double> targets; // of each corner, unless they are the angles of the surface
+  // Prescribed sums of the planar angles at vertices of the outer border; NaN at others; empty if there are none.
+  std::vector<double> angle_sums;
   std::vector<std::vector<int>>
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
   int number_of_interior_vertices = 0;
   std::vector<int> node; // of each vertex: the one with its equations, or -1
-  // All interior vertices, unless someone wants others; and at the end all vertices of holes, in the order of `borders`.
+  // All interior vertices, unless someone wants others; those of the outer border that have prescribed angles; and at the end all
+  // vertices of holes, in the order of `borders`.
   std::vector<Constraint_node> nodes;
   int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
 
@@ -74,6 +77,14 @@ struct Chart
   int number_of_holes() const { return borders.empty() ? 0 : static_cast<int>(borders.size()) - 1; }
   const std::vector<int>& hole(int k) const { return borders[k + 1]; }
   int node_of_corner(int c) const { return node[vertex[c]]; }
+  bool has_prescribed_angles() const { return !angle_sums.empty(); }
+
+  // Filled holes have vertices that nobody prescribed anything for.
+  bool is_angle_prescribed(int v) const
+  {
+    return v < static_cast<int>(angle_sums.size()) && !std::isnan(angle_sums[v]);
+  }
+
   double weight_of_triangle(int t) const { return weight.empty() ? 1 : weight[t]; }
 
   // Rotates about the vertex of `c` into the neighbouring triangle, across the edge to the next corner's
@@ -130,16 +141,42 @@ inline std::vector<int> corners_around(const Chart& chart, int corner)
   return corners;
 }
 
-// Makes the interior vertices the constraint nodes, and those of the holes.
+// The vertices of the outer border that have prescribed angles
+inline std::vector<int> vertices_with_prescribed_angles(const Chart& chart)
+{
+  std::vector<int> vertices;
+  if(chart.has_prescribed_angles())
+    for(int c : chart.borders.front())
+      if(chart.is_angle_prescribed(chart.edge_source(c)))
+        vertices.push_back(chart.edge_source(c));
+  return vertices;
+}
+
+// Whether the whole outer border is prescribed. Then the equations of all vertices sum up to that of all triangles.
+inline bool is_whole_border_prescribed(const Chart& chart)
+{
+  return chart.has_prescribed_angles() &&
+         vertices_with_prescribed_angles(chart).size() == chart.borders.front().size();
+}
+
+// Makes the interior vertices the constraint nodes, those with prescribed angles, and those of the holes.
 inline void find_nodes(Chart& chart)
 {
   chart.node = chart.interior;
-  int n = chart.number_of_interior_vertices;
+  chart.nodes.assign(chart.number_of_interior_vertices, Constraint_node());
+  const auto add_node = [&](int v, const Constraint_node& node) {
+    chart.node[v] = chart.number_of_nodes();
+    chart.nodes.push_back(node);
+  };
+  for(int v : vertices_with_prescribed_angles(chart))
+    add_node(v, {chart.angle_sums[v], true, false});
+  if(is_whole_border_prescribed(chart))
+    chart.nodes.back().has_planarity = false; // it follows from all others
+  chart.number_of_bound_nodes = -chart.number_of_nodes();
   for(int k = 0; k < chart.number_of_holes(); ++k)
     for(int c : chart.hole(k))
-      chart.node[chart.edge_source(c)] = n++;
-  chart.number_of_bound_nodes = n - chart.number_of_interior_vertices;
-  chart.nodes.assign(n, Constraint_node());
+      add_node(chart.edge_source(c), Constraint_node());
+  chart.number_of_bound_nodes += chart.number_of_nodes();
 }
 
 // Finds `borders`, `interior`, `number_of_interior_vertices` and the constraint nodes from `vertex` and `opposite`. The
