@@ -111,7 +111,44 @@ public:
   template <typename FaceImportanceMap>
   void set_importance(FaceImportanceMap fimap)
   {
-    m_importance = internal::ABF::face_importance<Triangle_mesh>(fimap);
+    m_prescriptions.importance = internal::ABF::face_importance<Triangle_mesh>(fimap);
+  }
+
+  /// prescribes sums of planar angles at vertices of the outer border, from the next call of `parameterize()` on: the inner angles
+  /// that the border has there in the plane. Without a call of this function, and at vertices without a prescribed sum,
+  /// they are free. With \f$\pi\f$ at all vertices between two others, the border is a straight line between these;
+  /// `polygon_angles()` and `rectangle_angles()` prescribe whole polygons.
+  ///
+  /// The angles change by as little as the prescribed ones allow. The exact layout turns by exactly the prescribed angles, so that
+  /// straight sides are straight up to rounding, whatever the tolerance is. The map is locally injective. It overlaps itself if
+  /// the prescribed border does.
+  ///
+  /// Before anything is solved, `parameterize()` checks whether there is a map with these angles at all, and otherwise returns
+  /// `ERROR_WRONG_PARAMETER` with one of these diagnoses:
+  /// - `Flattening_report::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large as the
+  ///   triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices()` returns the vertices.
+  /// - `Flattening_report::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
+  ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other vertices must be positive,
+  ///   and less than \f$\pi\f$ for each triangle there. `offending_vertices()` returns these other vertices.
+  /// - `Flattening_report::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between them. That is so
+  ///   where a straight side runs along a triangle with two border edges. `offending_vertices()` returns the two vertices of
+  ///   each such edge. `split_flat_chords()` splits these edges.
+  /// - `Flattening_report::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which `offending_vertices()`
+  ///   returns. This is possible only if an angle is above \f$\pi\f$.
+  ///
+  /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the diagnosis is
+  /// `Flattening_report::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is an error.
+  ///
+  /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
+  /// once for each vertex.
+  ///
+  /// \tparam VertexAngleSumMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a value type that is convertible
+  ///         to `std::optional<double>`. The angles are in radians.
+  template <typename VertexAngleSumMap>
+  void set_angle_sums(VertexAngleSumMap angle_sums)
+  {
+    m_prescriptions.angle_sums = internal::ABF::vertex_angle_sums<Triangle_mesh>(angle_sums);
   }
 
   /// flattens the connected component of `bhd`.
@@ -151,7 +188,8 @@ public:
   ///    stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 153 million
-  ///    triangles, the importance of a face is out of its range, or an option is out of its range or does not apply.
+  ///    triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is out of its range
+  ///    or does not apply.
   ///
   /// \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
@@ -160,7 +198,7 @@ public:
   {
     m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
-        mesh, bhd, uvmap, vimap, m_importance, m_options,
+        mesh, bhd, uvmap, vimap, m_prescriptions, m_options,
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           return internal::ABF::flatten_chart(chart, m_options, m_linear_algebra, round);
         });
@@ -182,8 +220,8 @@ public:
   }
 
   /// returns the vertices that the last call's diagnosis is about: a vertex that is pinched, is on a second border,
-  /// or has a coordinate that is not finite, or the two vertices that parallel edges join. The vector is empty for
-  /// other diagnoses.
+  /// or has a coordinate that is not finite, the two vertices that parallel edges join, or what `set_angle_sums()` says. The vector is
+  /// empty for other diagnoses.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome.get().offending_vertices;
@@ -202,7 +240,7 @@ private:
 
   ABF_plus_plus_options m_options;
   Solver_traits m_linear_algebra;
-  internal::ABF::Face_importance<Triangle_mesh> m_importance;
+  internal::ABF::Prescriptions<Triangle_mesh> m_prescriptions;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 

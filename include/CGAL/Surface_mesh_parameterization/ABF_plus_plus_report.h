@@ -87,6 +87,13 @@ struct ABF_plus_plus_report : Flattening_report
   bool layout_repeated = false; ///< Whether low precision was not enough for the exact layout.
   double closure =
       0; ///< Largest gap in a border that the exact layout closed, relative to the border's length.
+
+  int prescribed_angles = 0; ///< Vertices with a prescribed angle.
+  double largest_angle_error =
+      0; ///< Largest difference of a prescribed angle from that of the map, in radians.
+  /// Largest distance of a vertex from the straight side that it is prescribed to be on: from the line through the ends of the side,
+  /// relative to the distance of these ends.
+  double side_deviation = 0;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -41,6 +41,10 @@ struct Flattening_report
     NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
     WRONG_OPTION,      ///< An option is out of its range.
     WRONG_IMPORTANCE,  ///< The importance of a face is out of its range, or not a number.
+    WRONG_ANGLE_SUM,   ///< A prescribed angle is not possible at its vertex.
+    WRONG_ANGLE_TOTAL, ///< The prescribed angles do not sum to those of a polygon.
+    FLAT_CHORD, ///< There is no room between an edge that joins two border vertices and the prescribed border.
+    INFEASIBLE_ANGLE_SUMS, ///< The triangles near some border vertices cannot have the angles that are prescribed there.
     SCALE_TOO_LARGE,   ///< The chart has several borders, and its map would need a range of scale above 1e10.
     FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are correct.
     OVERLAPPING, ///< The map overlaps itself, although it was to be injective: why a strategy was not enough.
@@ -157,6 +161,14 @@ inline std::string to_string(Flattening_report::Diagnosis diagnosis)
     return "WRONG_OPTION";
   case Flattening_report::WRONG_IMPORTANCE:
     return "WRONG_IMPORTANCE";
+  case Flattening_report::WRONG_ANGLE_SUM:
+    return "WRONG_ANGLE_SUM";
+  case Flattening_report::WRONG_ANGLE_TOTAL:
+    return "WRONG_ANGLE_TOTAL";
+  case Flattening_report::FLAT_CHORD:
+    return "FLAT_CHORD";
+  case Flattening_report::INFEASIBLE_ANGLE_SUMS:
+    return "INFEASIBLE_ANGLE_SUMS";
   case Flattening_report::SCALE_TOO_LARGE:
     return "SCALE_TOO_LARGE";
   case Flattening_report::FLIPPED_TRIANGLES:
@@ -198,6 +210,10 @@ inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
   case Flattening_report::TOO_LARGE:
   case Flattening_report::WRONG_OPTION:
   case Flattening_report::WRONG_IMPORTANCE:
+  case Flattening_report::WRONG_ANGLE_SUM:
+  case Flattening_report::WRONG_ANGLE_TOTAL:
+  case Flattening_report::FLAT_CHORD:
+  case Flattening_report::INFEASIBLE_ANGLE_SUMS:
     return ERROR_WRONG_PARAMETER;
   case Flattening_report::PARALLEL_EDGES:
   case Flattening_report::NO_CONVERGENCE:

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/dual_tree.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/prescribed_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -34,38 +35,69 @@ struct Layout
   bool is_repeated = false; // whether low precision was not enough for the linear system
 };
 
+// The edges along a walk in the plane
+struct Planar_edges
+{
+  std::vector<Chart::Kernel::Vector_2> edges;
+  Chart::Kernel::Vector_2 gap = {0, 0}; // between the end of the last one and the start of the first
+  double perimeter = 0;
+
+  // In the unit whose logarithm is `log_unit`
+  Planar_edges(const Border_walk& walk, double log_unit)
+  {
+    for(std::size_t i = 0; i + 1 < walk.size(); ++i) {
+      const double length = std::exp(walk[i].log_length - log_unit);
+      edges.emplace_back(length * std::cos(walk[i].direction), length * std::sin(walk[i].direction));
+      gap = gap + edges.back();
+      perimeter += std::sqrt(edges.back().squared_length());
+    }
+  }
+
+  double relative_gap() const { return std::sqrt(gap.squared_length()) / perimeter; }
+};
+
 // Sets the coordinates of a border's vertices to those along a walk, relative to the first one, in the unit whose logarithm is
 // `log_unit`. Spreads the gap that is left over all edges, and returns it relative to the border's length.
 inline double lay_out_border(const Chart& chart, const std::vector<int>& border, const Border_walk& walk,
                              double log_unit, std::vector<Chart::Point_2>& uv)
 {
-  std::vector<Chart::Kernel::Vector_2> edges;
-  Chart::Kernel::Vector_2 gap(0, 0);
-  double perimeter = 0;
-  for(std::size_t i = 0; i < border.size(); ++i) {
-    const double length = std::exp(walk[i].log_length - log_unit);
-    edges.emplace_back(length * std::cos(walk[i].direction), length * std::sin(walk[i].direction));
-    gap = gap + edges.back();
-    perimeter += std::sqrt(edges.back().squared_length());
-  }
+  const Planar_edges planar(walk, log_unit);
   Chart::Point_2 position(0, 0);
   for(std::size_t i = 0; i < border.size(); ++i) {
     uv[chart.edge_source(border[i])] = position;
-    position = position + edges[i] - gap * (std::sqrt(edges[i].squared_length()) / perimeter);
+    position = position + planar.edges[i] -
+               planar.gap * (std::sqrt(planar.edges[i].squared_length()) / planar.perimeter);
   }
-  return std::sqrt(gap.squared_length()) / perimeter;
+  return planar.relative_gap();
+}
+
+// The same for a border with prescribed angles, which closing the gap does not change
+inline double lay_out_prescribed_border(const Chart& chart, const Border_walk& walk, double log_unit,
+                                        std::vector<Chart::Point_2>& uv)
+{
+  const std::vector<int>& border = chart.borders.front();
+  Planar_edges planar(walk, log_unit);
+  close_by_lengths(planar.gap, planar.edges);
+  Chart::Point_2 position(0, 0);
+  for(std::size_t i = 0; i < border.size(); ++i) {
+    uv[chart.edge_source(border[i])] = position;
+    position = position + planar.edges[i];
+  }
+  return planar.relative_gap();
 }
 
 // Lays out the outer border, and each hole in its direction and size, but anywhere.
 inline void lay_out_borders(const Chart& chart, const std::vector<double>& alpha, Layout& layout)
 {
   const std::vector<int>& outer = chart.borders.front();
-  const Border_walk walk = walk_along_border(chart, alpha, outer);
+  const Border_walk walk = chart.has_prescribed_angles() ? walk_along_prescribed_border(chart, alpha)
+                                                         : walk_along_border(chart, alpha, outer);
   const double longest =
       std::max_element(walk.begin(), walk.end() - 1, [](const Planar_edge& a, const Planar_edge& b) {
         return a.log_length < b.log_length;
       })->log_length;
-  layout.closure = lay_out_border(chart, outer, walk, longest, layout.uv);
+  layout.closure = chart.has_prescribed_angles() ? lay_out_prescribed_border(chart, walk, longest, layout.uv)
+                                                 : lay_out_border(chart, outer, walk, longest, layout.uv);
   if(chart.number_of_holes() == 0)
     return;
   const std::vector<Planar_edge> first_edges = first_edges_of_holes(chart, alpha);

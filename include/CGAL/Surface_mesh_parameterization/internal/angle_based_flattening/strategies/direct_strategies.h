@@ -130,6 +130,8 @@ protected:
       return result;
     if(result.succeeded())
       fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
+    if(m_part.has_prescribed_angles()) // the embedding knows nothing of them
+      return result;
     note_failure(result);
     embedding->resize(m_part.points.size());
     return take_embedding(*embedding);

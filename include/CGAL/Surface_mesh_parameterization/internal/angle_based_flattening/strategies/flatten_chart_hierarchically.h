@@ -45,7 +45,7 @@ inline Polished_map polish(const Chart& chart, const std::vector<Chart::Point_2>
   result.iterations = solution.iterations;
   result.energy = solution.energy;
   result.constraint_residual = solution.constraint_residual;
-  const ABF_plus_plus_report::Layout kind = choose_layout(options, solution.constraint_residual);
+  const ABF_plus_plus_report::Layout kind = choose_layout(chart, options, solution.constraint_residual);
   if(!solution.is_solved || !solution.converged)
     return result;
   std::optional<Layout> layout =

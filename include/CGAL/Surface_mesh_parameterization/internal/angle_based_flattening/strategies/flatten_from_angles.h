@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
@@ -35,8 +36,8 @@ struct Direct_flattening : Flattening<ABF_plus_plus_report>
   std::vector<double> alpha;
 };
 
-// The layout asked for. The exact one reproduces angles that fit together so well.
-inline ABF_plus_plus_report::Layout choose_layout(const ABF_plus_plus_options& options,
+// The layout asked for. The exact one reproduces angles that fit together so well, and keeps prescribed angles.
+inline ABF_plus_plus_report::Layout choose_layout(const Chart& chart, const ABF_plus_plus_options& options,
                                                   double constraint_residual)
 {
   typedef ABF_plus_plus_options Options;
@@ -46,7 +47,8 @@ inline ABF_plus_plus_report::Layout choose_layout(const ABF_plus_plus_options& o
   case Options::EXACT_LAYOUT:
     return Report::EXACT;
   case Options::AUTOMATIC_LAYOUT:
-    return constraint_residual <= largest_residual ? Report::EXACT : Report::LEAST_SQUARES;
+    return constraint_residual <= largest_residual || chart.has_prescribed_angles() ? Report::EXACT
+                                                                                    : Report::LEAST_SQUARES;
   case Options::LEAST_SQUARES_LAYOUT:
     break;
   }
@@ -58,8 +60,11 @@ inline std::optional<Layout> lay_out(const Chart& chart, const std::vector<doubl
                                      ABF_plus_plus_report::Layout kind, const Linear_solvers& solvers,
                                      std::unique_ptr<Linear_solver> scalar_solver)
 {
-  if(kind == ABF_plus_plus_report::EXACT)
+  if(kind == ABF_plus_plus_report::EXACT) {
+    if(chart.has_prescribed_angles()) // the pattern of the angles' system has border vertices
+      scalar_solver = solvers->low_precision();
     return exact_layout(chart, alpha, solvers, std::move(scalar_solver));
+  }
   std::optional<std::vector<Chart::Point_2>> uv = Least_squares_layout(chart, alpha).solve(solvers);
   if(!uv)
     return std::nullopt;
@@ -91,7 +96,7 @@ find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_opti
                  std::unique_ptr<Linear_solver> scalar_solver, ABF_plus_plus_report& report)
 {
   const Stage stage(options.visitor, Flattening_visitor::LAYOUT, report.seconds.layout);
-  report.layout = choose_layout(options, report.constraint_residual);
+  report.layout = choose_layout(chart, options, report.constraint_residual);
   std::optional<Layout> layout = lay_out(chart, alpha, report.layout, solvers, std::move(scalar_solver));
   if(!layout) {
     fail(report, Flattening_report::LINEAR_SYSTEM_FAILED,
@@ -131,6 +136,7 @@ inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& pa
     certificate = certify(part, result.uv);
   }
   take_certificate(certificate, report);
+  report_prescribed_angles(part, result.uv, report);
   if(!certificate.is_valid()) {
     if(report.converged)
       fail(report, Flattening_report::FLIPPED_TRIANGLES,
@@ -139,6 +145,8 @@ inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& pa
       fail(report, Flattening_report::NO_CONVERGENCE,
            "the angles did not converge, and their layout has " + describe_invalid(part, certificate));
     result.invalid = std::move(certificate.invalid);
+  } else if(part.has_prescribed_angles() && !report.converged) {
+    fail(report, Flattening_report::NO_CONVERGENCE, "the angles did not converge to the prescribed ones");
   }
   return result;
 }

@@ -56,6 +56,8 @@ inline Flattening<ABF_plus_plus_report> made_injective(const Chart& chart,
   if(direct.succeeded())
     fail(direct.report, Flattening_report::OVERLAPPING,
          "the map has " + describe_touching_edges(chart, direct.uv));
+  if(chart.has_prescribed_angles()) // they are not kept by what follows
+    return direct;
   Chart copy = chart;
   const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
   Flattening<Hierarchical_report> injective =

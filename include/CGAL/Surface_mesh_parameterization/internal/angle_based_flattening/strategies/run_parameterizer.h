@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/angle_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
@@ -99,6 +100,14 @@ private:
   std::shared_ptr<Link> m_link;
 };
 
+// What a caller prescribes for faces and vertices
+template <typename TriangleMesh>
+struct Prescriptions
+{
+  Face_importance<TriangleMesh> importance;
+  Vertex_angle_sums<TriangleMesh> angle_sums;
+};
+
 // Reads the chart of a border halfedge, flattens it by `flatten`, and writes the coordinates if the map is valid.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Flatten>
@@ -108,9 +117,9 @@ class Parameterizer_run
 
 public:
   Parameterizer_run(const TriangleMesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
-                    VertexIndexMap vimap, const Face_importance<TriangleMesh>& importance,
+                    VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
                     const Flattening_options& options, const Flatten& flatten)
-      : m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap), m_importance(importance),
+      : m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap), m_prescriptions(prescriptions),
         m_options(options), m_flatten(flatten)
   {}
 
@@ -137,7 +146,9 @@ private:
     if(!defect)
       defect = diagnose(m_reader.chart, m_options.holes != Flattening_options::REFUSE);
     if(!defect)
-      defect = read_importance(m_reader.face_descriptors, m_importance, m_reader.chart);
+      defect = read_importance(m_reader.face_descriptors, m_prescriptions.importance, m_reader.chart);
+    if(!defect)
+      defect = read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
     report.triangles = static_cast<int>(m_reader.face_descriptors.size());
     report.borders = static_cast<int>(m_reader.chart.borders.size());
@@ -167,7 +178,7 @@ private:
   halfedge_descriptor m_border;
   VertexUVmap m_uvmap;
   VertexIndexMap m_vimap;
-  const Face_importance<TriangleMesh>& m_importance;
+  const Prescriptions<TriangleMesh>& m_prescriptions;
   const Flattening_options& m_options;
   const Flatten& m_flatten;
   Outcome<TriangleMesh, Report> m_outcome;
@@ -179,7 +190,7 @@ template <typename Report, typename TriangleMesh, typename VertexUVmap, typename
 Outcome<TriangleMesh, Report>
 run_parameterizer(const TriangleMesh& mesh,
                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
-                  VertexIndexMap vimap, const Face_importance<TriangleMesh>& importance,
+                  VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
                   const Options& options, const Flatten& flatten)
 {
   const std::string wrong = wrong_option(options);
@@ -189,7 +200,7 @@ run_parameterizer(const TriangleMesh& mesh,
     return outcome;
   }
   return Parameterizer_run<Report, TriangleMesh, VertexUVmap, VertexIndexMap, Flatten>(
-             mesh, bhd, uvmap, vimap, importance, options, flatten)
+             mesh, bhd, uvmap, vimap, prescriptions, options, flatten)
       .run();
 }
 

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_FLOW_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_FLOW_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Planar angles exist if each of them can be this large.
+inline constexpr double least_angle_of_flow = 1e-6;
+
+// Whether each triangle can give pi to its three corners so that interior vertices get 2 pi, and those of the outer border what is
+// prescribed: a maximum flow from triangles to vertices, all others being one vertex. It starts near the target angles.
+class Angle_flow
+{
+  typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                             boost::no_property, int, int>
+      Graph;
+  typedef boost::graph_traits<Graph>::edge_descriptor Edge;
+
+public:
+  explicit Angle_flow(const Chart& chart)
+      : m_chart(chart), m_first_vertex(2 + chart.number_of_triangles()), m_node(chart.points.size()),
+        m_supply(chart.number_of_triangles(), pi - 3 * least_angle_of_flow)
+  {
+    find_demands();
+    find_first_flow();
+    find_maximum_flow();
+  }
+
+  bool is_feasible() const { return m_missing <= least_angle_of_flow / 2; }
+
+  // If it is not: whether the sums at some prescribed vertices are too large, or else too small; and whether a vertex is one of them
+  bool is_too_large() const { return !m_has_others || is_reached(m_others); }
+  bool is_in_conflict(int v) const { return is_reached(m_node[v]) != is_too_large(); }
+
+private:
+  enum
+  {
+    SOURCE,
+    SINK
+  };
+
+  bool is_reached(int node) const { return m_is_reached[node]; }
+  int node_of_triangle(int t) const { return 2 + t; }
+  int rank(int corner) const { return m_node[m_chart.vertex[corner]] - m_first_vertex; }
+
+  void find_demands()
+  {
+    double others = 0;
+    for(int v = 0; v < m_chart.number_of_vertices(); ++v)
+      if(m_chart.interior[v] >= 0 || m_chart.is_angle_prescribed(v)) {
+        m_node[v] = m_first_vertex + static_cast<int>(m_demand.size());
+        m_demand.push_back(m_chart.interior[v] >= 0 ? 2 * pi : m_chart.angle_sums[v]);
+        others -= m_demand.back();
+      } else {
+        m_node[v] = -1;
+      }
+    m_others = m_first_vertex + static_cast<int>(m_demand.size());
+    std::replace(m_node.begin(), m_node.end(), -1, m_others);
+    m_demand.push_back(others + pi * m_chart.number_of_triangles());
+    for(int c = 0; c < m_chart.number_of_corners(); ++c)
+      m_demand[rank(c)] -= least_angle_of_flow;
+    m_has_others = std::find(m_node.begin(), m_node.end(), m_others) != m_node.end();
+    if(!m_has_others)
+      m_demand.back() = 0; // but for rounding
+  }
+
+  // As much of the target angles as triangles and vertices allow
+  void find_first_flow()
+  {
+    const std::vector<double> beta = target_angles(m_chart);
+    std::vector<double> sum(m_demand.size(), 0.);
+    for(int c = 0; c < m_chart.number_of_corners(); ++c)
+      sum[rank(c)] += beta[c];
+    for(int c = 0; c < m_chart.number_of_corners(); ++c) {
+      const int first = 3 * (c / 3);
+      const double of_triangle = beta[first] + beta[first + 1] + beta[first + 2];
+      m_flow.push_back((std::min)(beta[c] / sum[rank(c)] * (std::max)(m_demand[rank(c)], 0.),
+                                  beta[c] / of_triangle * (pi - 3 * least_angle_of_flow)));
+    }
+    for(int c = 0; c < m_chart.number_of_corners(); ++c) {
+      m_supply[c / 3] -= m_flow[c];
+      m_demand[rank(c)] -= m_flow[c];
+    }
+  }
+
+  // An edge of the network with the capacities in both directions
+  struct Pipe
+  {
+    int source, target;
+    double capacity, reverse_capacity;
+  };
+
+  std::vector<Pipe> pipes() const
+  {
+    const double unlimited = pi * m_chart.number_of_triangles();
+    std::vector<Pipe> result;
+    for(int t = 0; t < m_chart.number_of_triangles(); ++t)
+      result.push_back({SOURCE, node_of_triangle(t), (std::max)(m_supply[t], 0.), 0});
+    for(std::size_t i = 0; i < m_demand.size(); ++i)
+      result.push_back({m_first_vertex + static_cast<int>(i), SINK, (std::max)(m_demand[i], 0.), 0});
+    for(int c = 0; c < m_chart.number_of_corners(); ++c)
+      result.push_back({node_of_triangle(c / 3), m_first_vertex + rank(c), unlimited, m_flow[c]});
+    return result;
+  }
+
+  void find_maximum_flow()
+  {
+    const std::vector<Pipe> network = pipes();
+    const int n = static_cast<int>(network.size());
+    // Edge 2 i is pipe i, and edge 2 i + 1 its reverse.
+    const auto source = [&](int e) { return e % 2 == 0 ? network[e / 2].source : network[e / 2].target; };
+    const auto target = [&](int e) { return e % 2 == 0 ? network[e / 2].target : network[e / 2].source; };
+    std::vector<int> order(2 * n), place(2 * n);
+    for(int e = 0; e < 2 * n; ++e)
+      order[e] = e;
+    std::stable_sort(order.begin(), order.end(), [&](int e, int f) { return source(e) < source(f); });
+    std::vector<std::pair<int, int>> edges;
+    std::vector<double> capacity;
+    for(int e : order) {
+      place[e] = static_cast<int>(edges.size());
+      edges.emplace_back(source(e), target(e));
+      capacity.push_back(e % 2 == 0 ? network[e / 2].capacity : network[e / 2].reverse_capacity);
+    }
+    std::vector<Edge> reverse;
+    for(int e : order)
+      reverse.emplace_back(target(e), place[e ^ 1]);
+    run(Graph(boost::edges_are_sorted, edges.begin(), edges.end(), m_others + 1), capacity, reverse);
+  }
+
+  void run(const Graph& graph, const std::vector<double>& capacity, const std::vector<Edge>& reverse)
+  {
+    const int n = m_others + 1;
+    const auto node_index = get(boost::vertex_index, graph);
+    const auto edge_index = get(boost::edge_index, graph);
+    std::vector<double> residual(capacity.size());
+    std::vector<Edge> predecessor(n);
+    std::vector<boost::default_color_type> color(n);
+    std::vector<int> distance(n);
+    const double flow = boost::boykov_kolmogorov_max_flow(
+        graph, boost::make_iterator_property_map(capacity.begin(), edge_index),
+        boost::make_iterator_property_map(residual.begin(), edge_index),
+        boost::make_iterator_property_map(reverse.begin(), edge_index),
+        boost::make_iterator_property_map(predecessor.begin(), node_index),
+        boost::make_iterator_property_map(color.begin(), node_index),
+        boost::make_iterator_property_map(distance.begin(), node_index), node_index, static_cast<int>(SOURCE),
+        static_cast<int>(SINK));
+    m_missing = -flow;
+    for(double demand : m_demand)
+      m_missing += (std::max)(demand, 0.);
+    for(boost::default_color_type c : color)
+      m_is_reached.push_back(c == boost::black_color);
+  }
+
+  const Chart& m_chart;
+  int m_first_vertex, m_others = 0; // nodes: the first one of a vertex, and the one of all other vertices
+  bool m_has_others = false;
+  std::vector<int> m_node;                // of each vertex
+  std::vector<double> m_supply, m_demand; // what is left of them
+  std::vector<double> m_flow;             // the first one
+  double m_missing = 0;
+  std::vector<char> m_is_reached; // of each node: whether more can flow to it
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_FLOW_H

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_SUMS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_SUMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/angle_flow.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The prescribed angle sum of each vertex of a mesh, if there is one. It hides the type of the caller's property map.
+template <typename TriangleMesh>
+using Vertex_angle_sums = std::function<std::optional<double>(
+    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor&)>;
+
+template <typename TriangleMesh, typename VertexAngleSumMap>
+Vertex_angle_sums<TriangleMesh> vertex_angle_sums(VertexAngleSumMap map)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  return [map](const vertex_descriptor& v) { return std::optional<double>(get(map, v)); };
+}
+
+// Prescribed angles may miss their total by this much, which is then put onto the largest one.
+inline constexpr double largest_rounding_of_angles = 1e-6;
+
+// Whether planar angles with prescribed sums at vertices of the outer border exist. If each triangle has pi to give to its corners,
+// and no corner gets nothing, then there are also edges that fit together: a packing of circles that touch one another has such angles.
+// (Thurston 1978, Chapter 13; Chow and Luo 2003.)
+class Angle_sum_check
+{
+public:
+  explicit Angle_sum_check(const Chart& chart)
+      : m_chart(chart), m_border(chart.borders.front()), m_rank(chart.points.size(), -1),
+        m_turning(m_border.size() + 1, 0.), m_free(m_border.size() + 1, 0)
+  {
+    for(int i = 0; i < size(); ++i) {
+      m_rank[vertex(i)] = i;
+      const bool is_free = !chart.is_angle_prescribed(vertex(i));
+      m_turning[i + 1] = m_turning[i] + (is_free ? 0 : pi - chart.angle_sums[vertex(i)]);
+      m_free[i + 1] = m_free[i] + is_free;
+    }
+  }
+
+  Chart_defect run() const
+  {
+    if(Chart_defect defect = find_wrong_angle())
+      return defect;
+    if(Chart_defect defect = find_wrong_total())
+      return defect;
+    if(Chart_defect defect = find_flat_chords())
+      return defect;
+    if(Chart_defect defect = find_too_large_angle())
+      return defect;
+    return find_misplaced_angles();
+  }
+
+  // By how much the sum of all angles of a border that is wholly prescribed is too small
+  double missing_angle() const { return m_turning.back() - 2 * pi; }
+
+private:
+  int size() const { return static_cast<int>(m_border.size()); }
+  int vertex(int i) const { return m_chart.edge_source(m_border[i]); }
+
+  // Of a corner at the vertex
+  int corner(int i) const { return next_corner(m_border[i]); }
+
+  static Chart_defect defect(Flattening_report::Diagnosis diagnosis, const std::ostringstream& message,
+                             std::vector<int> vertices)
+  {
+    return {diagnosis, message.str(), std::move(vertices), {}};
+  }
+
+  Chart_defect find_wrong_angle() const
+  {
+    std::vector<int> vertices;
+    for(int v = 0; v < m_chart.number_of_vertices(); ++v)
+      if(m_chart.is_angle_prescribed(v) &&
+         (m_rank[v] < 0 || !std::isfinite(m_chart.angle_sums[v]) || m_chart.angle_sums[v] <= 0))
+        vertices.push_back(v);
+    if(vertices.empty())
+      return {};
+    std::ostringstream message;
+    message << "the prescribed angle at the vertex at " << position_text(m_chart, vertices.front())
+            << (m_rank[vertices.front()] < 0 ? " is not at the outer border" : " is not a positive number");
+    return defect(Flattening_report::WRONG_ANGLE_SUM, message, vertices);
+  }
+
+  Chart_defect find_wrong_total() const
+  {
+    const double left = missing_angle();
+    std::ostringstream message;
+    message.precision(10);
+    if(m_free.back() == 0) {
+      if(std::abs(left) <= largest_rounding_of_angles)
+        return {};
+      message << "the prescribed angles of all " << size() << " border vertices sum to "
+              << (size() - 2) * pi - left << ", but must sum to " << size() - 2
+              << " pi = " << (size() - 2) * pi;
+      return defect(Flattening_report::WRONG_ANGLE_TOTAL, message, {});
+    }
+    // What is left for the others counts their turning as zero.
+    const double sum = left + m_free.back() * pi;
+    std::vector<int> others;
+    std::size_t triangles = 0;
+    for(int i = 0; i < size(); ++i)
+      if(!m_chart.is_angle_prescribed(vertex(i))) {
+        others.push_back(vertex(i));
+        triangles += corners_around(m_chart, corner(i)).size();
+      }
+    if(sum > 0 && sum < static_cast<double>(triangles) * pi)
+      return {};
+    message << "the prescribed angles leave a sum of " << sum << " to the " << others.size()
+            << " other border vertices, which must be above 0 and below " << triangles << " pi";
+    return defect(Flattening_report::WRONG_ANGLE_TOTAL, message, others);
+  }
+
+  // An edge between two border vertices cuts off a part of the plane on each side, if the border turns towards it between them.
+  Chart_defect find_flat_chords() const
+  {
+    std::vector<int> ends;
+    for(int c = 0; c < m_chart.number_of_corners(); ++c)
+      if(m_chart.opposite[c] > c) {
+        const int i = m_rank[m_chart.edge_source(c)], j = m_rank[m_chart.edge_target(c)];
+        if(i >= 0 && j >= 0 &&
+           (is_flat((std::min)(i, j), (std::max)(i, j), false) ||
+            is_flat((std::min)(i, j), (std::max)(i, j), true))) {
+          ends.push_back(vertex(i));
+          ends.push_back(vertex(j));
+        }
+      }
+    if(ends.empty())
+      return {};
+    std::ostringstream message;
+    message << "an edge joins the border vertices at " << position_text(m_chart, ends[0]) << " and "
+            << position_text(m_chart, ends[1])
+            << ", but the prescribed angles between them leave no room beside it";
+    if(ends.size() > 2)
+      message << ", as beside " << ends.size() / 2 - 1 << " other edge(s)";
+    message << ": split it, for example by split_flat_chords()";
+    return defect(Flattening_report::FLAT_CHORD, message, ends);
+  }
+
+  // Whether the vertices between two of ranks i < j, or the others, are all prescribed and do not turn to the left together
+  bool is_flat(int i, int j, bool others) const
+  {
+    const auto sum = [&](const auto& sums) {
+      return others ? sums.back() - (sums[j + 1] - sums[i]) : sums[j] - sums[i + 1];
+    };
+    return sum(m_free) == 0 && sum(m_turning) <= least_angle_of_flow;
+  }
+
+  Chart_defect find_too_large_angle() const
+  {
+    std::vector<int> vertices;
+    std::size_t triangles = 0;
+    for(int i = size() - 1; i >= 0; --i)
+      if(m_chart.is_angle_prescribed(vertex(i))) {
+        const std::size_t number = corners_around(m_chart, corner(i)).size();
+        if(m_chart.angle_sums[vertex(i)] >= static_cast<double>(number) * pi - least_angle_of_flow) {
+          vertices.insert(vertices.begin(), vertex(i));
+          triangles = number;
+        }
+      }
+    if(vertices.empty())
+      return {};
+    std::ostringstream message;
+    message << "the prescribed angle " << m_chart.angle_sums[vertices.front()] << " at the vertex at "
+            << position_text(m_chart, vertices.front()) << " is too large: it has only " << triangles
+            << " triangle(s)";
+    return defect(Flattening_report::WRONG_ANGLE_SUM, message, vertices);
+  }
+
+  // Where no angle is above pi, only chords can be in the way.
+  Chart_defect find_misplaced_angles() const
+  {
+    bool is_convex = true;
+    for(int i = 0; i < size(); ++i)
+      if(m_chart.is_angle_prescribed(vertex(i)))
+        is_convex = is_convex && m_chart.angle_sums[vertex(i)] <= pi + largest_rounding_of_angles;
+    if(is_convex)
+      return {};
+    const Angle_flow flow(m_chart);
+    if(flow.is_feasible())
+      return {};
+    std::vector<int> vertices;
+    for(int i = 0; i < size(); ++i)
+      if(m_chart.is_angle_prescribed(vertex(i)) && flow.is_in_conflict(vertex(i)))
+        vertices.push_back(vertex(i));
+    std::ostringstream message;
+    message << "the angles prescribed at " << vertices.size() << " border vertices";
+    if(!vertices.empty())
+      message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
+    message << (flow.is_too_large() ? " are too large" : " are too small")
+            << " together for the triangles that are there";
+    return defect(Flattening_report::INFEASIBLE_ANGLE_SUMS, message, vertices);
+  }
+
+  const Chart& m_chart;
+  const std::vector<int>& m_border;
+  std::vector<int> m_rank;       // of each vertex along the outer border, or -1
+  std::vector<double> m_turning; // of the prescribed vertices before each rank
+  std::vector<int> m_free;       // number of vertices before each rank without a prescribed angle
+};
+
+// Puts what rounding left of the total onto the largest angle: the equations cannot be met otherwise.
+inline void complete_total(double missing, Chart& chart)
+{
+  if(!is_whole_border_prescribed(chart))
+    return;
+  *std::max_element(chart.angle_sums.begin(), chart.angle_sums.end(),
+                    [](double a, double b) { return std::isnan(a) ? !std::isnan(b) : a < b; }) += missing;
+}
+
+// Sets the prescribed angles of a chart, if there are some that can be met.
+template <typename VertexDescriptor, typename VertexAngleSums>
+Chart_defect read_angle_sums(const std::vector<VertexDescriptor>& vertices, const VertexAngleSums& angle_sums,
+                             Chart& chart)
+{
+  if(!angle_sums)
+    return {};
+  chart.angle_sums.assign(vertices.size(), (std::numeric_limits<double>::quiet_NaN)());
+  bool has_some = false;
+  for(std::size_t v = 0; v < vertices.size(); ++v)
+    if(const std::optional<double> sum = angle_sums(vertices[v])) {
+      // Not a number stands for none, and must not be taken for that.
+      chart.angle_sums[v] = std::isnan(*sum) ? -1 : *sum;
+      has_some = true;
+    }
+  if(!has_some) {
+    chart.angle_sums.clear();
+    return {};
+  }
+  const Angle_sum_check check(chart);
+  if(Chart_defect defect = check.run())
+    return defect;
+  complete_total(check.missing_angle(), chart);
+  find_nodes(chart);
+  return {};
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_SUMS_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/border_walk.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Walks along the outer border, and turns by exactly as much as is prescribed, so that straight sides are straight whatever
+// the tolerance is. What the angles of the other vertices then lack to a full turn, they share.
+inline Border_walk walk_along_prescribed_border(const Chart& chart, const std::vector<double>& alpha)
+{
+  const std::vector<int>& border = chart.borders.front();
+  Border_walk walk = walk_along_border(chart, alpha, border);
+  std::vector<double> turns;
+  double missing = 2 * pi;
+  int others = 0;
+  for(std::size_t i = 0; i < border.size(); ++i) {
+    const int v = chart.edge_target(border[i]);
+    const bool is_prescribed = chart.is_angle_prescribed(v);
+    turns.push_back(is_prescribed ? pi - chart.angle_sums[v] : walk[i + 1].direction - walk[i].direction);
+    missing -= turns.back();
+    others += !is_prescribed;
+  }
+  for(std::size_t i = 0; i < border.size(); ++i) {
+    const bool is_prescribed = chart.is_angle_prescribed(chart.edge_target(border[i]));
+    walk[i + 1].direction = walk[i].direction + turns[i] + (is_prescribed ? 0 : missing / others);
+  }
+  return walk;
+}
+
+// Closes a polygon by changing the lengths of its edges, and not their directions: the least relative changes, in
+// the sense of least squares with the lengths as weights.
+inline void close_by_lengths(const Chart::Kernel::Vector_2& gap, std::vector<Chart::Kernel::Vector_2>& edges)
+{
+  Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
+  for(const Chart::Kernel::Vector_2& edge : edges) {
+    const Eigen::Vector2d e(edge.x(), edge.y());
+    if(const double length = e.norm(); length > 0)
+      matrix += e * e.transpose() / length;
+  }
+  const Eigen::Vector2d multipliers = matrix.inverse() * Eigen::Vector2d(gap.x(), gap.y());
+  for(Chart::Kernel::Vector_2& edge : edges)
+    if(const double length = std::sqrt(edge.squared_length()); length > 0)
+      edge = edge * (1 - (multipliers.x() * edge.x() + multipliers.y() * edge.y()) / length);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H

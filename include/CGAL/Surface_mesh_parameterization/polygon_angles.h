@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_POLYGON_ANGLES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_POLYGON_ANGLES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_type_config.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+/// \file polygon_angles.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The angles that are prescribed at some vertices, in radians, for `ABF_plus_plus_parameterizer_3::set_angle_sums()`. Copies
+/// share the angles.
+///
+/// \cgalModels{ReadablePropertyMap}
+///
+/// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
+template <typename TriangleMesh>
+class Vertex_angles
+{
+public:
+  /// Key type
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor key_type;
+  /// Value type: nothing where no angle is prescribed
+  typedef std::optional<double> value_type;
+  /// Same as `value_type`
+  typedef value_type reference;
+  /// Category
+  typedef boost::readable_property_map_tag category;
+
+  /// prescribes the angle of a vertex, or none.
+  void set(const key_type& v, const value_type& angle)
+  {
+    if(angle)
+      (*m_angles)[v] = *angle;
+    else
+      m_angles->erase(v);
+  }
+
+  /// returns the angle that is prescribed at a vertex, if there is one.
+  value_type operator[](const key_type& v) const
+  {
+    const auto found = m_angles->find(v);
+    return found == m_angles->end() ? value_type() : value_type(found->second);
+  }
+
+  /// returns the angle that is prescribed at a vertex, if there is one.
+  friend value_type get(const Vertex_angles& angles, const key_type& v) { return angles[v]; }
+
+private:
+  std::shared_ptr<std::map<key_type, double>> m_angles = std::make_shared<std::map<key_type, double>>();
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the angles of a polygon whose corners are some vertices of a border of `mesh`: at each corner the given inner angle, and
+/// \f$\pi\f$ at all other vertices of that border, so that they are on straight sides.
+///
+/// The inner angles of a polygon with \f$k\f$ corners sum to \f$(k - 2)\pi\f$. This function does not check the angles:
+/// `ABF_plus_plus_parameterizer_3::parameterize()` does that, and tells what else is in the way of the polygon. The time is linear, but for
+/// a factor of \cgalBigO{\log b} for \f$b\f$ border vertices.
+///
+/// \tparam TriangleMesh a model of `HalfedgeListGraph` whose vertex descriptors are ordered by `<`
+///
+/// \param mesh a triangle mesh
+/// \param corners the corners with their angles in radians, in any order
+///
+/// \exception std::invalid_argument if there is no corner, a corner occurs twice, or the corners are not on one border
+template <typename TriangleMesh>
+Vertex_angles<TriangleMesh> polygon_angles(
+    const TriangleMesh& mesh,
+    const std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double>>&
+        corners)
+{
+  if(corners.empty())
+    throw std::invalid_argument("a polygon needs corners");
+  const auto all = halfedges(mesh);
+  const auto start = std::find_if(all.begin(), all.end(), [&](auto h) {
+    return CGAL::is_border(h, mesh) && target(h, mesh) == corners.front().first;
+  });
+  if(start == all.end())
+    throw std::invalid_argument("a corner is not on the border");
+  Vertex_angles<TriangleMesh> angles;
+  for(auto h : CGAL::halfedges_around_face(*start, mesh))
+    angles.set(target(h, mesh), CGAL_PI);
+  for(auto corner = corners.begin(); corner != corners.end(); ++corner) {
+    if(!angles[corner->first])
+      throw std::invalid_argument("the corners are not on one border");
+    if(std::any_of(corners.begin(), corner, [&](const auto& other) { return other.first == corner->first; }))
+      throw std::invalid_argument("a vertex is a corner twice");
+    angles.set(corner->first, corner->second);
+  }
+  return angles;
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the angles of a rectangle whose corners are four vertices of a border of `mesh`, in any order. The ratio of its
+/// sides is what the surface makes it.
+///
+/// Requirements, exceptions and time are those of `polygon_angles()`.
+template <typename TriangleMesh>
+Vertex_angles<TriangleMesh>
+rectangle_angles(const TriangleMesh& mesh,
+                 const std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 4>& corners)
+{
+  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double>> right;
+  for(const auto& v : corners)
+    right.emplace_back(v, CGAL_PI / 2);
+  return polygon_angles(mesh, right);
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_POLYGON_ANGLES_H

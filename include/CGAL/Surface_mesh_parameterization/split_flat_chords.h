@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_SPLIT_FLAT_CHORDS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_SPLIT_FLAT_CHORDS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <cstddef>
+#include <vector>
+
+/// \file split_flat_chords.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+#ifndef DOXYGEN_RUNNING
+namespace internal::ABF {
+
+// Splits an inner edge in its middle, and both of its triangles.
+template <typename TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::vertex_descriptor
+split_in_the_middle(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh& mesh)
+{
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto middle = CGAL::midpoint(get(points, source(h, mesh)), get(points, target(h, mesh)));
+  const auto first = Euler::split_edge(h, mesh); // its target is the new vertex, and `h` follows
+  put(points, target(first, mesh), middle);
+  const auto back = opposite(h, mesh);
+  Euler::split_face(first, next(h, mesh), mesh);
+  Euler::split_face(back, next(next(back, mesh), mesh), mesh);
+  return target(first, mesh);
+}
+
+} // namespace internal::ABF
+#endif // DOXYGEN_RUNNING
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// splits the edges of `mesh` that are in the way of a planar border with prescribed angles: those for which
+/// `ABF_plus_plus_parameterizer_3::parameterize()` has the diagnosis `Flattening_report::FLAT_CHORD`.
+///
+/// Such an edge joins two border vertices, and the border between them is to be straight, or to turn away from the edge. The triangles
+/// between the two would have no area. The most frequent one cuts off a triangle with two border edges, whose
+/// third vertex is to be on a straight side. The edge is split in its middle, and so are the two triangles beside it: then it can bend.
+///
+/// The shape of the surface stays the same. Nothing is split if the prescribed angles are wrong in another way.
+/// The time is linear.
+///
+/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map.
+/// \tparam VertexAngleSumMap a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_angle_sums()`.
+///
+/// \param mesh a triangle mesh.
+/// \param bhd a halfedge on the border of `mesh`: one without a face.
+/// \param angle_sums the prescribed angles. New vertices are not on the border, and must not have a prescribed angle.
+///
+/// \return the new vertices.
+template <typename TriangleMesh, typename VertexAngleSumMap>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+split_flat_chords(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                  VertexAngleSumMap angle_sums)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  std::vector<vertex_descriptor> ends, middles;
+  {
+    internal::ABF::Chart_reader<TriangleMesh> reader(mesh);
+    if(reader.read(bhd) || internal::ABF::diagnose(reader.chart, true))
+      return {};
+    const internal::ABF::Chart_defect defect = internal::ABF::read_angle_sums(
+        reader.vertex_descriptors, internal::ABF::vertex_angle_sums<TriangleMesh>(angle_sums), reader.chart);
+    if(defect.diagnosis != Flattening_report::FLAT_CHORD)
+      return {};
+    for(int v : defect.vertices)
+      ends.push_back(reader.vertex_descriptors[v]);
+  }
+  for(std::size_t i = 0; i + 1 < ends.size(); i += 2)
+    middles.push_back(internal::ABF::split_in_the_middle(halfedge(ends[i], ends[i + 1], mesh).first, mesh));
+  return middles;
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_SPLIT_FLAT_CHORDS_H
