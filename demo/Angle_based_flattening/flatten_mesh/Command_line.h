@@ -60,6 +60,8 @@ struct Command_line
   int border = 0;
   std::string cut = "auto";
   bool split_overlaps = false;
+  std::string rectangle;     // four vertices, "auto", or empty
+  std::string border_angles; // a file
   std::string holes = "solve";
   std::string method = "auto";
   std::string solver = "superlu";

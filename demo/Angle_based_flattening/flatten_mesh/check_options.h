@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_CHECK_OPTIONS_H
 #define FLATTEN_MESH_CHECK_OPTIONS_H
 
+#include "flatten_mesh/plain/border_angles.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/describe_options.h"
@@ -136,6 +137,29 @@ inline void check_injective(const Values& values, const Command_line& command)
   }
 }
 
+inline void check_angles(const Command_line& command)
+{
+  if(command.rectangle.empty() && command.border_angles.empty()) {
+    return;
+  }
+  const std::string option = command.rectangle.empty() ? "--border-angles" : "--rectangle";
+  const auto check = [&option](const bool is_right, const std::string& rule) {
+    if(!is_right) {
+      throw Usage_error(option + rule);
+    }
+  };
+  check(command.rectangle.empty() || command.border_angles.empty(),
+        " and --border-angles exclude each other");
+  check(command.rectangle.empty() || command.rectangle == "auto" || corner_numbers(command.rectangle),
+        " takes four different vertices, as in '--rectangle 1,20,300,4000', or 'auto'");
+  check(command.method != "hierarchical",
+        " goes with --method direct or auto: the hierarchical method prescribes no angles");
+  check((command.cut == "auto" || command.cut == "none") && !command.asks_for_stretch,
+        " goes with a surface that is not cut open");
+  check(command.layout != "least-squares",
+        " goes with --layout exact or auto: least squares bend straight sides");
+}
+
 // An option that would have no effect is refused.
 inline void check_kind(const Values& values, const Command_line& command)
 {
@@ -261,6 +285,7 @@ inline void check_plain(const Values& values, Command_line& command)
   check_seams(values, command);
   if(command.is_plain) {
     check_injective(values, command);
+    check_angles(command);
   }
   if(command.method == "auto" && !command.options.injective) {
     refine_method(values, command.hierarchical);

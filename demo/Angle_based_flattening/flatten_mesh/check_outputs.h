@@ -91,7 +91,8 @@ inline void check_output(const Command_line& command, const Output_option& optio
     return !input.empty() && input != standard_input && is_same_file(input, file);
   };
   if(file != standard_output &&
-     (is_read(command.input) || (is_selection_file(command.cut) && is_read(command.cut)) ||
+     (is_read(command.input) || is_read(command.border_angles) ||
+      (is_selection_file(command.cut) && is_read(command.cut)) ||
       (is_selection_file(command.atlas.seams_from) && is_read(command.atlas.seams_from)))) {
     throw Output_error("'" + file + "' would overwrite the input: choose another name");
   }

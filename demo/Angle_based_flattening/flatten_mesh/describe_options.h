@@ -164,6 +164,14 @@ inline po::options_description plain_options(Command_line& command)
       "where the map overlaps itself, split the chart along further seams into pieces whose maps do not. The "
       "coordinates stay as they are, so that pieces still lie over one another: move them apart as islands "
       "of the texture");
+  add("rectangle", po::value(&command.rectangle)->value_name("V1,V2,V3,V4|auto"),
+      "the border becomes a rectangle with straight sides and these four vertices of it as corners, counted "
+      "from 1, as in OBJ files. auto: where the border comes near the corners of the smallest rectangle "
+      "around the map without this option. Edges that cut off triangles which would be flat are split in "
+      "their middle, in OBJ output too");
+  add("border-angles", po::value(&command.border_angles)->value_name("FILE"),
+      "the border has these inner angles in the plane. The file has a line for each vertex that has one: its "
+      "number, from 1, and its angle in degrees, 180 on straight sides");
   add("injective", po::bool_switch(&command.options.injective),
       "a map in which no two triangles overlap, without further seams: where the map would overlap itself, "
       "its border is kept from touching itself, and angles change more. Holes are filled meanwhile. --method "

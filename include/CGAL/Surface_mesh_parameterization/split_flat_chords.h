@@ -48,6 +48,20 @@ split_in_the_middle(typename boost::graph_traits<TriangleMesh>::halfedge_descrip
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
+/// An edge that was split.
+template <typename TriangleMesh>
+struct Split_edge
+{
+  /// Vertex type
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+
+  vertex_descriptor source; ///< One of its vertices.
+  vertex_descriptor target; ///< The other one.
+  vertex_descriptor middle; ///< The new vertex between them.
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
 /// splits the edges of `mesh` that are in the way of a planar border with prescribed angles: those for which
 /// `ABF_plus_plus_parameterizer_3::parameterize()` has the diagnosis `Flattening_report::FLAT_CHORD`.
 ///
@@ -65,14 +79,14 @@ split_in_the_middle(typename boost::graph_traits<TriangleMesh>::halfedge_descrip
 /// \param bhd a halfedge on the border of `mesh`: one without a face.
 /// \param angle_sums the prescribed angles. New vertices are not on the border, and must not have a prescribed angle.
 ///
-/// \return the new vertices.
+/// \return the edges that were split.
 template <typename TriangleMesh, typename VertexAngleSumMap>
-std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+std::vector<Split_edge<TriangleMesh>>
 split_flat_chords(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                   VertexAngleSumMap angle_sums)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  std::vector<vertex_descriptor> ends, middles;
+  std::vector<vertex_descriptor> ends;
   {
     internal::ABF::Chart_reader<TriangleMesh> reader(mesh);
     if(reader.read(bhd) || internal::ABF::diagnose(reader.chart, true))
@@ -84,9 +98,11 @@ split_flat_chords(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>
     for(int v : defect.vertices)
       ends.push_back(reader.vertex_descriptors[v]);
   }
+  std::vector<Split_edge<TriangleMesh>> result;
   for(std::size_t i = 0; i + 1 < ends.size(); i += 2)
-    middles.push_back(internal::ABF::split_in_the_middle(halfedge(ends[i], ends[i + 1], mesh).first, mesh));
-  return middles;
+    result.push_back({ends[i], ends[i + 1],
+                      internal::ABF::split_in_the_middle(halfedge(ends[i], ends[i + 1], mesh).first, mesh)});
+  return result;
 }
 
 } // namespace Surface_mesh_parameterization

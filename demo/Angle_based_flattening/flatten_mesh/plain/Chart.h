@@ -12,15 +12,20 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace flatten_mesh {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
 
 // A connected component of a mesh.
 struct Component
@@ -40,6 +45,11 @@ struct Chart : public Component
   // Only if the mesh is a surface that was cut open along seams:
   std::vector<Vertex> input_vertices; // of each vertex, in the mesh before
   std::vector<int> seams;             // of each edge: the number of its seam from 0, and -1 off the seams
+
+  // Only if angles are prescribed:
+  std::optional<SMP::Vertex_angles<Mesh>> angles;
+  std::vector<Vertex> corners;                    // those that are not inside of straight sides
+  std::vector<SMP::Split_edge<Mesh>> split_edges; // which were in the way
 
   bool is_cut() const { return !input_vertices.empty(); }
 

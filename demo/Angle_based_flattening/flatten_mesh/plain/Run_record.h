@@ -96,6 +96,8 @@ struct Run_record
   std::optional<Seam_record> seams;
   Flattening flattening;
   std::optional<Split_record> split;
+  std::vector<std::size_t> corners; // of the prescribed border: vertices from 0
+  std::size_t split_edges = 0;      // which were in the way of that border
   std::vector<std::string> written;
   std::vector<std::string> notes;
   bool has_area = true;

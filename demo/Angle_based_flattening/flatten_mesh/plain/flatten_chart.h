@@ -117,6 +117,9 @@ void flatten_directly(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_o
 {
   flattening.method = "direct";
   SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits> direct(options);
+  if(chart.angles) {
+    direct.set_angle_sums(*chart.angles);
+  }
   run_parameterizer(mesh, chart, direct, uv, flattening);
 }
 
@@ -161,7 +164,7 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
                    const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
 {
   const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
-  if(command.method == "direct" || (command.method == "auto" && is_direct_fast)) {
+  if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || chart.angles) {
     flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
     return;
   }

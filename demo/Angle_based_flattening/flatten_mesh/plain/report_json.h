@@ -49,6 +49,23 @@ inline void add_injectivity(Json_object& json, const SMP::Flattening_report& rep
   json.add("border_rejections", json_number(report.border_rejections));
 }
 
+// Vertices count from 1, as in OBJ files.
+inline std::string angles_json(const Run_record& record)
+{
+  const SMP::ABF_plus_plus_report& report = record.flattening.report;
+  std::string corners;
+  for(const std::size_t v : record.corners) {
+    corners += (corners.empty() ? "" : ", ") + std::to_string(v + 1);
+  }
+  Json_object json;
+  json.add("angles", json_number(report.prescribed_angles));
+  json.add("corners", "[" + corners + "]");
+  json.add("split_edges", json_number(record.split_edges));
+  json.add("largest_angle_error", json_number(report.largest_angle_error));
+  json.add("side_deviation", json_number(report.side_deviation));
+  return json.text();
+}
+
 inline std::string split_json(const Split_record& split)
 {
   Json_object json;
@@ -90,6 +107,7 @@ inline std::string report_json(const Run_record& record)
   internal::add_measures(json, record.flattening.succeeded() ? &record.flattening.measures : nullptr);
   internal::add_certificates(json, record.flattening);
   internal::add_injectivity(json, report);
+  json.add("prescribed", report.prescribed_angles > 0 ? internal::angles_json(record) : "null");
   json.add("split", record.split ? internal::split_json(*record.split) : "null");
   internal::Json_object seconds;
   for(const auto& stage : seconds_of_stages(record)) {

@@ -61,6 +61,21 @@ inline Report_rows contact_rows(const SMP::Flattening_report& report)
            "distance between parts of the border, in lengths of their edges"}};
 }
 
+inline Report_rows angle_rows(const Run_record& record)
+{
+  const SMP::ABF_plus_plus_report& report = record.flattening.report;
+  std::string corners;
+  for(std::size_t i = 0; i < record.corners.size() && i < 8; ++i) {
+    corners += (i == 0 ? "" : ", ") + std::to_string(record.corners[i] + 1);
+  }
+  return {{"corners", std::to_string(record.corners.size()),
+           "vertices " + corners + (record.corners.size() > 8 ? ", ..." : "")},
+          {"border angles", std::to_string(report.prescribed_angles),
+           "prescribed; they hold within " + format_number("%.1e", report.largest_angle_error) +
+               ", and sides are straight within " + format_number("%.1e", report.side_deviation) +
+               " of their length"}};
+}
+
 inline Report_rows seams_rows(const Seam_record& seams)
 {
   const std::string terminals = seams.terminals ? "; " + count_text(*seams.terminals, "terminal") : "";
@@ -116,6 +131,9 @@ inline Report_rows surface_rows(const Run_record& record)
   }
   append(rows, internal::method_rows(record.flattening));
   append(rows, internal::quality_rows(record.flattening.measures));
+  if(record.flattening.report.prescribed_angles > 0) {
+    append(rows, internal::angle_rows(record));
+  }
   if(record.flattening.report.injective) {
     append(rows, internal::contact_rows(record.flattening.report));
   }

@@ -21,6 +21,7 @@
 #include "flatten_mesh/plain/flatten_along_seams.h"
 #include "flatten_mesh/plain/flatten_chart.h"
 #include "flatten_mesh/model/read_model.h"
+#include "flatten_mesh/plain/prescribe_angles.h"
 #include "flatten_mesh/plain/report_json.h"
 #include "flatten_mesh/plain/report_text.h"
 #include "flatten_mesh/seam_file.h"
@@ -78,6 +79,11 @@ Surface read_surface(const Command_line& command, Notes& notes)
     surface.origins = std::move(built.origins);
     surface.component = choose_component(surface.input, static_cast<std::size_t>(command.component));
     if(is_cut(command, surface.input, surface.component)) {
+      if(prescribes_angles(command)) {
+        throw Input_error(
+            "the surface is closed or has handles, and must be cut open; angles can be prescribed "
+            "only at the border of a surface that is not");
+      }
       surface.seamed = make_seamed_component(surface.input, surface.component);
     } else {
       surface.chart =
@@ -93,7 +99,8 @@ Surface read_surface(const Command_line& command, Notes& notes)
 void write_surface(Output_file& file, const std::string& name, Surface& surface, const Flattening& flattening)
 {
   if(is_obj_output(name)) {
-    write_obj(file, surface.soup, surface.mesh(), surface.chart, flattening);
+    write_obj(file, with_split_sides(surface.soup, surface.input, surface.chart), surface.mesh(),
+              surface.chart, flattening);
   } else {
     write_model(file, name, surface.model,
                 texture_of_chart(surface.model, surface.input, surface.origins, surface.soup, surface.mesh(),
@@ -222,6 +229,27 @@ Flattening flatten_cut_surface(const Command_line& command, Surface& surface, Ru
   return flat.flattening;
 }
 
+// Flattens a chart whose border has prescribed angles.
+Flattening flatten_with_angles(const Command_line& command, Surface& surface, Run_record& record,
+                               Progress& progress, Notes& notes)
+{
+  if(const auto failure = prescribe_angles(surface.input, surface.chart, command, progress)) {
+    return *failure;
+  }
+  for(const Vertex v : surface.chart.corners) {
+    record.corners.push_back(v.idx());
+  }
+  record.split_edges = surface.chart.split_edges.size();
+  record.vertices = surface.chart.vertices.size();
+  record.triangles = surface.chart.faces.size();
+  if(record.split_edges > 0) {
+    notes.add(
+        count_text(record.split_edges, "edge") +
+        " between border vertices split in the middle: triangles beside the straight sides would be flat");
+  }
+  return flatten_chart(surface.input, surface.chart, command, progress);
+}
+
 // Splits the chart where its map overlaps itself.
 void split_surface(Surface& surface, Run_record& record, const Progress& progress)
 {
@@ -302,7 +330,9 @@ Exit_status run_plain(const Command_line& command)
     cut_surface(command, surface, record, progress);
   }
   record.flattening = surface.seamed ? flatten_cut_surface(command, surface, record, progress, notes)
-                                     : flatten_chart(surface.input, surface.chart, command, progress);
+                      : prescribes_angles(command)
+                          ? flatten_with_angles(command, surface, record, progress, notes)
+                          : flatten_chart(surface.input, surface.chart, command, progress);
   record.borders = surface.chart.borders.size();
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);

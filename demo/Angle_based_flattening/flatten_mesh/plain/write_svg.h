@@ -81,6 +81,18 @@ inline std::string legend(const Distortion_scale& scale, const double left, cons
   return text + "</g>\n";
 }
 
+// A dot at each corner of a prescribed border
+inline std::string corner_marks(const Chart& chart, const Flattening& flattening, const Svg_frame& frame)
+{
+  std::string text;
+  for(const Vertex v : chart.corners) {
+    const Svg_frame::Position position = frame(flattening.uv[v]);
+    text += "<circle cx=\"" + std::to_string(position.first) + "\" cy=\"" + std::to_string(position.second) +
+            "\" r=\"900\" fill=\"#d22\" stroke=\"#fff\" stroke-width=\"250\"/>\n";
+  }
+  return text;
+}
+
 inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
                                const Svg_frame& frame, const Distortion_scale& scale)
 {
@@ -100,7 +112,7 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
     }
   }
   return text + "<path fill=\"none\" stroke=\"#222\" stroke-width=\"120\" d=\"" + borders + "\"/>\n" +
-         seam_lines(surface, frame, width_of_seams) + "</g>\n";
+         seam_lines(surface, frame, width_of_seams) + corner_marks(chart, flattening, frame) + "</g>\n";
 }
 
 } // namespace internal
