@@ -9,6 +9,7 @@
 #include "draw_tile.h"
 
 #include "flatten_mesh/atlas/textured_atlas.h"
+#include "flatten_mesh/plain/choose_corners.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -23,7 +24,9 @@
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 #include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -180,6 +183,26 @@ void draw_holes(const std::string& data, const Pictures& pictures)
                 flatten("holes filled", mask, SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)), mask_view);
 }
 
+// A rectangle whose corners are near those of the smallest rectangle around the map with a free border
+void draw_rectangle(const std::string& data, const Pictures& pictures)
+{
+  Mesh mask = read_mesh(data + "/mask.off");
+  SMP::ABF_plus_plus_options options;
+  options.holes = options.SOLVE;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options);
+  const Halfedge border = PMP::longest_border(mask).first;
+  const auto uv = mask.add_property_map<Vertex, Kernel::Point_2>("v:free_uv").first;
+  check(SMP::parameterize(mask, parameterizer, border, uv) == SMP::OK, "the map with a free border");
+  std::vector<Vertex> vertices;
+  for(const Halfedge h : mask.halfedges_around_face(border)) {
+    vertices.push_back(mask.target(h));
+  }
+  const SMP::Vertex_angles<Mesh> angles = SMP::rectangle_angles(mask, choose_corners(vertices, uv));
+  SMP::split_flat_chords(mask, border, angles);
+  parameterizer.set_angle_sums(angles);
+  pictures.draw("rectangle", mask, flatten("rectangle", mask, parameterizer), mask_view);
+}
+
 // The dinosaur, cut so that its map overlaps itself: as one injective chart, and split into charts that are packed
 void draw_overlaps(const std::string& data, const Pictures& pictures)
 {
@@ -274,6 +297,7 @@ void run(const std::string& data, const std::string& demo, const Pictures& pictu
   draw_disks(demo, pictures);
   draw_cut_surfaces(demo, pictures);
   draw_holes(data, pictures);
+  draw_rectangle(data, pictures);
   draw_overlaps(data, pictures);
   draw_packed_charts(data, pictures);
   draw_atlas(demo, pictures);

@@ -186,7 +186,7 @@ bool has_flips(const Chart& chart, const std::vector<Point_2>& uv)
   return false;
 }
 
-// The flat chart, bent around a circle by an angle, and shaken
+// The flat chart, bent around a circle by an angle
 std::vector<Point_2> bent(const Chart& chart, double angle, double width)
 {
   std::vector<Point_2> uv;
@@ -194,8 +194,6 @@ std::vector<Point_2> bent(const Chart& chart, double angle, double width)
     const double radius = 1 + width * p.y(), direction = -angle * p.x();
     uv.emplace_back(radius * std::cos(direction), radius * std::sin(direction));
   }
-  for(Point_2& p : uv) // clockwise around the circle, outwards: the orientation is that of the chart
-    p = Point_2(p.y(), p.x());
   return uv;
 }
 
@@ -426,6 +424,7 @@ BOOST_AUTO_TEST_CASE(are_found)
                                           return 0.3 * std::sin(3 * x + i) * std::cos(4 * y - i);
                                         });
     const std::vector<Point_2> uv = bent(flat, uniform(random, 0.1, 4), uniform(random, 0.5, 3));
+    BOOST_REQUIRE(i < 2000);
     if(has_flips(flat, uv))
       continue;
     ++charts;

@@ -417,6 +417,8 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "injective",
                             "area-weight",
                             "clearance",
+                            "rectangle",
+                            "border-angles",
                             "plain",
                             "separate",
                             "seams-from",

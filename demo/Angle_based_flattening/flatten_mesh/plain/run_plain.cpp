@@ -304,7 +304,14 @@ std::string remedy(Surface& surface, const SMP::ABF_plus_plus_report& report)
 // Says so if the map overlaps itself and nothing was asked for that prevents this.
 void look_at_overlap(const Command_line& command, const Flattening& flattening, Notes& notes)
 {
-  if(flattening.succeeded() && !flattening.measures.border_is_simple && !command.split_overlaps) {
+  if(!flattening.succeeded() || flattening.measures.border_is_simple || command.split_overlaps) {
+    return;
+  }
+  if(prescribes_angles(command)) {
+    notes.add(
+        "the map overlaps itself: other angles may avoid that, or --holes fill where only holes overlap; "
+        "--split-overlaps keeps the angles, and splits the chart along seams");
+  } else {
     notes.add("the map overlaps itself: --injective gives one that does not; --split-overlaps keeps the "
               "angles, and splits the chart along further seams");
   }
