@@ -186,15 +186,14 @@ bool has_flips(const Chart& chart, const std::vector<Point_2>& uv)
   return false;
 }
 
-// The flat chart, bent around a circle by an angle
-std::vector<Point_2> bent(const Chart& chart, double angle, double width)
+// The unit square, bent around a circle by an angle
+std::vector<Point_2> bent(std::vector<Point_2> points, double angle, double width)
 {
-  std::vector<Point_2> uv;
-  for(const Point_3& p : chart.points) {
+  for(Point_2& p : points) {
     const double radius = 1 + width * p.y(), direction = -angle * p.x();
-    uv.emplace_back(radius * std::cos(direction), radius * std::sin(direction));
+    p = Point_2(radius * std::cos(direction), radius * std::sin(direction));
   }
-  return uv;
+  return points;
 }
 
 } // namespace
@@ -423,7 +422,7 @@ BOOST_AUTO_TEST_CASE(are_found)
     const Chart flat = flat_grid(n, i), chart = grid(n, i, [&](double x, double y) {
                                           return 0.3 * std::sin(3 * x + i) * std::cos(4 * y - i);
                                         });
-    const std::vector<Point_2> uv = bent(flat, uniform(random, 0.1, 4), uniform(random, 0.5, 3));
+    const std::vector<Point_2> uv = bent(projected(flat), uniform(random, 0.1, 4), uniform(random, 0.5, 3));
     BOOST_REQUIRE(i < 2000);
     if(has_flips(flat, uv))
       continue;
@@ -442,25 +441,24 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(any_angles)
 
-// Adds `change`, equally, to some border vertices in a row.
-void bend_part(const Chart& chart, double change, std::mt19937& random, std::vector<double>& sums)
+// Adds `change`, equally, to `length` border vertices in a row, and subtracts it from all others.
+void bend_part(const Chart& chart, double change, int length, std::mt19937& random, std::vector<double>& sums)
 {
   const std::vector<int>& border = chart.borders.front();
-  const int n = static_cast<int>(border.size()), first = uniform_int(random, 0, n - 1),
-            length = uniform_int(random, n / 8 + 1, n / 2);
-  for(int i = first; i < first + length; ++i)
-    sums[chart.edge_source(border[i % n])] += change / length;
+  const int n = static_cast<int>(border.size()), first = uniform_int(random, 0, n - 1);
+  for(int i = 0; i < n; ++i)
+    sums[chart.edge_source(border[(first + i) % n])] += i < length ? change / length : -change / (n - length);
 }
 
-// Random angles, which sum to those of a polygon
+// Random angles, which sum to those of a polygon. Some have a deep notch.
 std::vector<double> random_sums(const Chart& chart, std::mt19937& random)
 {
   std::vector<double> sums = border_angles(chart, projected(chart));
-  for(int i = 0; i < 3; ++i) {
-    const double change = uniform(random, 0, 6);
-    bend_part(chart, change, random, sums);
-    bend_part(chart, -change, random, sums);
-  }
+  const int n = static_cast<int>(chart.borders.front().size());
+  for(int i = 0; i < 3; ++i)
+    bend_part(chart, uniform(random, -5, 5), uniform_int(random, n / 8 + 1, n / 2), random, sums);
+  if(random() % 3 == 0)
+    bend_part(chart, uniform(random, 8, 16), 4, random, sums);
   return sums;
 }
 
@@ -500,7 +498,7 @@ BOOST_AUTO_TEST_CASE(are_feasible_or_not_as_the_solver_finds)
   for(Report::Diagnosis verdict :
       {Report::NOTHING_WRONG, Report::WRONG_ANGLE_SUM, Report::FLAT_CHORD, Report::INFEASIBLE_ANGLE_SUMS}) {
     BOOST_TEST_MESSAGE(to_string(verdict) << ": " << verdicts[verdict]);
-    BOOST_TEST(verdicts[verdict] >= 10, to_string(verdict));
+    BOOST_TEST(verdicts[verdict] >= 5, to_string(verdict));
   }
 }
 
@@ -755,8 +753,13 @@ BOOST_AUTO_TEST_CASE(of_a_seam_mesh)
 // Where the prescribed border overlaps itself, so does the map.
 BOOST_AUTO_TEST_CASE(overlaps_are_an_error_of_injective_maps)
 {
-  const Chart flat = flat_grid(30, 3);
-  const std::vector<Point_2> uv = bent(flat, 7, 3);
+  const int n = 30;
+  const Chart flat = flat_grid(n, 3);
+  std::vector<Point_2> uv;
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      uv.emplace_back(1. * i / n, 1. * j / n);
+  uv = bent(uv, 7, 3);
   BOOST_REQUIRE(!has_flips(flat, uv));
   const Angles angles = angles_of(flat, border_angles(flat, uv));
   const Mesh mesh = mesh_of_chart<Mesh>(flat);

@@ -9,11 +9,9 @@
 
 BOOST_AUTO_TEST_SUITE(test_flatten_mesh_angles)
 
-namespace {
-
-struct Plain_folder_of_angles : Folder
+struct Angle_folder : Folder
 {
-  Plain_folder_of_angles() { common_options = "--plain "; }
+  Angle_folder() { common_options = "--plain "; }
 
   // The corners in the report
   std::vector<int> corners() const
@@ -62,7 +60,7 @@ struct Plain_folder_of_angles : Folder
 };
 
 // The vertices of the border of a sheet, from 0
-std::vector<int> border_of(const Sheet& sheet)
+inline std::vector<int> border_of(const Sheet& sheet)
 {
   std::vector<int> border;
   for(int j = 0; j <= sheet.rows; ++j) {
@@ -75,9 +73,7 @@ std::vector<int> border_of(const Sheet& sheet)
   return border;
 }
 
-} // namespace
-
-BOOST_FIXTURE_TEST_SUITE(rectangles, Plain_folder_of_angles)
+BOOST_FIXTURE_TEST_SUITE(rectangles, Angle_folder)
 
 BOOST_AUTO_TEST_CASE(have_the_corners_that_are_asked_for)
 {
@@ -104,7 +100,9 @@ BOOST_AUTO_TEST_CASE(have_the_corners_that_are_asked_for)
 // On a sheet, they are those of the sheet.
 BOOST_AUTO_TEST_CASE(find_their_corners)
 {
-  const Sheet sheet{12, 8};
+  Sheet sheet;
+  sheet.columns = 12;
+  sheet.rows = 8;
   flatten(write("sheet.off", off(sheet)), "--rectangle auto");
   check_success();
   std::vector<int> found = corners();
@@ -181,7 +179,7 @@ BOOST_AUTO_TEST_CASE(of_other_surfaces_are_refused)
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_FIXTURE_TEST_SUITE(angles_in_a_file, Plain_folder_of_angles)
+BOOST_FIXTURE_TEST_SUITE(angles_in_a_file, Angle_folder)
 
 // A triangle with its corners at three of those of the sheet, whose fourth one is on its longest side
 BOOST_AUTO_TEST_CASE(make_a_polygon)

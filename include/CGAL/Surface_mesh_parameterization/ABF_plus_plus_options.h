@@ -66,6 +66,15 @@ struct ABF_plus_plus_options : Flattening_options
 
   Layout_type layout = AUTOMATIC_LAYOUT; ///< How coordinates are computed from angles.
 
+  /// Whether edges on both sides of a seam (`Seam_mesh`) get the same length in the plane, so that the scale does not jump there. Angles
+  /// are found on the surface before the cut: the equations of lengths hold around the vertices of seams, too. Otherwise the
+  /// two lengths may differ by a large factor.
+  ///
+  /// Lengths are equal up to the tolerance if the surface before the cut is a sphere. Around handles and borders, the scale still jumps, by a
+  /// factor that does not change along a seam, from one end or branch to the next; `ABF_plus_plus_report::largest_seam_jump` tells by how
+  /// much. Both sides of each seam must be on the same border of the chart. Prescribed angles exclude it.
+  bool equal_seam_lengths = false;
+
   /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
   /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
   /// error.

@@ -86,7 +86,9 @@ public:
   explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
                                          Solver_traits sparse_la = Solver_traits())
       : m_options(options), m_linear_algebra(std::move(sparse_la))
-  {}
+  {
+    m_prescriptions.equal_seam_lengths = options.equal_seam_lengths;
+  }
 
   /// sets how much the angles of each face matter, from the next call of `parameterize()` on. Without a call of this
   /// function, all faces have the importance 1.

@@ -88,6 +88,9 @@ struct ABF_plus_plus_report : Flattening_report
   double closure =
       0; ///< Largest gap in a border that the exact layout closed, relative to the border's length.
 
+  /// Largest difference between the logarithms of the lengths of both sides of an edge on a seam (`Seam_mesh`); 0 without seams.
+  double largest_seam_jump = 0;
+
   int prescribed_angles = 0; ///< Vertices with a prescribed angle.
   double largest_angle_error =
       0; ///< Largest difference of a prescribed angle from that of the map, in radians.

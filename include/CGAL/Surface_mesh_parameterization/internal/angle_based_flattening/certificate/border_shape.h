@@ -60,6 +60,20 @@ inline double side_deviation(const Chart& chart, const std::vector<Chart::Point_
   return largest;
 }
 
+// The largest difference between the logarithms of the lengths of both sides of an edge on a seam
+inline double largest_seam_jump(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  const auto squared_length = [&](int c) {
+    return CGAL::squared_distance(uv[chart.edge_source(c)], uv[chart.edge_target(c)]);
+  };
+  double largest = 0;
+  for(std::size_t c = 0; c < chart.seam.size(); ++c)
+    if(const int across = chart.seam[c]; across > static_cast<int>(c))
+      largest = (std::max)(
+          largest, std::abs(std::log(squared_length(static_cast<int>(c)) / squared_length(across))) / 2);
+  return largest;
+}
+
 // Reports how well a map keeps to the prescribed angles.
 inline void report_prescribed_angles(const Chart& chart, const std::vector<Chart::Point_2>& uv,
                                      ABF_plus_plus_report& report)

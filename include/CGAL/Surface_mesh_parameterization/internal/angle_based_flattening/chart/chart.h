@@ -12,6 +12,8 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <cstddef>
 #include <cmath>
 #include <limits>
@@ -63,8 +65,12 @@ struct Chart
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border
   int number_of_interior_vertices = 0;
-  std::vector<int> node; // of each vertex: the one with its equations, or -1
-  // All interior vertices, unless someone wants others; those of the outer border that have prescribed angles; and at the end all
+  // Of each corner that faces an edge of a seam: the one across the seam; -1 elsewhere. Empty without seams.
+  std::vector<int> seam;
+  bool has_equal_seams = false; // both sides of a seam get the same lengths
+  std::vector<int> node;        // of each vertex: the one with its equations, or -1
+  // All interior vertices, unless someone wants others; those of seams of equal sides, each one for all places of a vertex of the
+  // surface before the cut; vertices of the outer border that have prescribed angles; and at the end all
   // vertices of holes, in the order of `borders`.
   std::vector<Constraint_node> nodes;
   int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
@@ -78,6 +84,7 @@ struct Chart
   const std::vector<int>& hole(int k) const { return borders[k + 1]; }
   int node_of_corner(int c) const { return node[vertex[c]]; }
   bool has_prescribed_angles() const { return !angle_sums.empty(); }
+  bool has_border_nodes() const { return has_prescribed_angles() || has_equal_seams; }
 
   // Filled holes have vertices that nobody prescribed anything for.
   bool is_angle_prescribed(int v) const
@@ -159,7 +166,47 @@ inline bool is_whole_border_prescribed(const Chart& chart)
          vertices_with_prescribed_angles(chart).size() == chart.borders.front().size();
 }
 
-// Makes the interior vertices the constraint nodes, those with prescribed angles, and those of the holes.
+// Makes nodes for the vertices of seams that are inside of the surface before the cut. Their triangles close around them, and so
+// they have the equation for lengths (Eq. 4), but none for angles. A closed surface has one equation that follows from all others.
+inline void add_seam_nodes(Chart& chart)
+{
+  boost::disjoint_sets_with_storage<> places(chart.points.size());
+  for(std::size_t v = 0; v < chart.points.size(); ++v)
+    places.make_set(v);
+  std::vector<char> is_open(chart.points.size(), false), is_on_seam(chart.points.size(), false);
+  const auto for_each_border_edge = [&](const auto& visit) {
+    for(const std::vector<int>& border : chart.borders)
+      for(int c : border)
+        visit(c, c < static_cast<int>(chart.seam.size()) ? chart.seam[c] : -1);
+  };
+  for_each_border_edge([&](int c, int across) {
+    if(across >= 0) {
+      places.union_set(chart.edge_source(c), chart.edge_target(across));
+      places.union_set(chart.edge_target(c), chart.edge_source(across));
+    }
+  });
+  bool is_closed = true;
+  for_each_border_edge([&](int c, int across) {
+    for(int v : {chart.edge_source(c), chart.edge_target(c)})
+      (across >= 0 ? is_on_seam : is_open)[places.find_set(v)] = true;
+    is_closed = is_closed && across >= 0;
+  });
+  std::vector<int> node(chart.points.size(), -1);
+  for_each_border_edge([&](int c, int) {
+    const std::size_t place = places.find_set(chart.edge_source(c));
+    if(!is_on_seam[place] || is_open[place])
+      return;
+    if(node[place] < 0) {
+      node[place] = chart.number_of_nodes();
+      chart.nodes.push_back({0, false, true});
+    }
+    chart.node[chart.edge_source(c)] = node[place];
+  });
+  if(is_closed)
+    chart.nodes.back().has_reconstruction = false;
+}
+
+// Makes the interior vertices the constraint nodes, those of seams and those with prescribed angles, and those of the holes.
 inline void find_nodes(Chart& chart)
 {
   chart.node = chart.interior;
@@ -168,6 +215,8 @@ inline void find_nodes(Chart& chart)
     chart.node[v] = chart.number_of_nodes();
     chart.nodes.push_back(node);
   };
+  if(chart.has_equal_seams)
+    add_seam_nodes(chart);
   for(int v : vertices_with_prescribed_angles(chart))
     add_node(v, {chart.angle_sums[v], true, false});
   if(is_whole_border_prescribed(chart))

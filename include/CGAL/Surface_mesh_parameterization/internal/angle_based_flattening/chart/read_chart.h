@@ -19,7 +19,37 @@
 #include <cstddef>
 #include <vector>
 
+namespace CGAL {
+
+template <class TM, class SEM, class SVM>
+class Seam_mesh;
+
+} // namespace CGAL
+
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The halfedge on the other side of a seam, of an inner one at the border; the null halfedge where there is no seam
+template <typename TriangleMesh>
+struct Seam_sides
+{
+  static constexpr bool has_seams = false;
+};
+
+template <typename TM, typename SEM, typename SVM>
+struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
+{
+  typedef CGAL::Seam_mesh<TM, SEM, SVM> Mesh;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  static constexpr bool has_seams = true;
+
+  static halfedge_descriptor across(const halfedge_descriptor& h, const Mesh& mesh)
+  {
+    const typename Mesh::TM_halfedge_descriptor other = opposite(h.tmhd, mesh.mesh());
+    return mesh.has_on_seam(h.tmhd) && !CGAL::is_border(other, mesh.mesh())
+               ? halfedge_descriptor(other)
+               : boost::graph_traits<Mesh>::null_halfedge();
+  }
+};
 
 // Reads the connected component of a border halfedge into a chart. Any model of `FaceGraph` will do; the mesh is not
 // looked at afterwards, but for writing the result.
@@ -93,6 +123,8 @@ private:
             Flattening_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
     }
     link_corners(ranks);
+    if constexpr(Seam_sides<TriangleMesh>::has_seams)
+      link_seams(ranks);
     m_first_border = facing_corner(inner, ranks);
     return {};
   }
@@ -116,6 +148,23 @@ private:
       for(int k : {1, 2, 0}) {
         const halfedge_descriptor across = opposite(h, m_mesh);
         chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) ? -1 : facing_corner(across, ranks);
+        h = next(h, m_mesh);
+      }
+    }
+  }
+
+  // Of a seam between two components there is no other side here.
+  void link_seams(const Face_ranks& ranks)
+  {
+    chart.seam.assign(3 * face_descriptors.size(), -1);
+    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
+      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
+      for(int k : {1, 2, 0}) {
+        if(chart.opposite[3 * t + k] < 0) {
+          const halfedge_descriptor across = Seam_sides<TriangleMesh>::across(h, m_mesh);
+          if(across != Graph_traits::null_halfedge() && get(ranks, face(across, m_mesh)) >= 0)
+            chart.seam[3 * t + k] = facing_corner(across, ranks);
+        }
         h = next(h, m_mesh);
       }
     }

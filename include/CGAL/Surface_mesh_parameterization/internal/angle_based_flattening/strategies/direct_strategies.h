@@ -71,6 +71,8 @@ protected:
   {
     result.report.failed_strategies = std::move(m_failed);
     result.report.seconds = m_seconds;
+    if(result.succeeded())
+      result.report.largest_seam_jump = largest_seam_jump(m_part, result.uv);
     return Flattening<Report>(std::move(result));
   }
 

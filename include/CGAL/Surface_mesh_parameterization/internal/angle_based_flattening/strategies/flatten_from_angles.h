@@ -61,7 +61,7 @@ inline std::optional<Layout> lay_out(const Chart& chart, const std::vector<doubl
                                      std::unique_ptr<Linear_solver> scalar_solver)
 {
   if(kind == ABF_plus_plus_report::EXACT) {
-    if(chart.has_prescribed_angles()) // the pattern of the angles' system has border vertices
+    if(chart.has_border_nodes()) // the pattern of the angles' system has border vertices
       scalar_solver = solvers->low_precision();
     return exact_layout(chart, alpha, solvers, std::move(scalar_solver));
   }

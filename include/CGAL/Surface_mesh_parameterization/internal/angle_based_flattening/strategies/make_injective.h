@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
@@ -76,6 +77,8 @@ inline Flattening<ABF_plus_plus_report> made_injective(const Chart& chart,
   report.energy = injective.report.energy;
   report.seconds += direct.report.seconds;
   report.predicted_scale_range = direct.report.predicted_scale_range;
+  if(result.succeeded())
+    report.largest_seam_jump = largest_seam_jump(chart, result.uv);
   return result;
 }
 

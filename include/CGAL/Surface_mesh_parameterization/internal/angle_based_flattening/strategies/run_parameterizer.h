@@ -22,6 +22,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -106,7 +107,29 @@ struct Prescriptions
 {
   Face_importance<TriangleMesh> importance;
   Vertex_angle_sums<TriangleMesh> angle_sums;
+  bool equal_seam_lengths = false;
 };
+
+// Makes the sides of seams equal, if there are seams.
+inline Chart_defect equalize_seams(Chart& chart)
+{
+  const bool has_seams = std::any_of(chart.seam.begin(), chart.seam.end(), [](int c) { return c >= 0; });
+  if(has_seams && chart.has_prescribed_angles())
+    return {Flattening_report::WRONG_OPTION,
+            "equal lengths of seams and prescribed angles exclude each other",
+            {},
+            {}};
+  for(int k = 0; k < chart.number_of_holes(); ++k)
+    for(int c : chart.hole(k))
+      if(has_seams && chart.seam[c] >= 0)
+        return {Flattening_report::WRONG_OPTION,
+                "equal lengths of seams need all seams on the outer border, but one is on a hole",
+                {chart.edge_source(c)},
+                {}};
+  chart.has_equal_seams = has_seams;
+  find_nodes(chart);
+  return {};
+}
 
 // Reads the chart of a border halfedge, flattens it by `flatten`, and writes the coordinates if the map is valid.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
@@ -149,6 +172,8 @@ private:
       defect = read_importance(m_reader.face_descriptors, m_prescriptions.importance, m_reader.chart);
     if(!defect)
       defect = read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_reader.chart);
+    if(!defect && m_prescriptions.equal_seam_lengths)
+      defect = equalize_seams(m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
     report.triangles = static_cast<int>(m_reader.face_descriptors.size());
     report.borders = static_cast<int>(m_reader.chart.borders.size());
