@@ -235,4 +235,42 @@ BOOST_AUTO_TEST_CASE(that_are_not_possible_are_named)
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_FIXTURE_TEST_SUITE(equal_seams, Angle_folder)
+
+BOOST_AUTO_TEST_CASE(of_a_closed_surface_have_equal_lengths)
+{
+  Block block;
+  block.length = 4;
+  block.width = 3;
+  block.height = 3;
+  block.triangulated = true;
+  block.round = true;
+  block.noise = 0.1;
+  const std::string input = write("ball.off", block.make().text());
+  double jumps[2];
+  for(const bool equal : {false, true}) {
+    flatten(input, std::string("--cut topology --equal-seams ") + (equal ? "on" : "off"));
+    BOOST_TEST(status == 0);
+    BOOST_TEST(json().get<int>("flipped_triangles") == 0);
+    jumps[equal] = json().get<double>("largest_seam_jump");
+    BOOST_TEST(standard_output.find("seam jump") != std::string::npos);
+  }
+  BOOST_TEST(jumps[0] > 1e-2);
+  BOOST_TEST(jumps[1] < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage)
+{
+  const std::string sheet = write("sheet.off", off(Sheet()));
+  for(const std::string options :
+      {"--equal-seams maybe", "--equal-seams on --method hierarchical", "--equal-seams on --injective"}) {
+    flatten(sheet, options);
+    check_refusal({"equal-seams"});
+  }
+  flatten(sheet, "--equal-seams on"); // there are none
+  check_success();
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -19,6 +19,8 @@
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -202,6 +204,33 @@ BOOST_AUTO_TEST_CASE(of_other_surfaces_jump_by_the_same_factor)
       }
       BOOST_TEST(vertices > 0);
     }
+}
+
+// Sides that are not those of each other
+BOOST_AUTO_TEST_CASE(of_wrong_sides_are_refused)
+{
+  Mesh disk;
+  const auto v = [&](double x, double y) { return disk.add_vertex(Point_3(x, y, 0)); };
+  const auto a = v(0, 0), b = v(1, 0), c = v(1, 1), d = v(0, 1);
+  disk.add_face(a, b, c);
+  disk.add_face(a, c, d);
+  const auto border = disk.halfedge(b, a);
+  typedef boost::graph_traits<Mesh>::halfedge_descriptor Halfedge;
+  const auto run = [&](Halfedge of_first, Halfedge of_second) {
+    SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(equal_lengths());
+    parameterizer.set_seam_sides(boost::make_function_property_map<Halfedge>([=](Halfedge h) {
+      return h == border ? of_first : h == of_first ? of_second : boost::graph_traits<Mesh>::null_halfedge();
+    }));
+    const auto uv = disk.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+    SMP::parameterize(disk, parameterizer, border, uv);
+    return parameterizer.report();
+  };
+  const Halfedge next = disk.next(border), third = disk.next(next);
+  BOOST_TEST(run(next, third).diagnosis == Report::WRONG_OPTION);
+  BOOST_TEST(run(border, border).diagnosis == Report::WRONG_OPTION);
+  const Report glued = run(next, border); // a cone of both sides of one of the corners
+  BOOST_TEST(glued.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(glued.largest_seam_jump < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(of_models_are_equal)

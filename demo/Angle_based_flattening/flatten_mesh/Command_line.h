@@ -62,6 +62,7 @@ struct Command_line
   bool split_overlaps = false;
   std::string rectangle;     // four vertices, "auto", or empty
   std::string border_angles; // a file
+  std::string equal_seams = "off";
   std::string holes = "solve";
   std::string method = "auto";
   std::string solver = "superlu";

@@ -160,6 +160,22 @@ inline void check_angles(const Command_line& command)
         " goes with --layout exact or auto: least squares bend straight sides");
 }
 
+inline void check_equal_seams(Command_line& command)
+{
+  check_name("equal-seams", command.equal_seams, {"on", "off"});
+  command.options.equal_seam_lengths = command.equal_seams == "on";
+  if(!command.options.equal_seam_lengths) {
+    return;
+  }
+  if(command.method == "hierarchical") {
+    throw Usage_error("--equal-seams goes with --method direct or auto");
+  }
+  if(command.options.injective) {
+    throw Usage_error("--equal-seams and --injective exclude each other: one of them must give way where the "
+                      "map would overlap");
+  }
+}
+
 // An option that would have no effect is refused.
 inline void check_kind(const Values& values, const Command_line& command)
 {
@@ -286,6 +302,7 @@ inline void check_plain(const Values& values, Command_line& command)
   if(command.is_plain) {
     check_injective(values, command);
     check_angles(command);
+    check_equal_seams(command);
   }
   if(command.method == "auto" && !command.options.injective) {
     refine_method(values, command.hierarchical);

@@ -153,6 +153,23 @@ public:
     m_prescriptions.angle_sums = internal::ABF::vertex_angle_sums<Triangle_mesh>(angle_sums);
   }
 
+  /// says which halfedges are the two sides of a seam, for a mesh that was cut open by copies of its vertices, from the next call of
+  /// `parameterize()` on. A `Seam_mesh` needs no call of this function. The sides matter for
+  /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump`.
+  ///
+  /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns `ERROR_WRONG_PARAMETER` with
+  /// the diagnosis `Flattening_report::WRONG_OPTION`, and `offending_vertices()` returns the vertices of an edge. The function keeps a
+  /// copy of the property map, and so do copies of the parameterizer.
+  ///
+  /// \tparam HalfedgeSideMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%halfedge_descriptor` as key type and value type. It maps each
+  ///         halfedge without a face to that on the other side, or to the null halfedge where there is no seam.
+  template <typename HalfedgeSideMap>
+  void set_seam_sides(HalfedgeSideMap sides)
+  {
+    m_prescriptions.seam_sides = [sides](const halfedge_descriptor& h) { return get(sides, h); };
+  }
+
   /// flattens the connected component of `bhd`.
   ///
   /// The result has the area of the surface and positive orientation. Its bounding box starts at the origin. On any

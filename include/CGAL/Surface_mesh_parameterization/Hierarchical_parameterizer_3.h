@@ -209,7 +209,7 @@ public:
   {
     m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
-        mesh, bhd, uvmap, vimap, internal::ABF::Prescriptions<Triangle_mesh>{m_importance, {}, false},
+        mesh, bhd, uvmap, vimap, internal::ABF::Prescriptions<Triangle_mesh>{m_importance, {}, {}, false},
         m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
           return internal::ABF::flatten_chart_hierarchically(chart, m_options, flatten_coarse,

@@ -46,6 +46,9 @@ struct Chart : public Component
   std::vector<Vertex> input_vertices; // of each vertex, in the mesh before
   std::vector<int> seams;             // of each edge: the number of its seam from 0, and -1 off the seams
 
+  std::vector<Halfedge>
+      seam_sides; // of each halfedge without a face: the one across the seam, if there is one
+
   // Only if angles are prescribed:
   std::optional<SMP::Vertex_angles<Mesh>> angles;
   std::vector<Vertex> corners;                    // those that are not inside of straight sides

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,23 @@ inline Chart chart_of_cut(Cut_mesh& cut, const Seamed_component& component, cons
   return chart;
 }
 
+// Both sides of a seam are copies of one edge.
+inline std::vector<Halfedge> seam_sides(const Cut_mesh& cut)
+{
+  std::vector<Halfedge> sides(cut.mesh.number_of_halfedges());
+  std::map<Edge, Halfedge> first;
+  for(const Halfedge h : cut.mesh.halfedges()) {
+    if(cut.mesh.is_border(h)) {
+      const auto [other, is_new] = first.emplace(cut.edge_origins[cut.mesh.edge(h).idx()], h);
+      if(!is_new) {
+        sides[h.idx()] = other->second;
+        sides[other->second.idx()] = h;
+      }
+    }
+  }
+  return sides;
+}
+
 inline Flat_surface flatten_once(const Command_line& command, const Seamed_component& component,
                                  Progress& progress)
 {
@@ -59,6 +77,7 @@ inline Flat_surface flatten_once(const Command_line& command, const Seamed_compo
   result.cut = cut_open(mesh, {mesh.faces().begin(), mesh.faces().end()},
                         {mesh.vertices().begin(), mesh.vertices().end()}, component.seams);
   result.chart = chart_of_cut(result.cut, component, static_cast<std::size_t>(command.border));
+  result.chart.seam_sides = seam_sides(result.cut);
   result.disks = result.chart.components;
   result.flattening = flatten_chart(result.cut.mesh, result.chart, command, progress);
   if(result.flattening.succeeded()) {

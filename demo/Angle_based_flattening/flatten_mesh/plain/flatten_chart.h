@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <Eigen/SparseCholesky>
 
 #ifdef ABF_WITH_CHOLMOD
@@ -120,6 +122,10 @@ void flatten_directly(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_o
   if(chart.angles) {
     direct.set_angle_sums(*chart.angles);
   }
+  if(!chart.seam_sides.empty()) {
+    direct.set_seam_sides(boost::make_function_property_map<Halfedge>(
+        [&chart](const Halfedge h) { return chart.seam_sides[h.idx()]; }));
+  }
   run_parameterizer(mesh, chart, direct, uv, flattening);
 }
 
@@ -164,7 +170,8 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
                    const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
 {
   const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
-  if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || chart.angles) {
+  if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || chart.angles ||
+     options.equal_seam_lengths) {
     flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
     return;
   }

@@ -107,6 +107,9 @@ inline std::string report_json(const Run_record& record)
   internal::add_measures(json, record.flattening.succeeded() ? &record.flattening.measures : nullptr);
   internal::add_certificates(json, record.flattening);
   internal::add_injectivity(json, report);
+  json.add("largest_seam_jump", record.seams && record.flattening.method == "direct"
+                                    ? json_number(report.largest_seam_jump)
+                                    : "null");
   json.add("prescribed", report.prescribed_angles > 0 ? internal::angles_json(record) : "null");
   json.add("split", record.split ? internal::split_json(*record.split) : "null");
   internal::Json_object seconds;

@@ -129,6 +129,10 @@ inline Report_rows surface_rows(const Run_record& record)
   if(record.seams) {
     append(rows, internal::seams_rows(*record.seams));
   }
+  if(record.seams && record.flattening.method == "direct") {
+    rows.push_back({"seam jump", format_number("%.4g", std::exp(record.flattening.report.largest_seam_jump)),
+                    "largest ratio of the lengths of both sides of an edge on a seam; best 1"});
+  }
   append(rows, internal::method_rows(record.flattening));
   append(rows, internal::quality_rows(record.flattening.measures));
   if(record.flattening.report.prescribed_angles > 0) {

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -86,6 +87,22 @@ public:
     return read(bhd, vimap);
   }
 
+  // Sets which corners are across a seam. `across` maps an inner halfedge at the border to that on the other side, or to the null
+  // halfedge. Of a seam between two components there is no other side here.
+  template <typename Across>
+  void link_seams(const Across& across)
+  {
+    chart.seam.assign(3 * face_descriptors.size(), -1);
+    for_each_corner([&](halfedge_descriptor h, int c) {
+      const int facing = next_corner(c); // the one that faces `h`
+      if(chart.opposite[facing] >= 0)
+        return;
+      const halfedge_descriptor other = across(h);
+      if(other != Graph_traits::null_halfedge() && get(*m_ranks, face(other, m_mesh)) >= 0)
+        chart.seam[facing] = facing_corner(other, *m_ranks);
+    });
+  }
+
   Chart chart;
   std::vector<vertex_descriptor> vertex_descriptors; // of each vertex of the chart
   std::vector<face_descriptor> face_descriptors;     // of each triangle of the chart
@@ -123,8 +140,9 @@ private:
             Flattening_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
     }
     link_corners(ranks);
+    m_ranks = ranks;
     if constexpr(Seam_sides<TriangleMesh>::has_seams)
-      link_seams(ranks);
+      link_seams([&](halfedge_descriptor h) { return Seam_sides<TriangleMesh>::across(h, m_mesh); });
     m_first_border = facing_corner(inner, ranks);
     return {};
   }
@@ -148,23 +166,6 @@ private:
       for(int k : {1, 2, 0}) {
         const halfedge_descriptor across = opposite(h, m_mesh);
         chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) ? -1 : facing_corner(across, ranks);
-        h = next(h, m_mesh);
-      }
-    }
-  }
-
-  // Of a seam between two components there is no other side here.
-  void link_seams(const Face_ranks& ranks)
-  {
-    chart.seam.assign(3 * face_descriptors.size(), -1);
-    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
-      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
-      for(int k : {1, 2, 0}) {
-        if(chart.opposite[3 * t + k] < 0) {
-          const halfedge_descriptor across = Seam_sides<TriangleMesh>::across(h, m_mesh);
-          if(across != Graph_traits::null_halfedge() && get(ranks, face(across, m_mesh)) >= 0)
-            chart.seam[3 * t + k] = facing_corner(across, ranks);
-        }
         h = next(h, m_mesh);
       }
     }
@@ -236,6 +237,7 @@ private:
 
   const TriangleMesh& m_mesh;
   int m_first_border = -1;
+  std::optional<Face_ranks> m_ranks;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -23,6 +23,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -101,14 +102,33 @@ private:
   std::shared_ptr<Link> m_link;
 };
 
-// What a caller prescribes for faces and vertices
+// The border halfedge on the other side of a seam, of each border halfedge. It hides the type of the caller's property map.
+template <typename TriangleMesh>
+using Halfedge_seam_sides = std::function<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor(
+    const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor&)>;
+
+// What a caller prescribes for faces, vertices and seams
 template <typename TriangleMesh>
 struct Prescriptions
 {
   Face_importance<TriangleMesh> importance;
   Vertex_angle_sums<TriangleMesh> angle_sums;
+  Halfedge_seam_sides<TriangleMesh> seam_sides;
   bool equal_seam_lengths = false;
 };
+
+// Finds sides that are not those of each other.
+inline Chart_defect find_wrong_seam(const Chart& chart)
+{
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(const int across = chart.seam[c]; across >= 0 && (across == c || chart.seam[across] != c))
+      return {Flattening_report::WRONG_OPTION,
+              "the sides of a seam do not belong to one another at the vertex at " +
+                  position_text(chart, chart.edge_source(c)),
+              {chart.edge_source(c), chart.edge_target(c)},
+              {}};
+  return {};
+}
 
 // Makes the sides of seams equal, if there are seams.
 inline Chart_defect equalize_seams(Chart& chart)
@@ -142,8 +162,8 @@ public:
   Parameterizer_run(const TriangleMesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                     VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
                     const Flattening_options& options, const Flatten& flatten)
-      : m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap), m_prescriptions(prescriptions),
-        m_options(options), m_flatten(flatten)
+      : m_mesh(mesh), m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap),
+        m_prescriptions(prescriptions), m_options(options), m_flatten(flatten)
   {}
 
   Outcome<TriangleMesh, Report> run()
@@ -172,6 +192,10 @@ private:
       defect = read_importance(m_reader.face_descriptors, m_prescriptions.importance, m_reader.chart);
     if(!defect)
       defect = read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_reader.chart);
+    if(!defect && m_prescriptions.seam_sides) {
+      m_reader.link_seams([&](halfedge_descriptor h) { return across_seam(h); });
+      defect = find_wrong_seam(m_reader.chart);
+    }
     if(!defect && m_prescriptions.equal_seam_lengths)
       defect = equalize_seams(m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
@@ -182,6 +206,14 @@ private:
     fail(report, defect.diagnosis, defect.message);
     m_outcome.name_offenders(m_reader, defect.vertices, defect.triangles);
     return false;
+  }
+
+  halfedge_descriptor across_seam(halfedge_descriptor h) const
+  {
+    const halfedge_descriptor other = m_prescriptions.seam_sides(opposite(h, m_mesh));
+    return other != boost::graph_traits<TriangleMesh>::null_halfedge() && CGAL::is_border(other, m_mesh)
+               ? opposite(other, m_mesh)
+               : boost::graph_traits<TriangleMesh>::null_halfedge();
   }
 
   void flatten()
@@ -199,6 +231,7 @@ private:
     write_chart(m_reader, flattening.uv, m_uvmap);
   }
 
+  const TriangleMesh& m_mesh;
   Chart_reader<TriangleMesh> m_reader;
   halfedge_descriptor m_border;
   VertexUVmap m_uvmap;
