@@ -9,9 +9,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/angle_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -22,8 +21,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -101,55 +98,6 @@ public:
 private:
   std::shared_ptr<Link> m_link;
 };
-
-// The border halfedge on the other side of a seam, of each border halfedge. It hides the type of the caller's property map.
-template <typename TriangleMesh>
-using Halfedge_seam_sides = std::function<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor(
-    const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor&)>;
-
-// What a caller prescribes for faces, vertices and seams
-template <typename TriangleMesh>
-struct Prescriptions
-{
-  Face_importance<TriangleMesh> importance;
-  Vertex_angle_sums<TriangleMesh> angle_sums;
-  Halfedge_seam_sides<TriangleMesh> seam_sides;
-  bool equal_seam_lengths = false;
-};
-
-// Finds sides that are not those of each other.
-inline Chart_defect find_wrong_seam(const Chart& chart)
-{
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    if(const int across = chart.seam[c]; across >= 0 && (across == c || chart.seam[across] != c))
-      return {Flattening_report::WRONG_OPTION,
-              "the sides of a seam do not belong to one another at the vertex at " +
-                  position_text(chart, chart.edge_source(c)),
-              {chart.edge_source(c), chart.edge_target(c)},
-              {}};
-  return {};
-}
-
-// Makes the sides of seams equal, if there are seams.
-inline Chart_defect equalize_seams(Chart& chart)
-{
-  const bool has_seams = std::any_of(chart.seam.begin(), chart.seam.end(), [](int c) { return c >= 0; });
-  if(has_seams && chart.has_prescribed_angles())
-    return {Flattening_report::WRONG_OPTION,
-            "equal lengths of seams and prescribed angles exclude each other",
-            {},
-            {}};
-  for(int k = 0; k < chart.number_of_holes(); ++k)
-    for(int c : chart.hole(k))
-      if(has_seams && chart.seam[c] >= 0)
-        return {Flattening_report::WRONG_OPTION,
-                "equal lengths of seams need all seams on the outer border, but one is on a hole",
-                {chart.edge_source(c)},
-                {}};
-  chart.has_equal_seams = has_seams;
-  find_nodes(chart);
-  return {};
-}
 
 // Reads the chart of a border halfedge, flattens it by `flatten`, and writes the coordinates if the map is valid.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,

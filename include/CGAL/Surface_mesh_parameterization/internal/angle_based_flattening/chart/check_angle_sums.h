@@ -3,41 +3,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_SUMS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_SUMS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHECK_ANGLE_SUMS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHECK_ANGLE_SUMS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/angle_flow.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <optional>
 #include <sstream>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// The prescribed angle sum of each vertex of a mesh, if there is one. It hides the type of the caller's property map.
-template <typename TriangleMesh>
-using Vertex_angle_sums = std::function<std::optional<double>(
-    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor&)>;
-
-template <typename TriangleMesh, typename VertexAngleSumMap>
-Vertex_angle_sums<TriangleMesh> vertex_angle_sums(VertexAngleSumMap map)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  return [map](const vertex_descriptor& v) { return std::optional<double>(get(map, v)); };
-}
 
 // Prescribed angles may miss their total by this much, which is then put onto the largest one.
 inline constexpr double largest_rounding_of_angles = 1e-6;
@@ -221,42 +203,6 @@ private:
   std::vector<int> m_free;       // number of vertices before each rank without a prescribed angle
 };
 
-// Puts what rounding left of the total onto the largest angle: the equations cannot be met otherwise.
-inline void complete_total(double missing, Chart& chart)
-{
-  if(!is_whole_border_prescribed(chart))
-    return;
-  *std::max_element(chart.angle_sums.begin(), chart.angle_sums.end(),
-                    [](double a, double b) { return std::isnan(a) ? !std::isnan(b) : a < b; }) += missing;
-}
-
-// Sets the prescribed angles of a chart, if there are some that can be met.
-template <typename VertexDescriptor, typename VertexAngleSums>
-Chart_defect read_angle_sums(const std::vector<VertexDescriptor>& vertices, const VertexAngleSums& angle_sums,
-                             Chart& chart)
-{
-  if(!angle_sums)
-    return {};
-  chart.angle_sums.assign(vertices.size(), (std::numeric_limits<double>::quiet_NaN)());
-  bool has_some = false;
-  for(std::size_t v = 0; v < vertices.size(); ++v)
-    if(const std::optional<double> sum = angle_sums(vertices[v])) {
-      // Not a number stands for none, and must not be taken for that.
-      chart.angle_sums[v] = std::isnan(*sum) ? -1 : *sum;
-      has_some = true;
-    }
-  if(!has_some) {
-    chart.angle_sums.clear();
-    return {};
-  }
-  const Angle_sum_check check(chart);
-  if(Chart_defect defect = check.run())
-    return defect;
-  complete_total(check.missing_angle(), chart);
-  find_nodes(chart);
-  return {};
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ANGLE_SUMS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHECK_ANGLE_SUMS_H
