@@ -151,6 +151,21 @@ BOOST_AUTO_TEST_CASE(split_what_is_in_the_way)
   }
 }
 
+// The other formats keep the faces of the model, which have no corner for the new vertices.
+BOOST_AUTO_TEST_CASE(that_split_edges_are_written_as_obj_only)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  for(const std::string output : {"flat.ply", "flat.glb"}) {
+    run(quoted(input) + " --rectangle 3,14,33,22 --output " + quoted(file(output)));
+    BOOST_TEST(status == 2);
+    BOOST_TEST((standard_error.find("only OBJ output can hold") != std::string::npos), standard_error);
+    BOOST_TEST(!fs::exists(file(output)));
+    run(quoted(input) + " --rectangle 1,7,35,29 --output " + quoted(file(output)));
+    BOOST_TEST(status == 0, standard_error);
+    BOOST_TEST(fs::exists(file(output)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(of_other_surfaces_are_refused)
 {
   Block cube;

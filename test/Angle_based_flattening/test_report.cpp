@@ -361,6 +361,16 @@ BOOST_AUTO_TEST_CASE(plain_charts)
   }
 }
 
+// Their parts are in the face that they were in.
+BOOST_AUTO_TEST_CASE(triangles_split_beside_straight_sides)
+{
+  const Report_page page = report(write("sheet.off", off(Sheet())), "--plain --rectangle 3,14,33,22");
+  BOOST_TEST(json().get<int>("prescribed.split_edges") > 0);
+  check_triangles(page);
+  check_page(page);
+  check_rows(page, standard_output);
+}
+
 BOOST_AUTO_TEST_CASE(skipped_parts)
 {
   Collection surfaces;

@@ -173,7 +173,7 @@ inline po::options_description plain_options(Command_line& command)
       "the border becomes a rectangle with straight sides and these four vertices of it as corners, counted "
       "from 1, as in OBJ files. auto: where the border comes near the corners of the smallest rectangle "
       "around the map without this option. Edges that cut off triangles which would be flat are split in "
-      "their middle, in OBJ output too");
+      "their middle, which only OBJ output can hold");
   add("border-angles", po::value(&command.border_angles)->value_name("FILE"),
       "the border has these inner angles in the plane. The file has a line for each vertex that has one: its "
       "number, from 1, and its angle in degrees, 180 on straight sides");

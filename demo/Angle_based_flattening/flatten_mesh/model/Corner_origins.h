@@ -45,6 +45,17 @@ struct Corner_origins
   }
 };
 
+// Of each face of a mesh, the polygon of the model that it is in
+inline std::vector<Index> polygons_of_faces(const Model& model, const Mesh& mesh,
+                                            const Corner_origins& origins)
+{
+  std::vector<Index> polygons;
+  for(const Face f : mesh.faces()) {
+    polygons.push_back(model.polygon_of_corner(origins.corners[mesh.halfedge(f).idx()]));
+  }
+  return polygons;
+}
+
 namespace internal {
 
 // The corner of a polygon of a soup, in the model.

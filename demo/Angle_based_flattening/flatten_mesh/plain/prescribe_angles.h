@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Progress.h"
+#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/triangulate.h"
 #include "flatten_mesh/plain/Chart.h"
@@ -15,6 +16,7 @@
 #include "flatten_mesh/plain/choose_corners.h"
 #include "flatten_mesh/plain/flatten_chart.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 
 #include <algorithm>
@@ -97,6 +99,27 @@ inline std::optional<Flattening> prescribe_angles(Mesh& mesh, Chart& chart, cons
   chart.corners = corners_of(*chart.angles, outer_border(mesh, chart));
   internal::split_edges(mesh, chart);
   return std::nullopt;
+}
+
+// The polygons of the faces, after edges were split. The parts of a triangle lie side by side at the halves of its sides, and one of
+// them has its number.
+inline std::vector<Index> polygons_of_parts(std::vector<Index> polygons, const Mesh& mesh, const Chart& chart)
+{
+  CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets triangles(mesh.number_of_faces());
+  for(const auto& split : chart.split_edges) {
+    const Halfedge first = mesh.halfedge(split.source, split.middle),
+                   second = mesh.halfedge(split.middle, split.target);
+    triangles.union_set(mesh.face(first).idx(), mesh.face(second).idx());
+    triangles.union_set(mesh.face(mesh.opposite(first)).idx(), mesh.face(mesh.opposite(second)).idx());
+  }
+  std::vector<Index> of_triangle(mesh.number_of_faces());
+  for(std::size_t f = 0; f < polygons.size(); ++f) {
+    of_triangle[triangles.find_set(f)] = polygons[f];
+  }
+  for(std::size_t f = polygons.size(); f < mesh.number_of_faces(); ++f) {
+    polygons.push_back(of_triangle[triangles.find_set(f)]);
+  }
+  return polygons;
 }
 
 // The soup with the new vertices of the chart, each as a corner of the polygons whose side was split there

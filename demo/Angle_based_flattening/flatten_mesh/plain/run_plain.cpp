@@ -58,7 +58,8 @@ struct Surface
   Model model;
   Polygon_soup soup;
   Mesh input;
-  Corner_origins origins; // of the input, in the model
+  Corner_origins origins;      // of the input, in the model
+  std::vector<Index> polygons; // of each face of the input, in the model
   Component component;
   std::optional<Seamed_component> seamed; // if it is cut open
   Cut_mesh cut;
@@ -77,6 +78,7 @@ Surface read_surface(const Command_line& command, Notes& notes)
     Surface_of_model built = build_mesh(surface.model, surface.soup, command.repair == "on", notes);
     surface.input = std::move(built.mesh);
     surface.origins = std::move(built.origins);
+    surface.polygons = polygons_of_faces(surface.model, surface.input, surface.origins);
     surface.component = choose_component(surface.input, static_cast<std::size_t>(command.component));
     if(is_cut(command, surface.input, surface.component)) {
       if(prescribes_angles(command)) {
@@ -129,9 +131,9 @@ Output_files write_files(const Command_line& command, Surface& surface, Run_reco
 #ifdef ABF_WITH_THREE
   if(!command.report.empty() && record.flattening.succeeded()) {
     open(command.report)
-        .write(report_page(contents_of_chart(surface.model, surface.input, surface.origins, surface.mesh(),
-                                             surface.chart, record),
-                           command.options.threads));
+        .write(report_page(
+            contents_of_chart(surface.input, surface.polygons, surface.mesh(), surface.chart, record),
+            command.options.threads));
   }
 #endif
   if(!command.seams.empty() && record.flattening.succeeded()) {
@@ -240,6 +242,12 @@ Flattening flatten_with_angles(const Command_line& command, Surface& surface, Ru
     record.corners.push_back(v.idx());
   }
   record.split_edges = surface.chart.split_edges.size();
+  if(record.split_edges > 0 && !command.output.empty() && !is_obj_output(command.output)) {
+    throw Input_error(command.title + ": the straight sides need " + count_text(record.split_edges, "edge") +
+                      " split in the middle, which only OBJ output can hold: choose a name that ends with "
+                      ".obj, or other corners");
+  }
+  surface.polygons = polygons_of_parts(std::move(surface.polygons), surface.input, surface.chart);
   record.vertices = surface.chart.vertices.size();
   record.triangles = surface.chart.faces.size();
   if(record.split_edges > 0) {

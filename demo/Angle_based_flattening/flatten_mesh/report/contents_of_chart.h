@@ -6,7 +6,6 @@
 #ifndef FLATTEN_MESH_CONTENTS_OF_CHART_H
 #define FLATTEN_MESH_CONTENTS_OF_CHART_H
 
-#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/plain/Run_record.h"
@@ -52,8 +51,8 @@ inline Textured_surface surface_of_chart(const Mesh& input, const Mesh& mesh, co
 
 } // namespace internal
 
-// `mesh` is the input, or what was cut out of it: that of the chart.
-inline Report_contents contents_of_chart(const Model& model, const Mesh& input, const Corner_origins& origins,
+// `mesh` is the input, or what was cut out of it: that of the chart. `polygons` are those of the faces of the input, in the file.
+inline Report_contents contents_of_chart(const Mesh& input, const std::vector<Index>& polygons,
                                          const Mesh& mesh, const Chart& chart, const Run_record& record)
 {
   const Flattening& flattening = record.flattening;
@@ -69,8 +68,7 @@ inline Report_contents contents_of_chart(const Model& model, const Mesh& input, 
                       scale_stretch(mesh, chart, flattening.uv)}};
   contents.surface = internal::surface_of_chart(input, mesh, chart, flattening.uv);
   for(const Face f : chart.faces) {
-    const Face whole = internal::face_of_input(input, mesh, chart, f);
-    contents.faces.push_back(model.polygon_of_corner(origins.corners[input.halfedge(whole).idx()]));
+    contents.faces.push_back(polygons[internal::face_of_input(input, mesh, chart, f).idx()]);
   }
   return contents;
 }
