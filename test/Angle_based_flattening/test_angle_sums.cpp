@@ -35,6 +35,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -513,7 +514,9 @@ BOOST_AUTO_TEST_CASE(are_named_where_they_are_infeasible)
     if(defect.diagnosis != Report::INFEASIBLE_ANGLE_SUMS)
       continue;
     ++conflicts;
-    const abf::Angle_flow flow(chart);
+    std::vector<int> itself(chart.points.size());
+    std::iota(itself.begin(), itself.end(), 0);
+    const abf::Angle_flow flow(chart, itself, chart.angle_sums);
     double sum = 0;
     std::vector<int> named;
     for(int c : chart.borders.front())

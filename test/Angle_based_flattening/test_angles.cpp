@@ -67,6 +67,10 @@ Matrix constraint_jacobian(const Chart& chart, const std::vector<double>& alpha)
       jacobian(2 * i + 1, next) += chart.nodes[i].has_reconstruction / std::tan(alpha[next]);
       jacobian(2 * i + 1, previous) -= chart.nodes[i].has_reconstruction / std::tan(alpha[previous]);
     }
+  for(const abf::Loop_crossing& crossing : chart.crossings) {
+    jacobian(2 * chart.node_of_loop(crossing.loop) + 1, crossing.out) += 1 / std::tan(alpha[crossing.out]);
+    jacobian(2 * chart.node_of_loop(crossing.loop) + 1, crossing.in) -= 1 / std::tan(alpha[crossing.in]);
+  }
   return jacobian;
 }
 
@@ -93,6 +97,47 @@ Chart bump_with_other_nodes()
   chart.node[chart.edge_source(chart.borders[0][3])] = 1;
   chart.node[chart.edge_source(chart.borders[0][8])] = chart.number_of_nodes();
   chart.nodes.push_back({2.5, true, false});
+  return chart;
+}
+
+// A chart whose border is one seam: each edge is glued to the one half a border further, which makes a closed surface with a handle for
+// every four edges.
+Chart bump_with_handles(int n)
+{
+  Chart chart = bump(n, 7);
+  const std::vector<int>& border = chart.borders.front();
+  chart.seam.assign(chart.vertex.size(), -1);
+  for(std::size_t i = 0; i < border.size(); ++i)
+    chart.seam[border[i]] = border[(i + border.size() / 2) % border.size()];
+  chart.has_equal_seams = true;
+  abf::find_nodes(chart);
+  return chart;
+}
+
+// A torus: each side of a square is glued to the one across.
+Chart torus_of_bump(int n)
+{
+  Chart chart = bump(n, 7);
+  const std::vector<int>& border = chart.borders.front();
+  const int side = static_cast<int>(border.size()) / 4;
+  int corner = 0; // the rank of a corner of the square: a border vertex whose edges have different directions
+  const auto direction = [&](int i) {
+    const int c = border[i % (4 * side)];
+    const auto d = projected(chart)[chart.edge_target(c)] - projected(chart)[chart.edge_source(c)];
+    return std::abs(d.x()) > std::abs(d.y());
+  };
+  while(direction(corner) == direction(corner + 4 * side - 1))
+    ++corner;
+  chart.seam.assign(chart.vertex.size(), -1);
+  for(int i = 0; i < side; ++i)
+    for(int first : {0, 1}) {
+      const int a = border[(corner + first * side + i) % (4 * side)],
+                b = border[(corner + (first + 3) * side - 1 - i) % (4 * side)];
+      chart.seam[a] = b;
+      chart.seam[b] = a;
+    }
+  chart.has_equal_seams = true;
+  abf::find_nodes(chart);
   return chart;
 }
 
@@ -247,6 +292,12 @@ BOOST_AUTO_TEST_CASE(derivatives_match_finite_differences)
 BOOST_AUTO_TEST_CASE(derivatives_of_any_nodes_match_finite_differences)
 {
   check_derivatives(bump_with_other_nodes());
+  const Chart torus = torus_of_bump(4);
+  BOOST_TEST(torus.number_of_loops == 2);
+  check_derivatives(torus);
+  const Chart handles = bump_with_handles(4);
+  BOOST_TEST(handles.number_of_loops == 8);
+  check_derivatives(handles);
   // Each equation of each node there or not
   std::mt19937 random(11);
   for(int i = 0; i < 5; ++i) {
@@ -410,11 +461,12 @@ BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
 
 BOOST_AUTO_TEST_CASE(give_the_step_of_equation_6_for_any_nodes)
 {
-  const Chart chart = bump_with_other_nodes();
-  const std::vector<double> alpha = abf::starting_angles(abf::target_angles(chart));
-  const Vector multipliers = 0.01 * random_multipliers(chart, 9);
-  for(bool curvature : {false, true})
-    check_step_against_dense_kkt(chart, 0.1, curvature, alpha, multipliers);
+  for(const Chart& chart : {bump_with_other_nodes(), torus_of_bump(5), bump_with_handles(4)}) {
+    const std::vector<double> alpha = abf::starting_angles(abf::target_angles(chart));
+    const Vector multipliers = 0.01 * random_multipliers(chart, 9);
+    for(bool curvature : {false, true})
+      check_step_against_dense_kkt(chart, 0.1, curvature, alpha, multipliers);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -164,7 +164,7 @@ inline void check_equal_seams(Command_line& command)
 {
   check_name("equal-seams", command.equal_seams, {"on", "off"});
   command.options.equal_seam_lengths = command.equal_seams == "on";
-  if(!command.options.equal_seam_lengths) {
+  if(!*command.options.equal_seam_lengths) {
     return;
   }
   if(command.method == "hierarchical") {

@@ -90,6 +90,9 @@ struct ABF_plus_plus_report : Flattening_report
 
   /// Largest difference between the logarithms of the lengths of both sides of an edge on a seam (`Seam_mesh`); 0 without seams.
   double largest_seam_jump = 0;
+  /// Largest difference from \f$2\pi\f$ of the sum of the planar angles at a vertex in the middle of a seam, in radians: by so much
+  /// one side of the seam turns differently from the other side. Vertices whose sums are prescribed or marked as free are not counted.
+  double largest_seam_turn = 0;
 
   int prescribed_angles = 0; ///< Vertices with a prescribed angle.
   double largest_angle_error =

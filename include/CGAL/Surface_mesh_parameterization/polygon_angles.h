@@ -19,6 +19,7 @@
 
 #include <array>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,6 +32,12 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The angle sum of a cone that is free, for `ABF_plus_plus_parameterizer_3::set_angle_sums()`: a vertex in the middle of a seam
+/// without a prescribed sum has \f$2\pi\f$ otherwise.
+inline constexpr double free_cone_angle = (std::numeric_limits<double>::infinity)();
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///

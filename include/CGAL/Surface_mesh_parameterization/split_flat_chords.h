@@ -92,7 +92,8 @@ split_flat_chords(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>
     if(reader.read(bhd) || internal::ABF::diagnose(reader.chart, true))
       return {};
     const internal::ABF::Chart_defect defect = internal::ABF::read_angle_sums(
-        reader.vertex_descriptors, internal::ABF::vertex_angle_sums<TriangleMesh>(angle_sums), reader.chart);
+        reader.vertex_descriptors, internal::ABF::vertex_angle_sums<TriangleMesh>(angle_sums), mesh,
+        reader.chart);
     if(defect.diagnosis != Flattening_report::FLAT_CHORD)
       return {};
     for(int v : defect.vertices)

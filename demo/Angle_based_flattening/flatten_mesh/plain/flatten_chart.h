@@ -171,7 +171,7 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
 {
   const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
   if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || chart.angles ||
-     options.equal_seam_lengths) {
+     options.equal_seam_lengths.value_or(false)) {
     flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
     return;
   }

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/hole_equations.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/loop_equations.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -69,6 +70,7 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
     if(after >= 0)
       residual[2 * after + 1] -= log_sines[c];
   }
+  add_loop_residuals(chart, log_sines, residual);
   for(int i = 0; i < chart.number_of_nodes(); ++i) {
     if(!chart.nodes[i].has_planarity)
       residual[2 * i] = 0;
@@ -108,7 +110,9 @@ inline double constraint_curvature(const Chart& chart, const Constraint_vector& 
   const int after = chart.node_of_corner(next_corner(c));
   const double difference =
       (before >= 0 ? multipliers[2 * before + 1] : 0) - (after >= 0 ? multipliers[2 * after + 1] : 0);
-  return -difference * (1 + cotangent * cotangent);
+  const double of_loops =
+      chart.number_of_loops > 0 ? Loop_equations(chart).curvature(multipliers, c, cotangent) : 0;
+  return of_loops - difference * (1 + cotangent * cotangent);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/loop_equations.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/reduced_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/bound_matrix.h>
@@ -42,9 +43,9 @@ public:
   Newton_system(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy,
                 bool with_constraint_curvature, const Linear_solvers& solvers, bool iteratively = false)
       : m_chart(chart), m_beta(beta), m_energy(energy),
-        m_with_constraint_curvature(with_constraint_curvature),
-        m_assembly(chart.vertex, chart.node, chart.number_of_nodes()), m_local(chart.number_of_triangles()),
-        m_equation(solvers, iteratively, chart.number_of_holes())
+        m_with_constraint_curvature(with_constraint_curvature), m_loops(chart),
+        m_assembly(chart.vertex, chart.node, chart.number_of_nodes(), m_loops.nodes()),
+        m_local(chart.number_of_triangles()), m_equation(solvers, iteratively, chart.number_of_holes())
   {
     if(chart.number_of_holes() > 0)
       m_binding.emplace(holes_of_bound_nodes(chart), chart.number_of_holes(), m_assembly.matrix());
@@ -132,6 +133,9 @@ private:
       right_hand_side.segment<2>(2 * m_chart.node_of_corner(c)) += rows * (local.inverse * local.force);
       return jacobian * (rows * local.inverse).transpose();
     });
+    m_loops.assemble([&](int t) -> const Local_system& { return m_local[t]; },
+                     [&](int t) { return plane_jacobian(t, m_local[t].cotangents); }, m_assembly,
+                     right_hand_side);
     complete_diagonal();
     return right_hand_side;
   }
@@ -188,7 +192,7 @@ private:
         curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
     }
     local.force = -basis_of_sum_preserving_steps().transpose() * energy_gradient -
-                  plane_jacobian(t, local.cotangents).transpose() * gather(t, multipliers);
+                  gradient(t, local.cotangents, multipliers);
     local.inverse = reduced_hessian_inverse(energy_curvature, curvature);
     return local;
   }
@@ -201,12 +205,21 @@ private:
     const Constraint_vector& multipliers = m_binding ? expanded : step.multipliers;
     step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const Local_system& local = m_local[t];
-      const Eigen::Vector2d force =
-          local.force - plane_jacobian(t, local.cotangents).transpose() * gather(t, multipliers);
+      const Eigen::Vector2d force = local.force - gradient(t, local.cotangents, multipliers);
       const Eigen::Vector2d d = local.inverse * force;
       Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
       return d.dot(force) / 2;
     });
+  }
+
+  // The gradient of the constraints times their multipliers, in the plane of steps
+  Eigen::Vector2d gradient(int t, const Eigen::Vector3d& cotangents,
+                           const Constraint_vector& multipliers) const
+  {
+    Eigen::Vector2d sum = plane_jacobian(t, cotangents).transpose() * gather(t, multipliers);
+    if(m_chart.number_of_loops > 0)
+      sum += m_loops.gradient(t, cotangents, multipliers);
+    return sum;
   }
 
   // The six entries of a vector that belong to the vertices of triangle `t`; zero where there is no node.
@@ -225,6 +238,7 @@ private:
   const std::vector<double>& m_beta;
   Angle_energy m_energy;
   bool m_with_constraint_curvature;
+  Loop_equations m_loops;
   Triangle_assembly<2> m_assembly;
   std::vector<Local_system> m_local; // of each triangle
   std::vector<int> m_incomplete_nodes;

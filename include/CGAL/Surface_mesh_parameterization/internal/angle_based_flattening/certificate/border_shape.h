@@ -12,10 +12,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -26,17 +28,35 @@ inline bool is_on_straight_side(const Chart& chart, int v)
   return chart.is_angle_prescribed(v) && std::abs(chart.angle_sums[v] - pi) <= 1e-12;
 }
 
-// The largest difference between a prescribed angle and that of the map
-inline double largest_angle_error(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline int number_of_prescribed_angles(const std::vector<double>& prescribed, const std::vector<int>& place)
 {
-  std::vector<double> sum(chart.points.size(), 0.);
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    if(chart.is_angle_prescribed(chart.vertex[c]))
-      sum[chart.vertex[c]] += planar_angle(chart, uv, c);
+  std::vector<char> has_angle(place.size(), false);
+  for(std::size_t v = 0; v < prescribed.size(); ++v)
+    if(std::isfinite(prescribed[v]))
+      has_angle[place[v]] = true;
+  return static_cast<int>(std::count(has_angle.begin(), has_angle.end(), true));
+}
+
+// The largest difference of a prescribed angle from that of the map. `sums` are those of all copies of a vertex, as `place` names them.
+inline double largest_angle_error(const std::vector<double>& prescribed, const std::vector<double>& sums,
+                                  const std::vector<int>& place)
+{
   double largest = 0;
-  for(int v : vertices_with_prescribed_angles(chart))
-    largest = (std::max)(largest, std::abs(sum[v] - chart.angle_sums[v]));
+  for(std::size_t v = 0; v < prescribed.size(); ++v)
+    if(std::isfinite(prescribed[v]))
+      largest = (std::max)(largest, std::abs(sums[place[v]] - prescribed[v]));
   return largest;
+}
+
+// The sum of the planar angles at each place
+inline std::vector<double> planar_angle_sums(const Chart& chart, const std::vector<Chart::Point_2>& uv,
+                                             const std::vector<int>& place)
+{
+  std::vector<double> sums(chart.points.size(), 0.);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(chart.interior[chart.vertex[c]] < 0)
+      sums[place[chart.vertex[c]]] += planar_angle(chart, uv, c);
+  return sums;
 }
 
 // The largest distance of a vertex from the line through the ends of its straight side, relative to the distance of these ends
@@ -75,15 +95,48 @@ inline double largest_seam_jump(const Chart& chart, const std::vector<Chart::Poi
   return largest;
 }
 
-// Reports how well a map keeps to the prescribed angles.
+// The largest difference from a full turn of the angles at vertices in the middle of a seam that are no cones: so much does what is
+// on one side of a seam turn on the other side, from one edge to the next.
+inline double largest_seam_turn(const Chart& chart, const Seam_places& places,
+                                const std::vector<double>& sums)
+{
+  double largest = 0;
+  for(int c : chart.borders.front()) {
+    const int v = chart.edge_source(c), place = places.of(v);
+    const bool is_cone = !chart.surface_sums.empty() && !std::isnan(chart.surface_sums[v]);
+    if(!is_cone && places.is_inside(place) && places.copies(place) > 1)
+      largest = (std::max)(largest, std::abs(sums[place] - 2 * pi));
+  }
+  return largest;
+}
+
+// Sets what a report tells of seams.
+inline void report_seams(const Chart& chart, const std::vector<Chart::Point_2>& uv,
+                         ABF_plus_plus_report& report)
+{
+  if(chart.seam.empty())
+    return;
+  const Seam_places places(chart);
+  report.largest_seam_jump = largest_seam_jump(chart, uv);
+  report.largest_seam_turn =
+      largest_seam_turn(chart, places, planar_angle_sums(chart, uv, places.of_vertices()));
+}
+
+// The same of prescribed angles: those of the border are of each copy of a vertex by itself.
 inline void report_prescribed_angles(const Chart& chart, const std::vector<Chart::Point_2>& uv,
                                      ABF_plus_plus_report& report)
 {
   if(!chart.has_prescribed_angles())
     return;
-  report.prescribed_angles = static_cast<int>(vertices_with_prescribed_angles(chart).size());
-  report.largest_angle_error = largest_angle_error(chart, uv);
-  report.side_deviation = side_deviation(chart, uv);
+  std::vector<int> place(chart.points.size());
+  std::iota(place.begin(), place.end(), 0);
+  if(!chart.has_prescribed_border())
+    place = Seam_places(chart).of_vertices();
+  const std::vector<double>& angles = chart.has_prescribed_border() ? chart.angle_sums : chart.surface_sums;
+  report.prescribed_angles = number_of_prescribed_angles(angles, place);
+  report.largest_angle_error = largest_angle_error(angles, planar_angle_sums(chart, uv, place), place);
+  if(chart.has_prescribed_border())
+    report.side_deviation = side_deviation(chart, uv);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -16,6 +16,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -25,8 +26,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Planar angles exist if each of them can be this large.
 inline constexpr double least_angle_of_flow = 1e-6;
 
-// Whether each triangle can give pi to its three corners so that interior vertices get 2 pi, and those of the outer border what is
-// prescribed: a maximum flow from triangles to vertices, all others being one vertex. It starts near the target angles.
+// Whether each triangle can give pi to its three corners so that interior vertices get 2 pi, and others what is prescribed: a maximum
+// flow from triangles to vertices, all others being one vertex. It starts near the target angles.
 class Angle_flow
 {
   typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
@@ -35,11 +36,12 @@ class Angle_flow
   typedef boost::graph_traits<Graph>::edge_descriptor Edge;
 
 public:
-  explicit Angle_flow(const Chart& chart)
+  // `place` names the copies of a vertex by one of them, and `sums` has the prescribed sum of each place, or NaN.
+  Angle_flow(const Chart& chart, const std::vector<int>& place, const std::vector<double>& sums)
       : m_chart(chart), m_first_vertex(2 + chart.number_of_triangles()), m_node(chart.points.size()),
         m_supply(chart.number_of_triangles(), pi - 3 * least_angle_of_flow)
   {
-    find_demands();
+    find_demands(place, sums);
     find_first_flow();
     find_maximum_flow();
   }
@@ -61,17 +63,20 @@ private:
   int node_of_triangle(int t) const { return 2 + t; }
   int rank(int corner) const { return m_node[m_chart.vertex[corner]] - m_first_vertex; }
 
-  void find_demands()
+  void find_demands(const std::vector<int>& place, const std::vector<double>& sums)
   {
     double others = 0;
+    for(int v = 0; v < m_chart.number_of_vertices(); ++v) {
+      const double sum = m_chart.interior[v] >= 0 ? 2 * pi : sums[v];
+      m_node[v] = -1;
+      if(place[v] != v || std::isnan(sum))
+        continue;
+      m_node[v] = m_first_vertex + static_cast<int>(m_demand.size());
+      m_demand.push_back(sum);
+      others -= sum;
+    }
     for(int v = 0; v < m_chart.number_of_vertices(); ++v)
-      if(m_chart.interior[v] >= 0 || m_chart.is_angle_prescribed(v)) {
-        m_node[v] = m_first_vertex + static_cast<int>(m_demand.size());
-        m_demand.push_back(m_chart.interior[v] >= 0 ? 2 * pi : m_chart.angle_sums[v]);
-        others -= m_demand.back();
-      } else {
-        m_node[v] = -1;
-      }
+      m_node[v] = m_node[place[v]];
     m_others = m_first_vertex + static_cast<int>(m_demand.size());
     std::replace(m_node.begin(), m_node.end(), -1, m_others);
     m_demand.push_back(others + pi * m_chart.number_of_triangles());

@@ -43,6 +43,15 @@ struct Constraint_node
   bool is_complete() const { return has_planarity && has_reconstruction; }
 };
 
+// A triangle that a loop through seams crosses: the corners that face the edges where it enters and leaves the triangle
+struct Loop_crossing
+{
+  int in, out;
+  int loop; // number
+
+  int triangle() const { return in / 3; }
+};
+
 // A connected triangulated surface with border, as a corner table: all that the stages behind `read_chart()`
 // know of a mesh. Corner `c` faces the edge from `vertex[next_corner(c)]` to `vertex[previous_corner(c)]`.
 struct Chart
@@ -66,10 +75,16 @@ struct Chart
   // Of each corner that faces an edge of a seam: the one across the seam; -1 elsewhere. Empty without seams.
   std::vector<int> seam;
   bool has_equal_seams = false; // both sides of a seam get the same lengths
-  std::vector<int> node;        // of each vertex: the one with its equations, or -1
+  // With equal seams, of vertices of the outer border: prescribed sums of all planar angles at the vertex of the surface before the cut.
+  // NaN where there is none: such vertices in the middle of a seam have 2 pi. Infinite where the sum is free.
+  std::vector<double> surface_sums;
+  // Loops through seams, along which lengths must come back to what they were; sorted by triangles. Empty without equal seams.
+  std::vector<Loop_crossing> crossings;
+  int number_of_loops = 0;
+  std::vector<int> node; // of each vertex: the one with its equations, or -1
   // All interior vertices, unless someone wants others; those of seams of equal sides, each one for all places of a vertex of the
-  // surface before the cut; vertices of the outer border that have prescribed angles; and at the end all
-  // vertices of holes, in the order of `borders`.
+  // surface before the cut; vertices of the outer border that have prescribed angles; one for each loop, without a vertex; and at
+  // the end all vertices of holes, in the order of `borders`.
   std::vector<Constraint_node> nodes;
   int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
 
@@ -81,8 +96,10 @@ struct Chart
   int number_of_holes() const { return borders.empty() ? 0 : static_cast<int>(borders.size()) - 1; }
   const std::vector<int>& hole(int k) const { return borders[k + 1]; }
   int node_of_corner(int c) const { return node[vertex[c]]; }
-  bool has_prescribed_angles() const { return !angle_sums.empty(); }
-  bool has_border_nodes() const { return has_prescribed_angles() || has_equal_seams; }
+  int node_of_loop(int loop) const { return number_of_free_nodes() - number_of_loops + loop; }
+  bool has_prescribed_border() const { return !angle_sums.empty(); }
+  bool has_prescribed_angles() const { return has_prescribed_border() || !surface_sums.empty(); }
+  bool has_border_nodes() const { return has_prescribed_border() || has_equal_seams; }
 
   // Filled holes have vertices that nobody prescribed anything for.
   bool is_angle_prescribed(int v) const

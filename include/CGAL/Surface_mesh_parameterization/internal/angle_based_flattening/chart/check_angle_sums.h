@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -180,7 +181,9 @@ private:
         is_convex = is_convex && m_chart.angle_sums[vertex(i)] <= pi + largest_rounding_of_angles;
     if(is_convex)
       return {};
-    const Angle_flow flow(m_chart);
+    std::vector<int> itself(m_chart.points.size());
+    std::iota(itself.begin(), itself.end(), 0);
+    const Angle_flow flow(m_chart, itself, m_chart.angle_sums);
     if(flow.is_feasible())
       return {};
     std::vector<int> vertices;

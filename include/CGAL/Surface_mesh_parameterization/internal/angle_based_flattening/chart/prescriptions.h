@@ -10,11 +10,15 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_surface_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,20 +26,37 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The prescribed angle sum of each vertex of a mesh, if there is one. It hides the type of the caller's property map.
 template <typename TriangleMesh>
-using Vertex_angle_sums = std::function<std::optional<double>(
-    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor&)>;
+struct Vertex_angle_sums
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
+  std::function<std::optional<double>(const vertex_descriptor&, const TriangleMesh&)> sum_of;
+  bool of_surface = false; // whether they are those of the vertices of a surface before it was cut
+};
+
+// The keys are vertices of the mesh, or of a seam mesh also those of the mesh below it.
 template <typename TriangleMesh, typename VertexAngleSumMap>
 Vertex_angle_sums<TriangleMesh> vertex_angle_sums(VertexAngleSumMap map)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  return [map](const vertex_descriptor& v) { return std::optional<double>(get(map, v)); };
+  typedef typename boost::property_traits<VertexAngleSumMap>::key_type Key;
+  if constexpr(std::is_same_v<Key, typename Seam_sides<TriangleMesh>::surface_vertex_descriptor>)
+    return {[map](const vertex_descriptor& v, const TriangleMesh& mesh) {
+              return std::optional<double>(get(map, Seam_sides<TriangleMesh>::surface_vertex(v, mesh)));
+            },
+            true};
+  else
+    return {
+        [map](const vertex_descriptor& v, const TriangleMesh&) { return std::optional<double>(get(map, v)); },
+        false};
 }
 
 // The border halfedge on the other side of a seam, of each border halfedge. It hides the type of the caller's property map.
@@ -50,7 +71,24 @@ struct Prescriptions
   Face_importance<TriangleMesh> importance;
   Vertex_angle_sums<TriangleMesh> angle_sums;
   Halfedge_seam_sides<TriangleMesh> seam_sides;
-  bool equal_seam_lengths = false;
+  std::optional<bool> equal_seam_lengths;
+
+  // Seams of equal lengths, unless the border of the cut mesh is prescribed
+  bool wants_equal_seams() const
+  {
+    const bool has_border_angles = angle_sums.sum_of && !angle_sums.of_surface;
+    return equal_seam_lengths.value_or(Seam_sides<TriangleMesh>::has_seams && !has_border_angles);
+  }
+
+  Chart_defect find_conflict() const
+  {
+    if(!angle_sums.of_surface || wants_equal_seams())
+      return {};
+    return {Flattening_report::WRONG_OPTION,
+            "angle sums of the surface before it is cut need equal lengths of seams",
+            {},
+            {}};
+  }
 };
 
 // Finds sides that are not those of each other.
@@ -66,61 +104,73 @@ inline Chart_defect find_wrong_seam(const Chart& chart)
   return {};
 }
 
-// Makes the sides of seams equal, if there are seams.
-inline Chart_defect equalize_seams(Chart& chart)
+// Makes the sides of seams equal, if there are seams. Those with a side on a hole are an error if they are all to be so, and are left
+// as they are otherwise.
+inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
 {
-  const bool has_seams = std::any_of(chart.seam.begin(), chart.seam.end(), [](int c) { return c >= 0; });
-  if(has_seams && chart.has_prescribed_angles())
-    return {Flattening_report::WRONG_OPTION,
-            "equal lengths of seams and prescribed angles exclude each other",
-            {},
-            {}};
   for(int k = 0; k < chart.number_of_holes(); ++k)
     for(int c : chart.hole(k))
-      if(has_seams && chart.seam[c] >= 0)
+      if(all_of_them && !chart.seam.empty() && chart.seam[c] >= 0)
         return {Flattening_report::WRONG_OPTION,
                 "equal lengths of seams need all seams on the outer border, but one is on a hole",
                 {chart.edge_source(c)},
                 {}};
-  chart.has_equal_seams = has_seams;
+  chart.has_equal_seams = Seam_places(chart).has_seams();
   find_nodes(chart);
   return {};
 }
 
-// Puts what rounding left of the total onto the largest angle: the equations cannot be met otherwise.
-inline void complete_total(double missing, Chart& chart)
+// Adds an angle to all copies of the largest sum.
+inline void add_to_largest(double angle, const Seam_places& places, std::vector<double>& sums)
 {
-  if(!is_whole_border_prescribed(chart))
-    return;
-  *std::max_element(chart.angle_sums.begin(), chart.angle_sums.end(),
-                    [](double a, double b) { return std::isnan(a) ? !std::isnan(b) : a < b; }) += missing;
+  const auto rank = [](double sum) { return std::isfinite(sum) ? sum : -1; };
+  const auto largest =
+      std::max_element(sums.begin(), sums.end(), [&](double a, double b) { return rank(a) < rank(b); });
+  const int place = places.of(static_cast<int>(largest - sums.begin()));
+  for(std::size_t v = 0; v < sums.size(); ++v)
+    if(std::isfinite(sums[v]) && places.of(static_cast<int>(v)) == place)
+      sums[v] += angle;
 }
 
-// Sets the prescribed angles of a chart, if there are some that can be met.
-template <typename VertexDescriptor, typename VertexAngleSums>
-Chart_defect read_angle_sums(const std::vector<VertexDescriptor>& vertices, const VertexAngleSums& angle_sums,
-                             Chart& chart)
+// Sets the prescribed angles of a chart, if there are some that can be met. What rounding left of a total goes onto the largest
+// angle: the equations cannot be met otherwise.
+inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
 {
-  if(!angle_sums)
+  const Seam_places places(chart);
+  (chart.has_equal_seams ? chart.surface_sums : chart.angle_sums) = std::move(sums);
+  if(chart.has_equal_seams) {
+    const Surface_sum_check check(chart);
+    if(Chart_defect defect = check.run())
+      return defect;
+    add_to_largest(check.missing_angle(), places, chart.surface_sums);
+  } else {
+    const Angle_sum_check check(chart);
+    if(Chart_defect defect = check.run())
+      return defect;
+    if(is_whole_border_prescribed(chart))
+      add_to_largest(check.missing_angle(), places, chart.angle_sums);
+  }
+  find_nodes(chart);
+  return {};
+}
+
+// Reads the prescribed angles of a mesh whose chart knows its seams of equal sides.
+template <typename TriangleMesh>
+Chart_defect
+read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
+                const Vertex_angle_sums<TriangleMesh>& angle_sums, const TriangleMesh& mesh, Chart& chart)
+{
+  if(!angle_sums.sum_of)
     return {};
-  chart.angle_sums.assign(vertices.size(), (std::numeric_limits<double>::quiet_NaN)());
+  std::vector<double> sums(vertices.size(), (std::numeric_limits<double>::quiet_NaN)());
   bool has_some = false;
   for(std::size_t v = 0; v < vertices.size(); ++v)
-    if(const std::optional<double> sum = angle_sums(vertices[v])) {
+    if(const std::optional<double> sum = angle_sums.sum_of(vertices[v], mesh)) {
       // Not a number stands for none, and must not be taken for that.
-      chart.angle_sums[v] = std::isnan(*sum) ? -1 : *sum;
+      sums[v] = std::isnan(*sum) ? -1 : *sum;
       has_some = true;
     }
-  if(!has_some) {
-    chart.angle_sums.clear();
-    return {};
-  }
-  const Angle_sum_check check(chart);
-  if(Chart_defect defect = check.run())
-    return defect;
-  complete_total(check.missing_angle(), chart);
-  find_nodes(chart);
-  return {};
+  return has_some ? set_angle_sums(std::move(sums), chart) : Chart_defect();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

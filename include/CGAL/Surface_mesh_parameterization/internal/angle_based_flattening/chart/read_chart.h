@@ -30,10 +30,12 @@ class Seam_mesh;
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The halfedge on the other side of a seam, of an inner one at the border; the null halfedge where there is no seam
+// What a `Seam_mesh` knows of its seams. `across()` returns the halfedge on the other side of a seam, of an inner one at the border;
+// the null halfedge where there is no seam.
 template <typename TriangleMesh>
 struct Seam_sides
 {
+  typedef void surface_vertex_descriptor;
   static constexpr bool has_seams = false;
 };
 
@@ -42,6 +44,7 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
 {
   typedef CGAL::Seam_mesh<TM, SEM, SVM> Mesh;
   typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TM>::vertex_descriptor surface_vertex_descriptor;
   static constexpr bool has_seams = true;
 
   static halfedge_descriptor across(const halfedge_descriptor& h, const Mesh& mesh)
@@ -50,6 +53,14 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
     return mesh.has_on_seam(h.tmhd) && !CGAL::is_border(other, mesh.mesh())
                ? halfedge_descriptor(other)
                : boost::graph_traits<Mesh>::null_halfedge();
+  }
+
+  // The vertex of the mesh that was cut
+  static surface_vertex_descriptor
+  surface_vertex(const typename boost::graph_traits<Mesh>::vertex_descriptor& v, const Mesh& mesh)
+  {
+    const typename Mesh::TM_halfedge_descriptor h = v;
+    return target(h, mesh.mesh());
   }
 };
 

@@ -90,13 +90,13 @@ inline double lay_out_prescribed_border(const Chart& chart, const Border_walk& w
 inline void lay_out_borders(const Chart& chart, const std::vector<double>& alpha, Layout& layout)
 {
   const std::vector<int>& outer = chart.borders.front();
-  const Border_walk walk = chart.has_prescribed_angles() ? walk_along_prescribed_border(chart, alpha)
+  const Border_walk walk = chart.has_prescribed_border() ? walk_along_prescribed_border(chart, alpha)
                                                          : walk_along_border(chart, alpha, outer);
   const double longest =
       std::max_element(walk.begin(), walk.end() - 1, [](const Planar_edge& a, const Planar_edge& b) {
         return a.log_length < b.log_length;
       })->log_length;
-  layout.closure = chart.has_prescribed_angles() ? lay_out_prescribed_border(chart, walk, longest, layout.uv)
+  layout.closure = chart.has_prescribed_border() ? lay_out_prescribed_border(chart, walk, longest, layout.uv)
                                                  : lay_out_border(chart, outer, walk, longest, layout.uv);
   if(chart.number_of_holes() == 0)
     return;

@@ -18,9 +18,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A block of unknowns that a triangle has besides those of its vertices
+struct Extra_unknown
+{
+  int triangle, unknown;
+};
 
 // A symmetric sparse matrix that is the sum of a small matrix for each triangle, as a finite element stiffness
 // matrix is. A vertex has `BlockSize` unknowns or none; several vertices may have the same ones. The pattern is found once. Each column is
@@ -32,9 +39,10 @@ public:
   typedef Eigen::Matrix<double, 3 * BlockSize, BlockSize> Local_columns;
 
   // `vertex` is the vertex of each corner; `unknown` of each vertex the number of its block of unknowns, less than `n`,
-  // or -1. Both are referred to later.
-  Triangle_assembly(const std::vector<int>& vertex, const std::vector<int>& unknown, int n)
-      : m_vertex(vertex), m_unknown(unknown)
+  // or -1. Both are referred to later. The pattern has room for `extra` unknowns, which are sorted by triangles.
+  Triangle_assembly(const std::vector<int>& vertex, const std::vector<int>& unknown, int n,
+                    std::vector<Extra_unknown> extra = {})
+      : m_vertex(vertex), m_unknown(unknown), m_extra(std::move(extra))
   {
     find_corners(n);
     find_pattern(n);
@@ -58,7 +66,12 @@ public:
 
   const Block_matrix<BlockSize>& matrix() const { return m_matrix; }
 
-  typename Block_matrix<BlockSize>::Block& diagonal_block(int j) { return m_matrix.block[entry(j, j)]; }
+  typename Block_matrix<BlockSize>::Block& block(int row, int column)
+  {
+    return m_matrix.block[entry(row, column)];
+  }
+
+  typename Block_matrix<BlockSize>::Block& diagonal_block(int j) { return block(j, j); }
 
 private:
   // The corners at vertices with block `j`, ascending
@@ -133,15 +146,33 @@ private:
     const std::ptrdiff_t size = rows.size();
     rows.push_back(column);
     for(const int corner : corners(column))
-      for(int c = corner / 3 * 3; c < corner / 3 * 3 + 3; ++c)
-        if(c != corner && unknown(c) >= 0)
-          rows.push_back(unknown(c));
+      add_triangle(corner / 3, corner, rows);
+    if(corners(column).empty())
+      for(const Extra_unknown& extra : m_extra)
+        if(extra.unknown == column)
+          add_triangle(extra.triangle, -1, rows);
     std::sort(rows.begin() + size, rows.end());
     rows.erase(std::unique(rows.begin() + size, rows.end()), rows.end());
   }
 
+  // Appends the rows of a triangle but that of corner `column`.
+  void add_triangle(int t, int column, std::vector<int>& rows) const
+  {
+    for(int c = 3 * t; c < 3 * t + 3; ++c)
+      if(c != column && unknown(c) >= 0)
+        rows.push_back(unknown(c));
+    if(m_extra.empty())
+      return;
+    const auto first =
+        std::lower_bound(m_extra.begin(), m_extra.end(), t,
+                         [](const Extra_unknown& extra, int triangle) { return extra.triangle < triangle; });
+    for(auto extra = first; extra != m_extra.end() && extra->triangle == t; ++extra)
+      rows.push_back(extra->unknown);
+  }
+
   const std::vector<int>& m_vertex;
   const std::vector<int>& m_unknown;
+  std::vector<Extra_unknown> m_extra;
   std::vector<int> m_first, m_corner; // the corners at each vertex
   Block_matrix<BlockSize> m_matrix;
 };

@@ -72,7 +72,7 @@ protected:
     result.report.failed_strategies = std::move(m_failed);
     result.report.seconds = m_seconds;
     if(result.succeeded())
-      result.report.largest_seam_jump = largest_seam_jump(m_part, result.uv);
+      report_seams(m_part, result.uv, result.report);
     return Flattening<Report>(std::move(result));
   }
 

@@ -78,7 +78,7 @@ inline Flattening<ABF_plus_plus_report> made_injective(const Chart& chart,
   report.seconds += direct.report.seconds;
   report.predicted_scale_range = direct.report.predicted_scale_range;
   if(result.succeeded())
-    report.largest_seam_jump = largest_seam_jump(chart, result.uv);
+    report_seams(chart, result.uv, report);
   return result;
 }
 

@@ -138,14 +138,17 @@ private:
       defect = diagnose(m_reader.chart, m_options.holes != Flattening_options::REFUSE);
     if(!defect)
       defect = read_importance(m_reader.face_descriptors, m_prescriptions.importance, m_reader.chart);
-    if(!defect)
-      defect = read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_reader.chart);
     if(!defect && m_prescriptions.seam_sides) {
       m_reader.link_seams([&](halfedge_descriptor h) { return across_seam(h); });
       defect = find_wrong_seam(m_reader.chart);
     }
-    if(!defect && m_prescriptions.equal_seam_lengths)
-      defect = equalize_seams(m_reader.chart);
+    if(!defect)
+      defect = m_prescriptions.find_conflict();
+    if(!defect && m_prescriptions.wants_equal_seams())
+      defect = equalize_seams(m_reader.chart, m_prescriptions.equal_seam_lengths.has_value());
+    if(!defect)
+      defect =
+          read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_mesh, m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
     report.triangles = static_cast<int>(m_reader.face_descriptors.size());
     report.borders = static_cast<int>(m_reader.chart.borders.size());

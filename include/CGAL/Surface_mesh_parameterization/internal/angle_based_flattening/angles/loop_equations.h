@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/reduced_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Along a loop through seams, each triangle changes the length from the edge where the loop enters to the one where it leaves. Back at
+// the first edge it must be what it was:
+//   sum ln sin alpha_out - sum ln sin alpha_in = 0
+// That is Eq. 4 for the triangles of a loop instead of those around a vertex.
+inline void add_loop_residuals(const Chart& chart, const std::vector<double>& log_sines,
+                               Eigen::VectorXd& residual)
+{
+  for(const Loop_crossing& crossing : chart.crossings)
+    residual[2 * chart.node_of_loop(crossing.loop) + 1] += log_sines[crossing.out] - log_sines[crossing.in];
+}
+
+// The loops through the triangles of a chart
+class Loop_equations
+{
+  typedef Eigen::RowVector2d Plane_row;
+  typedef std::vector<Loop_crossing>::const_iterator Iterator;
+
+public:
+  explicit Loop_equations(const Chart& chart) : m_chart(chart) {}
+
+  // The nodes of the loops through each triangle that has some
+  std::vector<Extra_unknown> nodes() const
+  {
+    std::vector<Extra_unknown> result;
+    for(const Loop_crossing& crossing : m_chart.crossings)
+      result.push_back({crossing.triangle(), m_chart.node_of_loop(crossing.loop)});
+    return result;
+  }
+
+  // The sum of the second derivatives with respect to the angle at corner `c`, times their multipliers
+  double curvature(const Eigen::VectorXd& multipliers, int c, double cotangent) const
+  {
+    double sum = 0;
+    for_each_crossing(c / 3, [&](const Loop_crossing& crossing) {
+      sum += multiplier(multipliers, crossing) * ((c == crossing.out) - (c == crossing.in));
+    });
+    return -sum * (1 + cotangent * cotangent);
+  }
+
+  // The gradient of the loops times their multipliers, in the plane of the steps that keep the sum of a triangle's angles
+  Eigen::Vector2d gradient(int t, const Eigen::Vector3d& cotangents, const Eigen::VectorXd& multipliers) const
+  {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for_each_crossing(t, [&](const Loop_crossing& crossing) {
+      sum += multiplier(multipliers, crossing) * row(crossing, cotangents).transpose();
+    });
+    return sum;
+  }
+
+  // Adds the rows and columns of the loops to the matrix and the right-hand side of Eq. 16. `local(t)` returns the cotangents of a
+  // triangle, the inverse of its reduced Hessian and its force, `jacobian(t)` the rows of its vertices.
+  template <typename Local, typename Jacobian>
+  void assemble(const Local& local, const Jacobian& jacobian, Triangle_assembly<2>& assembly,
+                Eigen::VectorXd& right_hand_side) const
+  {
+    for(const Loop_crossing& crossing : m_chart.crossings) {
+      const int t = crossing.triangle(), j = m_chart.node_of_loop(crossing.loop);
+      const auto& of_triangle = local(t);
+      const auto rows = jacobian(t);
+      const Eigen::Vector2d column = of_triangle.inverse * row(crossing, of_triangle.cotangents).transpose();
+      right_hand_side[2 * j + 1] += column.dot(of_triangle.force);
+      for(int k = 0; k < 3; ++k)
+        if(const int i = m_chart.node_of_corner(3 * t + k); i >= 0) {
+          const Eigen::Vector2d coupling = rows.template middleRows<2>(2 * k) * column;
+          assembly.block(i, j).col(1) += coupling;
+          assembly.block(j, i).row(1) += coupling.transpose();
+        }
+      for_each_crossing(t, [&](const Loop_crossing& other) {
+        assembly.block(m_chart.node_of_loop(other.loop), j)(1, 1) +=
+            row(other, of_triangle.cotangents) * column;
+      });
+    }
+  }
+
+private:
+  double multiplier(const Eigen::VectorXd& multipliers, const Loop_crossing& crossing) const
+  {
+    return multipliers[2 * m_chart.node_of_loop(crossing.loop) + 1];
+  }
+
+  // A loop's derivatives by the angles of a triangle, in the plane of steps
+  static Plane_row row(const Loop_crossing& crossing, const Eigen::Vector3d& cotangents)
+  {
+    const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
+    const int in = crossing.in % 3, out = crossing.out % 3;
+    return cotangents[out] * basis.row(out) - cotangents[in] * basis.row(in);
+  }
+
+  template <typename Visitor>
+  void for_each_crossing(int t, const Visitor& visit) const
+  {
+    const std::vector<Loop_crossing>& all = m_chart.crossings;
+    for(Iterator i = std::lower_bound(
+            all.begin(), all.end(), t,
+            [](const Loop_crossing&crossing, int triangle) { return crossing.triangle() < triangle; });
+        i != all.end() && i->triangle() == t; ++i)
+      visit(*i);
+  }
+
+  const Chart& m_chart;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H

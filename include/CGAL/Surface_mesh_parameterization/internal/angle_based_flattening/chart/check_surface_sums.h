@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHECK_SURFACE_SUMS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHECK_SURFACE_SUMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/angle_flow.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Whether planar angles with prescribed sums at the vertices of the surface before the cut exist, as `Angle_sum_check` does for
+// those of a border.
+class Surface_sum_check
+{
+public:
+  explicit Surface_sum_check(const Chart& chart)
+      : m_chart(chart), m_places(chart),
+        m_sum(chart.points.size(), (std::numeric_limits<double>::quiet_NaN)()),
+        m_corners(chart.points.size(), 0), m_place(m_places.of_vertices()),
+        m_is_outer(chart.points.size(), false)
+  {
+    for(int c : chart.borders.front())
+      m_is_outer[chart.edge_source(c)] = true;
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      ++m_corners[m_place[chart.vertex[c]]];
+    for(int c : chart.borders.front()) {
+      const int v = chart.edge_source(c);
+      const double sum = chart.surface_sums[v];
+      m_sum[m_place[v]] = !std::isnan(sum) ? sum : m_places.is_inside(m_place[v]) ? 2 * pi : sum;
+    }
+    for(double& sum : m_sum)
+      if(std::isinf(sum))
+        sum = (std::numeric_limits<double>::quiet_NaN)();
+    find_total();
+  }
+
+  Chart_defect run() const
+  {
+    if(Chart_defect defect = find_wrong_sum())
+      return defect;
+    if(Chart_defect defect = find_wrong_total())
+      return defect;
+    return find_misplaced_sums();
+  }
+
+  // By how much the total is too small, if it is wholly prescribed
+  double missing_angle() const { return m_free.empty() ? m_left : 0; }
+
+private:
+  typedef Flattening_report::Diagnosis Diagnosis;
+
+  static Chart_defect defect(Diagnosis diagnosis, const std::string& message,
+                             const std::vector<int>& vertices)
+  {
+    return {diagnosis, message, vertices, {}};
+  }
+
+  bool is_given(int v) const { return !std::isnan(m_chart.surface_sums[v]); }
+
+  // What is left for the vertices of the outer border without a prescribed sum
+  void find_total()
+  {
+    m_left = pi * m_chart.number_of_triangles() - 2 * pi * m_chart.number_of_interior_vertices;
+    for(int k = 0; k < m_chart.number_of_holes(); ++k) // around a hole the border turns by - 2 pi
+      m_left -= pi * (static_cast<double>(m_chart.hole(k).size()) + 2);
+    for(int v = 0; v < m_chart.number_of_vertices(); ++v)
+      if(m_is_outer[v] && m_place[v] == v) {
+        if(std::isnan(m_sum[v])) {
+          m_free.push_back(v);
+          m_corners_of_free += m_corners[v];
+        } else {
+          m_left -= m_sum[v];
+        }
+      }
+  }
+
+  Chart_defect find_wrong_sum() const
+  {
+    for(int v = 0; v < m_chart.number_of_vertices(); ++v) {
+      if(!is_given(v) && !(m_is_outer[v] && is_given(m_place[v])))
+        continue;
+      const double sum = m_chart.surface_sums[v];
+      const int place = m_place[v];
+      std::ostringstream message;
+      message << "the prescribed angle sum at the vertex at " << position_text(m_chart, v);
+      if(!m_is_outer[v])
+        message << " is neither on a seam nor at the outer border";
+      else if(!(sum == m_chart.surface_sums[place]))
+        message << " is not the same at all its copies";
+      else if(std::isinf(sum) && sum > 0 && m_places.is_inside(place))
+        continue;
+      else if(!(sum > 0 && std::isfinite(sum)))
+        message << " is not a positive number";
+      else if(sum >= m_corners[place] * pi - least_angle_of_flow)
+        message << ", " << sum << ", is too large: it has only " << m_corners[place] << " triangle(s)";
+      else
+        continue;
+      return defect(Flattening_report::WRONG_ANGLE_SUM, message.str(), {v});
+    }
+    return {};
+  }
+
+  Chart_defect find_wrong_total() const
+  {
+    std::ostringstream message;
+    message.precision(10);
+    if(m_free.empty()) {
+      if(std::abs(m_left) <= largest_rounding_of_angles)
+        return {};
+      message << "the prescribed angle sums are too " << (m_left > 0 ? "small" : "large") << " by "
+              << std::abs(m_left)
+              << " together: the sums of all vertices must be pi times the number of triangles";
+      return defect(Flattening_report::WRONG_ANGLE_TOTAL, message.str(), given());
+    }
+    if(m_left > 0 && m_left < m_corners_of_free * pi)
+      return {};
+    message << "the prescribed angle sums leave a sum of " << m_left << " to the " << m_free.size()
+            << " vertices whose sums are free, which must be above 0 and below " << m_corners_of_free
+            << " pi";
+    return defect(Flattening_report::WRONG_ANGLE_TOTAL, message.str(), m_free);
+  }
+
+  // The vertices with a sum that was given, one copy of each
+  std::vector<int> given() const
+  {
+    std::vector<int> vertices;
+    for(int v = 0; v < m_chart.number_of_vertices(); ++v)
+      if(m_is_outer[v] && m_place[v] == v && is_given(v))
+        vertices.push_back(v);
+    return vertices;
+  }
+
+  Chart_defect find_misplaced_sums() const
+  {
+    const Angle_flow flow(m_chart, m_place, m_sum);
+    if(flow.is_feasible())
+      return {};
+    std::vector<int> vertices;
+    for(int v : given())
+      if(flow.is_in_conflict(v))
+        vertices.push_back(v);
+    std::ostringstream message;
+    message << "the angle sums prescribed at " << vertices.size() << " vertices";
+    if(!vertices.empty())
+      message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
+    message << (flow.is_too_large() ? " are too large" : " are too small")
+            << " together for the triangles that are there";
+    return defect(Flattening_report::INFEASIBLE_ANGLE_SUMS, message.str(), vertices);
+  }
+
+  const Chart& m_chart;
+  const Seam_places m_places;
+  std::vector<double> m_sum;  // of each place: what is prescribed, or NaN
+  std::vector<int> m_corners; // of each place: how many there are
+  const std::vector<int>& m_place;
+  std::vector<char> m_is_outer; // of each vertex
+  std::vector<int> m_free;      // places of the outer border without a prescribed sum
+  int m_corners_of_free = 0;
+  double m_left = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHECK_SURFACE_SUMS_H
