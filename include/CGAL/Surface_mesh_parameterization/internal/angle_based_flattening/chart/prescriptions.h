@@ -170,7 +170,8 @@ read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::ve
       sums[v] = std::isnan(*sum) ? -1 : *sum;
       has_some = true;
     }
-  return has_some ? set_angle_sums(std::move(sums), chart) : Chart_defect();
+  // On the surface before the cut, vertices of seams have 2 pi if nothing else is said.
+  return has_some || chart.has_equal_seams ? set_angle_sums(std::move(sums), chart) : Chart_defect();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
