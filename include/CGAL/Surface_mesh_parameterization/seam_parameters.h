@@ -29,6 +29,10 @@ enum seam_edge_weight_t
 {
   seam_edge_weight
 };
+enum seam_terminals_t
+{
+  seam_terminals
+};
 
 } // namespace internal_np
 #endif
@@ -67,6 +71,17 @@ edge_weight_map(EdgeWeightMap weights, const NamedParameters& np = NamedParamete
 {
   return Named_function_parameters<EdgeWeightMap, internal_np::seam_edge_weight_t, NamedParameters>(weights,
                                                                                                     np);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// gives `cut_to_disks()` the vertices that the seams have to reach, such as cones: a range of vertex descriptors, of which a copy is kept.
+/// `np` is as for `stretch_bound()`.
+template <typename VertexRange, typename NamedParameters = Default_named_parameters>
+Named_function_parameters<VertexRange, internal_np::seam_terminals_t, NamedParameters>
+terminals(const VertexRange& vertices, const NamedParameters& np = NamedParameters())
+{
+  return Named_function_parameters<VertexRange, internal_np::seam_terminals_t, NamedParameters>(vertices, np);
 }
 
 } // namespace parameters

@@ -25,6 +25,21 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+// Vertices without faces cannot be reached.
+template <typename TriangleMesh, typename VertexRange>
+void check_terminals(const TriangleMesh& mesh, const VertexRange& terminals, Seam_report& report)
+{
+  std::size_t rank = 0;
+  for(const auto& v : terminals) {
+    if(halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) {
+      report.diagnosis = Seam_report::WRONG_OPTION;
+      report.message = "terminal " + std::to_string(rank) + " has no face";
+      return;
+    }
+    ++rank;
+  }
+}
+
 // Reads a mesh, finds seams of each of its parts by `find(part)`, and marks them if all parts have some. With `keeps_seams`, the present
 // ones are borders of the parts; otherwise `find()` gets them to change.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename NamedParameters>
@@ -70,13 +85,48 @@ public:
     return is_seam;
   }
 
+  // The vertices of a part that are among some of the mesh
+  template <typename VertexRange>
+  std::vector<int> vertices_of(const Surface_part& part, const VertexRange& range)
+  {
+    std::vector<int> result;
+    if(range.begin() == range.end())
+      return result;
+    mark_vertices(range);
+    std::vector<char> is_visited(part.chart.points.size(), false);
+    for(int c = 0; c < part.chart.number_of_corners(); ++c)
+      if(const int v = part.chart.vertex[c]; !is_visited[v]) {
+        is_visited[v] = true;
+        if(get(m_marks, target(m_reader.halfedge_to(3 * part.first_triangle + c), m_mesh)))
+          result.push_back(v);
+      }
+    return result;
+  }
+
 private:
+  template <typename VertexRange>
+  void mark_vertices(const VertexRange& range)
+  {
+    if(m_has_marks)
+      return;
+    m_has_marks = true;
+    m_marks = get(CGAL::dynamic_vertex_property_t<bool>(), m_mesh);
+    for(auto v : vertices(m_mesh))
+      put(m_marks, v, false);
+    for(auto v : range)
+      put(m_marks, v, true);
+  }
+
   void explain_failure(const Surface_part& part, Seams::Status status, Seam_report& report) const
   {
     const std::string where = "the part of the surface with the vertex at " + position_text(part.chart, 0);
     if(status == Seams::NO_CUT)
-      m_reader.fail(report, Seam_report::NO_CUT_ALLOWED,
-                    where + " cannot be cut to a disk along the edges that may become seams");
+      m_reader.fail(
+          report, Seam_report::NO_CUT_ALLOWED,
+          where + " cannot be cut to a disk along the edges that may become seams" +
+              (parameters::is_default_parameter<NamedParameters, internal_np::seam_terminals_t>::value
+                   ? ""
+                   : ", through the terminals"));
     else
       m_reader.fail(report, Seam_report::LINEAR_SYSTEM_FAILED,
                     "the linear system that predicts the scale could not be solved for " + where);
@@ -124,6 +174,8 @@ private:
   EdgeIsSeamMap m_seams;
   const NamedParameters& m_np;
   bool m_keeps_seams;
+  bool m_has_marks = false;
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<bool>>::const_type m_marks;
   Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
 };
 

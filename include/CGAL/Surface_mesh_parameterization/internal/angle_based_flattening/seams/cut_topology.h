@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -78,22 +79,25 @@ struct Topology
   int handles, borders = 0, border_edges = 0;
 };
 
-// Opens a connected surface until it is a disk that can be flattened, along short paths.
+// Opens a connected surface until it is a disk that can be flattened, along short paths that reach all terminals.
 class Topological_cut
 {
 public:
-  Topological_cut(Sector_graph& surface, const std::vector<double>& cost) : m_surface(surface), m_cost(cost)
+  Topological_cut(Sector_graph& surface, const std::vector<double>& cost,
+                  const std::vector<int>& terminals = {})
+      : m_surface(surface), m_cost(cost), m_terminals(interior_nodes(surface, terminals))
   {}
 
   // Returns `false` if edges that must not become seams leave no way.
   bool run()
   {
     const Topology topology(m_surface);
-    if(topology.borders > 1 && !join_borders())
+    const std::size_t ends = topology.borders + m_terminals.size();
+    if(ends > 1 && !join_borders())
       return false;
     if(topology.handles > 0)
       cut_handles();
-    else if(topology.borders == 0)
+    else if(ends < 2 && topology.borders == 0)
       open_sphere();
     if(const Topology opened(m_surface); opened.is_disk() && !opened.can_be_flattened())
       lengthen_border();
@@ -114,6 +118,21 @@ private:
   };
 
   const Chart& chart() const { return m_surface.surface(); }
+
+  // The nodes of those of some vertices that are neither on a border nor on a seam, each once
+  static std::vector<int> interior_nodes(const Sector_graph& surface, const std::vector<int>& vertices)
+  {
+    if(vertices.empty())
+      return {};
+    std::vector<char> is_wanted(surface.surface().points.size(), false);
+    for(int v : vertices)
+      is_wanted[v] = true;
+    std::vector<int> nodes;
+    for(int x = 0; x < surface.number_of_nodes(); ++x)
+      if(surface.is_node(x) && !surface.is_on_border(x) && is_wanted[surface.vertex(x)])
+        nodes.push_back(x);
+    return nodes;
+  }
 
   std::vector<Bridge> bridges(const Shortest_paths& paths) const
   {
@@ -149,14 +168,18 @@ private:
         m_surface.set_seam(c, true);
   }
 
-  // Mehlhorn's approximation of a Steiner tree of the borders: Kruskal's algorithm on the edges between the regions that are nearest
-  // to each of them
+  // Mehlhorn's approximation of a Steiner tree of the borders and terminals: Kruskal's algorithm on the edges between the regions that
+  // are nearest to each of them
   bool join_borders()
   {
     int borders = 0;
-    std::vector<int> region = number_borders(m_surface, borders);
+    std::vector<int> region = number_borders(m_surface, borders), sources = border_nodes(m_surface);
+    for(int x : m_terminals) {
+      region[x] = borders++;
+      sources.push_back(x);
+    }
     Shortest_paths paths(m_surface, m_cost);
-    paths.find_all(border_nodes(m_surface));
+    paths.find_all(sources);
     spread(paths, region);
     std::vector<Bridge> between = bridges(paths);
     between.erase(std::remove_if(between.begin(), between.end(),
@@ -202,7 +225,7 @@ private:
   {
     std::vector<int> sources = border_nodes(m_surface);
     if(sources.empty())
-      sources.push_back(root());
+      sources.push_back(m_terminals.empty() ? root() : m_terminals.front());
     Shortest_paths paths(m_surface, m_cost);
     paths.find_all(sources);
     std::vector<char> is_in_tree(chart().vertex.size(), false);
@@ -246,12 +269,12 @@ private:
     return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   }
 
-  // Opens a path between two vertices that are far from each other.
+  // Opens a path between two vertices that are far from each other, or from the terminal to one that is far from it.
   void open_sphere()
   {
-    int from = root(), to = from;
+    int from = m_terminals.empty() ? root() : m_terminals.front(), to = from;
     std::vector<int> path;
-    for(int sweep = 0; sweep < 2; ++sweep) {
+    for(int sweep = m_terminals.empty() ? 0 : 1; sweep < 2; ++sweep) {
       from = to;
       Shortest_paths paths(m_surface, m_cost);
       paths.find_all({from});
@@ -263,9 +286,12 @@ private:
     open(path);
   }
 
-  // Opens the cheapest edge between the border of a disk and its interior.
+  // Makes the seam of one edge longer: another way between two terminals, or else one more edge, the cheapest between the border of the
+  // disk and its interior.
   void lengthen_border()
   {
+    if(m_terminals.size() == 2 && take_detour())
+      return;
     int cheapest = -1;
     for(int c = 0; c < chart().number_of_corners(); ++c)
       if(!m_surface.is_open(c) && m_surface.is_on_border(m_surface.source_node(c)) &&
@@ -276,8 +302,26 @@ private:
       open({cheapest});
   }
 
+  // Opens the second shortest way between the ends of the only seam. Returns whether there is one.
+  bool take_detour()
+  {
+    int edge = 0;
+    while(!m_surface.is_seam(edge))
+      ++edge;
+    m_surface.set_seam(edge, false);
+    std::vector<double> cost = m_cost;
+    cost[edge] = cost[chart().opposite[edge]] = forbidden;
+    const int to = m_surface.target_node(edge);
+    Shortest_paths paths(m_surface, cost);
+    const bool is_found =
+        paths.find({m_surface.source_node(edge)}, forbidden, [&](int x) { return x == to; }) >= 0;
+    open(is_found ? paths.path(to) : std::vector<int>{edge});
+    return is_found;
+  }
+
   Sector_graph& m_surface;
   const std::vector<double>& m_cost;
+  const std::vector<int> m_terminals; // nodes inside the surface
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -91,16 +91,19 @@ inline Seams find_seams_on_copy(const Chart& surface, const std::vector<double>&
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,
-                                                                const std::vector<double>& cost)
+                                                                const std::vector<double>& cost,
+                                                                const std::vector<int>& terminals)
 {
   Sector_graph opened(surface);
-  if(!Topological_cut(opened, cost).run()) {
+  if(!Topological_cut(opened, cost, terminals).run()) {
     Seams seams;
     seams.status = Seams::NO_CUT;
     return seams;
   }
-  Path_shortening(opened, cost, {}).run(most_visits);
-  return seams_of(opened);
+  Path_shortening(opened, cost, terminals).run(most_visits);
+  Seams seams = seams_of(opened);
+  seams.terminals = terminals;
+  return seams;
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_seams(const Chart& surface, const std::vector<double>& cost,
