@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -47,11 +48,8 @@ public:
   std::optional<std::vector<double>> solve(const std::vector<char>& is_fixed, bool is_balanced = false) const
   {
     const int n = m_surface.number_of_vertices();
-    std::vector<int> unknown(n, -1);
     int unknowns = 0;
-    for(int v = 0; v < n; ++v)
-      if(!is_fixed[v])
-        unknown[v] = unknowns++;
+    const std::vector<int> unknown = number_unknowns(is_fixed, unknowns);
     std::vector<double> u(n, 0.);
     if(unknowns == 0)
       return u;
@@ -62,8 +60,7 @@ public:
         sources[0][unknown[v]] =
             -2 * (m_defect[v] - mean * m_area[v]); // the matrix has twice the usual weights
     Definite_system system(m_solvers, m_solvers->low_precision());
-    if(!system.solve(cotangent_laplacian(m_surface, m_cotangents, unknown, unknowns).matrix(), sources,
-                     solutions))
+    if(!system.solve(laplacian(unknown, unknowns).matrix(), sources, solutions))
       return std::nullopt;
     for(int v = 0; v < n; ++v)
       if(unknown[v] >= 0)
@@ -83,6 +80,27 @@ public:
     }
     return std::sqrt(shrunk / m_total_area * (grown / m_total_area));
   }
+
+  // Numbers the vertices that are not fixed; the others get -1.
+  static std::vector<int> number_unknowns(const std::vector<char>& is_fixed, int& count)
+  {
+    std::vector<int> unknown(is_fixed.size(), -1);
+    count = 0;
+    for(std::size_t v = 0; v < is_fixed.size(); ++v)
+      if(!is_fixed[v])
+        unknown[v] = count++;
+    return unknown;
+  }
+
+  // With twice the usual weights
+  Triangle_assembly<1> laplacian(const std::vector<int>& unknown, int n) const
+  {
+    return cotangent_laplacian(m_surface, m_cotangents, unknown, n);
+  }
+
+  const std::vector<double>& defects() const { return m_defect; } // of each vertex, as if it were inside
+  const std::vector<double>& areas() const { return m_area; }     // of each vertex
+  double total_area() const { return m_total_area; }
 
 private:
   // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite. Those near 0 are raised to the

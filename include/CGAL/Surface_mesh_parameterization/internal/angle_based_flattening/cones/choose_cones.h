@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+inline constexpr std::size_t largest_number_of_cones = 1000;
+
+struct Cone_options
+{
+  std::size_t number_of_cones = 0;
+  Cone_angles angles = Cone_angles::PREDICTED;
+  double quantum = 0; // none
+};
+
+// Vertices of a connected surface, and the sums of their planar angles, if nothing is wrong
+struct Chosen_cones
+{
+  Cone_report::Diagnosis diagnosis = Cone_report::NOTHING_WRONG;
+  std::string message;
+  std::vector<int> offending_vertices;
+  std::vector<int> vertices;
+  std::vector<double> angles; // of each of them
+  double predicted_stretch = 1;
+};
+
+// The number of quanta of a full turn, or 0 if it is no whole number
+inline int quanta_of_turn(double quantum)
+{
+  const double quanta = std::round(2 * pi / quantum);
+  return quanta >= 1 && quanta <= 1e6 && std::abs(quanta * quantum - 2 * pi) <= 1e-9
+             ? static_cast<int>(quanta)
+             : 0;
+}
+
+// What is wrong with the options, or nothing
+inline std::string wrong_option(const Cone_options& options)
+{
+  if(options.number_of_cones > largest_number_of_cones)
+    return std::to_string(options.number_of_cones) + " cones are wanted, and there may be " +
+           std::to_string(largest_number_of_cones);
+  if(options.quantum != 0 && quanta_of_turn(options.quantum) == 0)
+    return "2 pi is no multiple of the angle " + std::to_string(options.quantum);
+  return "";
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chosen_cones choose_cones(const Chart& surface,
+                                                             const Cone_options& options,
+                                                             const Linear_solvers& solvers);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_SELECT_CONES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_SELECT_CONES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
+#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+
+/// \file select_cones.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+chooses cones: vertices whose planar angles need not sum to \f$2\pi\f$, so that a map with few seams need not stretch much.
+
+As for `select_seams()`, the cotangent Laplacian predicts the scale \f$e^u\f$ of a conformal map: \f$L u = -K\f$, where \f$K\f$ is the
+angle defect of a vertex, and \f$u\f$ vanishes at cones and borders. The vertex of the largest \f$|u|\f$ becomes the next cone. The first cone of a closed surface is
+where the scale of the map to a surface of constant curvature is farthest from its mean.
+
+The angles of the cones are those that make the predicted \f$u\f$ vanish at all of them, or those that make it vary least (`parameters::cone_angles()`). On
+a closed surface of genus \f$g\f$, the angles of \f$k\f$ cones sum to \f$2\pi(k - 2 + 2g)\f$; what rounding leaves of that goes to the largest angle. A sphere needs
+three cones at least.
+
+With `parameters::angle_quantum()`, the angles are multiples of an angle such as \f$\pi/2\f$: on a sphere, those charges \f$2\pi - \theta\f$ are rounded up that leave the largest
+remainders; on a disk, each is rounded to the nearest one. Cones that become flat by that are dropped.
+
+There are fewer cones than `n` if fewer make the scale constant, if the surface has fewer interior vertices, or if some are dropped.
+
+For \f$m\f$ vertices, this takes one factorization of the Laplacian, and time \cgalBigO{m \log m} and two solutions for each cone.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph` whose vertex descriptors are ordered by `<`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh a connected triangle mesh, of any genus and with any number of borders
+\param n the number of cones, at most 1000
+\param np optional named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{cone_angles}
+    \cgalParamDescription{how the angles are found}
+    \cgalParamType{`Cone_angles`}
+    \cgalParamDefault{`Cone_angles::PREDICTED`}
+  \cgalParamNEnd
+  \cgalParamNBegin{angle_quantum}
+    \cgalParamDescription{the angle of which all angles are multiples, in radians; \f$2\pi\f$ must be a multiple of it. The surface must be a sphere or a disk.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0`: any angles}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{the solver of the linear systems}
+    \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
+    \cgalParamDefault{`SuperLU_solver_traits<>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the cones with their angles, or what is wrong. `Cone_report::INFEASIBLE_ANGLES` means that the angle of a cone would not be in \f$(0, d\pi)\f$ for a vertex
+with \f$d\f$ triangles: other cones, or more of them, can help.
+
+\sa `flatten_with_cones()`
+*/
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+Cone_selection<TriangleMesh> select_cones(const TriangleMesh& mesh, std::size_t n,
+                                          const NamedParameters& np = parameters::default_values())
+{
+  return internal::ABF::select_cones_of_mesh(mesh, n, np);
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_SELECT_CONES_H
