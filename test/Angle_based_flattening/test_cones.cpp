@@ -11,6 +11,12 @@
 
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
+#include <CGAL/Surface_mesh_parameterization/select_cones.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +39,8 @@ typedef Mesh::Edge_index Edge;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Property_map<Edge, bool> Seam_map;
+typedef SMP::Cone_selection<Mesh> Selection;
+typedef SMP::Cone_report Cone_report;
 
 namespace {
 
@@ -64,6 +72,141 @@ void check_disk(const Mesh& mesh, Seam_map seams, const Seam_report& report)
   const auto check = SMP::is_disk_cut(mesh, seams);
   BOOST_TEST(bool(check), check.message);
   BOOST_TEST(report.number_of_disks == report.number_of_components);
+}
+
+// Bends a surface, so that no two vertices are alike.
+Surface bent(Surface surface, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  double a[3][5];
+  for(auto& row : a)
+    for(double& x : row)
+      x = number(random);
+  for(Point_3& p : surface.points) {
+    double q[3] = {p.x(), p.y(), p.z()};
+    for(int i = 0; i < 3; ++i)
+      q[i] += 0.25 * std::sin(2 * (a[i][0] * p.x() + a[i][1] * p.y() + a[i][2] * p.z()) + 3 * a[i][3]) +
+              a[i][4] * 0.1 * p[(i + 1) % 3];
+    p = Point_3(q[0], q[1], q[2]);
+  }
+  surface.name += " bent by " + std::to_string(seed);
+  return surface;
+}
+
+// The half of a sphere: a disk
+Surface cap(int levels)
+{
+  Surface result = sphere(levels);
+  std::vector<Polygon> faces;
+  for(const Polygon& f : result.faces)
+    if(result.points[f[0]].z() + result.points[f[1]].z() + result.points[f[2]].z() > -0.3)
+      faces.push_back(f);
+  result.faces = std::move(faces);
+  result.name = "cap";
+  result.borders = 1;
+  return result;
+}
+
+std::vector<Surface> surfaces_for_cones()
+{
+  std::vector<Surface> all = {sphere(3), torus(24, 16),           slab(2),    slab(3),
+                              cap(3),    sphere_with_holes(3, 1), tube(12, 9)};
+  subdivide(all[2], 2);
+  subdivide(all[3], 2);
+  std::vector<Surface> result;
+  for(const Surface& surface : all)
+    for(unsigned seed = 0; seed < 3; ++seed)
+      result.push_back(bent(surface, seed));
+  return result;
+}
+
+double characteristic(const Surface& surface)
+{
+  return 2 - 2 * static_cast<double>(surface.handles) - static_cast<double>(surface.borders);
+}
+
+// The scale of conformal maps, by a factorization for each system
+class Slow_scale
+{
+public:
+  explicit Slow_scale(const Mesh& mesh)
+      : m_mesh(mesh), m_curvature(Eigen::VectorXd::Constant(size(), 2 * CGAL_PI)),
+        m_area(Eigen::VectorXd::Zero(size())), m_laplacian(size(), size())
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for(auto f : mesh.faces())
+      for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        const Vertex v = mesh.target(h), a = mesh.source(h), b = mesh.target(mesh.next(h));
+        const Vector_3 p = mesh.point(a) - mesh.point(v), q = mesh.point(b) - mesh.point(v);
+        const double twice_area = std::sqrt(CGAL::cross_product(p, q).squared_length()),
+                     weight = (p * q) / twice_area / 2;
+        m_curvature[v] -= std::atan2(twice_area, p * q);
+        m_area[v] += twice_area / 6;
+        for(const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+          entries.emplace_back(i, i, weight);
+          entries.emplace_back(i, j, -weight);
+        }
+      }
+    m_laplacian.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  int size() const { return static_cast<int>(m_mesh.number_of_vertices()); }
+  const Eigen::VectorXd& curvature() const { return m_curvature; }
+  const Eigen::VectorXd& area() const { return m_area; }
+
+  // L u = sources where vertices are not fixed, u = 0 where they are
+  Eigen::VectorXd solve(const Eigen::VectorXd& sources, const std::vector<Vertex>& fixed) const
+  {
+    std::vector<char> is_fixed(m_mesh.number_of_vertices(), false);
+    for(Vertex v : m_mesh.vertices())
+      is_fixed[v] = m_mesh.is_border(v) || std::find(fixed.begin(), fixed.end(), v) != fixed.end();
+    Eigen::SparseMatrix<double> matrix = m_laplacian;
+    matrix.prune([&](int i, int j, double) { return i == j || (!is_fixed[i] && !is_fixed[j]); });
+    Eigen::VectorXd right_hand_side = sources;
+    for(int v = 0; v < size(); ++v)
+      if(is_fixed[v]) {
+        matrix.coeffRef(v, v) = 1;
+        right_hand_side[v] = 0;
+      }
+    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right_hand_side);
+  }
+
+  // What the scale leaves of the curvature: at cones their charges
+  Eigen::VectorXd left(const Eigen::VectorXd& u) const { return m_curvature + m_laplacian * u; }
+
+  // Mean square of the scale that charges give, without its mean
+  double variance(const std::vector<Vertex>& cones, const std::vector<double>& charges) const
+  {
+    Eigen::VectorXd sources = -m_curvature;
+    for(std::size_t i = 0; i < cones.size(); ++i)
+      sources[cones[i]] += charges[i];
+    const Eigen::VectorXd u =
+        solve(sources, CGAL::is_closed(m_mesh) ? std::vector<Vertex>{Vertex(7)} : std::vector<Vertex>());
+    const double mean = m_area.dot(u) / m_area.sum();
+    return m_area.dot(u.cwiseProduct(u)) / m_area.sum() - mean * mean;
+  }
+
+private:
+  const Mesh& m_mesh;
+  Eigen::VectorXd m_curvature, m_area;
+  Eigen::SparseMatrix<double> m_laplacian;
+};
+
+void check_angles(const Mesh& mesh, const Surface& surface, const Selection& selection)
+{
+  double charge = 0;
+  std::set<Vertex> different;
+  for(const auto& [v, angle] : selection.cones) {
+    BOOST_TEST(angle > 0);
+    BOOST_TEST(angle < static_cast<double>(mesh.degree(v)) * CGAL_PI);
+    BOOST_TEST(!mesh.is_border(v));
+    charge += 2 * CGAL_PI - angle;
+    different.insert(v);
+  }
+  BOOST_TEST(different.size() == selection.cones.size());
+  if(surface.borders == 0)
+    BOOST_TEST(std::abs(charge - 2 * CGAL_PI * characteristic(surface)) < 1e-12);
 }
 
 } // namespace
@@ -164,6 +307,181 @@ BOOST_AUTO_TEST_CASE(terminals_that_cannot_be_reached)
     BOOST_TEST(report.diagnosis == Seam_report::WRONG_OPTION);
     BOOST_TEST(report.message == "terminal 1 has no face");
   }
+}
+
+// The same as with a factorization for each cone
+BOOST_AUTO_TEST_CASE(cones_are_those_of_the_slow_rule)
+{
+  for(const Surface& surface : surfaces_for_cones())
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      const Mesh mesh = surface.mesh();
+      const Slow_scale slow(mesh);
+      std::vector<Vertex> cones;
+      Eigen::VectorXd u;
+      for(int i = 0; i < 24; ++i) {
+        if(i > 0 || surface.borders > 0)
+          u = slow.solve(-slow.curvature(), cones);
+        else {
+          u = slow.solve(slow.curvature().sum() / slow.area().sum() * slow.area() - slow.curvature(),
+                         {Vertex(3)});
+          u.array() -= slow.area().dot(u) / slow.area().sum();
+        }
+        int largest = 0;
+        u.cwiseAbs().maxCoeff(&largest);
+        cones.emplace_back(static_cast<Mesh::size_type>(largest));
+      }
+      u = slow.solve(-slow.curvature(), cones);
+      const Eigen::VectorXd charges = slow.left(u);
+      const Selection selection = SMP::select_cones(mesh, 24);
+      BOOST_TEST_REQUIRE(selection.message == "");
+      check_angles(mesh, surface, selection);
+      BOOST_TEST((selection.vertices() == cones));
+      for(const auto& [v, angle] : selection.cones)
+        BOOST_TEST(std::abs(2 * CGAL_PI - angle - charges[v]) < 1e-9);
+      const Eigen::VectorXd shrunk = (-2 * u).array().exp(), grown = (2 * u).array().exp();
+      BOOST_TEST(selection.predicted_stretch ==
+                     std::sqrt(slow.area().dot(shrunk) * slow.area().dot(grown)) / slow.area().sum(),
+                 boost::test_tools::tolerance(1e-9));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(least_squares_vary_least)
+{
+  int found = 0;
+  for(const Surface& surface : surfaces_for_cones())
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      const Mesh mesh = surface.mesh();
+      const Selection predicted = SMP::select_cones(mesh, 12),
+                      least = SMP::select_cones(mesh, 12,
+                                                parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES));
+      BOOST_TEST_REQUIRE(predicted.message == "");
+      if(least.diagnosis == Cone_report::INFEASIBLE_ANGLES)
+        continue;
+      BOOST_TEST_REQUIRE(least.message == "");
+      ++found;
+      check_angles(mesh, surface, least);
+      BOOST_TEST((least.vertices() == predicted.vertices()));
+      const Slow_scale slow(mesh);
+      const auto charges = [](const Selection& selection) {
+        std::vector<double> result;
+        for(const auto& cone : selection.cones)
+          result.push_back(2 * CGAL_PI - cone.second);
+        return result;
+      };
+      const double best = slow.variance(least.vertices(), charges(least));
+      BOOST_TEST(best < slow.variance(least.vertices(), charges(predicted)));
+      for(std::size_t i = 0; i < least.cones.size(); ++i)
+        for(double step : {-0.1, 0.1}) {
+          std::vector<double> others = charges(least);
+          others[i] += step;
+          if(surface.borders == 0)
+            others[(i + 1) % others.size()] -= step;
+          BOOST_TEST(best < slow.variance(least.vertices(), others));
+        }
+    }
+  BOOST_TEST(found > 15);
+}
+
+BOOST_AUTO_TEST_CASE(angles_are_multiples_of_a_quantum)
+{
+  int found = 0;
+  for(int turn : {3, 4, 6, 12})
+    for(unsigned seed = 0; seed < 8; ++seed)
+      for(const Surface& surface : {bent(sphere(3), seed), bent(cap(3), seed)})
+        BOOST_TEST_CONTEXT(surface.name << ", 2 pi / " << turn)
+        {
+          const Mesh mesh = surface.mesh();
+          const double quantum = 2 * CGAL_PI / turn;
+          const Selection any = SMP::select_cones(mesh, 8),
+                          selection = SMP::select_cones(mesh, 8, parameters::angle_quantum(quantum));
+          if(selection.diagnosis == Cone_report::INFEASIBLE_ANGLES)
+            continue;
+          BOOST_TEST_REQUIRE(selection.message == "");
+          ++found;
+          check_angles(mesh, surface, selection);
+          const auto angles = any.angles();
+          for(const auto& [v, angle] : selection.cones) {
+            BOOST_TEST(std::abs(std::remainder(angle, quantum)) < 1e-12);
+            BOOST_TEST(std::abs(angle - 2 * CGAL_PI) > 1e-6);
+            BOOST_TEST_REQUIRE(angles[v].has_value());
+            BOOST_TEST(std::abs(*angles[v] - angle) < (surface.borders == 1 ? 0.5 : 1.) * quantum + 1e-9);
+          }
+        }
+  BOOST_TEST(found > 40);
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_cones)
+{
+  const auto check = [](const Mesh& mesh, std::size_t n, const auto& np, Cone_report::Diagnosis diagnosis,
+                        const std::string& part) {
+    const Selection selection = SMP::select_cones(mesh, n, np);
+    BOOST_TEST(to_string(selection.diagnosis) == to_string(diagnosis));
+    BOOST_TEST(selection.message.find(part) != std::string::npos, selection.message);
+    BOOST_TEST(selection.cones.empty());
+    return selection;
+  };
+  const auto none = parameters::default_values();
+  const Mesh ball = bent(sphere(2), 1).mesh(), ring = torus(12, 8).mesh(), pipe = tube(12, 9).mesh();
+  check(Mesh(), 8, none, Cone_report::EMPTY_MESH, "no faces");
+  check(ball, 1001, none, Cone_report::WRONG_OPTION, "1001 cones");
+  for(double wrong :
+      {-1., 1., 7., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    check(ball, 8, parameters::angle_quantum(wrong), Cone_report::WRONG_OPTION, "2 pi is no multiple");
+  }
+  check(ring, 8, parameters::angle_quantum(CGAL_PI / 2), Cone_report::WRONG_TOPOLOGY,
+        "neither a sphere nor a disk");
+  check(pipe, 8, parameters::angle_quantum(CGAL_PI / 2), Cone_report::WRONG_TOPOLOGY,
+        "neither a sphere nor a disk");
+  check(ball, 0, none, Cone_report::INFEASIBLE_ANGLES, "needs cones");
+  for(std::size_t n : {1, 2})
+    BOOST_TEST(
+        check(ball, n, none, Cone_report::INFEASIBLE_ANGLES, "the cone at (").offending_vertices.size() >=
+        1u);
+  check(ball, 3, parameters::angle_quantum(2 * CGAL_PI), Cone_report::INFEASIBLE_ANGLES, "no multiples");
+  BOOST_TEST(SMP::select_cones(ring, 0).message == "");
+  BOOST_TEST(SMP::select_cones(pipe, 0).message == "");
+
+  Mesh two = ball;
+  CGAL::copy_face_graph(ring, two);
+  BOOST_TEST(
+      check(two, 8, none, Cone_report::SEVERAL_COMPONENTS, "the face at (").offending_faces.front().idx() ==
+      ball.number_of_faces());
+
+  Mesh pinched = ball;
+  const Halfedge last = pinched.halfedge(Vertex(pinched.number_of_vertices() - 1));
+  const Vertex gone = pinched.target(last);
+  for(Halfedge h : pinched.halfedges_around_target(last))
+    pinched.set_target(h, Vertex(0));
+  pinched.remove_vertex(gone);
+  BOOST_TEST(
+      (check(pinched, 8, none, Cone_report::NON_MANIFOLD_VERTEX, "the vertex at (").offending_vertices ==
+       std::vector<Vertex>{Vertex(0)}));
+
+  Mesh infinite = ball;
+  infinite.point(Vertex(3)) = Point_3(0, std::numeric_limits<double>::infinity(), 0);
+  check(infinite, 8, none, Cone_report::NON_FINITE_POINT, "inf");
+
+  Mesh quad;
+  quad.add_face(quad.add_vertex({0, 0, 0}), quad.add_vertex({1, 0, 0}), quad.add_vertex({1, 1, 0}),
+                quad.add_vertex({0, 1, 0}));
+  check(quad, 8, none, Cone_report::NOT_TRIANGULATED, "not a triangle");
+}
+
+// A disk in the plane needs no cone.
+BOOST_AUTO_TEST_CASE(flat_disks_get_no_cones)
+{
+  Surface plane;
+  for(int i = 0; i < 100; ++i)
+    plane.points.emplace_back(i / 10, i % 10, 0);
+  for(std::size_t i = 0; i < 9; ++i)
+    for(std::size_t j = 0; j < 9; ++j)
+      plane.faces.push_back({10 * i + j, 10 * i + j + 10, 10 * i + j + 11, 10 * i + j + 1});
+  triangulate(plane);
+  const Selection selection = SMP::select_cones(plane.mesh(), 8);
+  BOOST_TEST(selection.message == "");
+  BOOST_TEST(selection.cones.empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
