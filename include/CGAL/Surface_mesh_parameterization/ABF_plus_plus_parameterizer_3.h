@@ -116,7 +116,7 @@ public:
     m_prescriptions.importance = internal::ABF::face_importance<Triangle_mesh>(fimap);
   }
 
-  /// prescribes sums of planar angles at vertices of the outer border, from the next call of `parameterize()` on: the inner angles
+  /// prescribes sums of planar angles at vertices of the outer border, or at cones, from the next call of `parameterize()` on: the inner angles
   /// that the border has there in the plane. Without a call of this function, and at vertices without a prescribed sum,
   /// they are free. With \f$\pi\f$ at all vertices between two others, the border is a straight line between these;
   /// `polygon_angles()` and `rectangle_angles()` prescribe whole polygons.
@@ -141,12 +141,21 @@ public:
   /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the diagnosis is
   /// `Flattening_report::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is an error.
   ///
+  /// With equal seam lengths (`ABF_plus_plus_options::equal_seam_lengths`), the sums are those of the surface before it was cut: of all
+  /// angles around a vertex in the middle of a seam, which then is a *cone* unless the sum is \f$2\pi\f$, and of the inner angles at a vertex of
+  /// the border. All copies of a vertex must have the same sum. Vertices in the middle of a seam without a prescribed sum have
+  /// \f$2\pi\f$, and the transitions across seams are rigid motions. The sum of a cone with `free_cone_angle` is free. If all vertices have
+  /// sums, these must be \f$\pi\f$ times the number of triangles together: on a closed surface of Euler characteristic \f$\chi\f$, the sum of
+  /// \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
+  /// `Flattening_report::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
+  ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
   ///
   /// \tparam VertexAngleSumMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a value type that is convertible
-  ///         to `std::optional<double>`. The angles are in radians.
+  ///         to `std::optional<double>`. The angles are in radians. For a `Seam_mesh`, the key type can also be the vertex descriptor
+  ///         of the mesh that it cuts, as in `Cone_selection::angles()`: that needs equal seam lengths, which are the default then.
   template <typename VertexAngleSumMap>
   void set_angle_sums(VertexAngleSumMap angle_sums)
   {

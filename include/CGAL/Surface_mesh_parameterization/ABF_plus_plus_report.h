@@ -94,7 +94,8 @@ struct ABF_plus_plus_report : Flattening_report
   /// one side of the seam turns differently from the other side. Vertices whose sums are prescribed or marked as free are not counted.
   double largest_seam_turn = 0;
 
-  int prescribed_angles = 0; ///< Vertices with a prescribed angle.
+  int prescribed_angles =
+      0; ///< Vertices with a prescribed angle, of the surface before the cut if seams have equal lengths.
   double largest_angle_error =
       0; ///< Largest difference of a prescribed angle from that of the map, in radians.
   /// Largest distance of a vertex from the straight side that it is prescribed to be on: from the line through the ends of the side,
