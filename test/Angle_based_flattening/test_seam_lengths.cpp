@@ -17,7 +17,9 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/subdivision_method_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -91,19 +93,20 @@ Map flatten(Mesh& mesh, const Seams& seams, const Options& options)
   return map;
 }
 
-Options with_equal_lengths(bool equal)
+Options with_equal_lengths(bool equal, Options::Holes holes = Options::REFUSE)
 {
   Options options;
+  options.holes = holes;
   options.equal_seam_lengths = equal;
   return options;
 }
 
-void check_equal(Mesh& mesh, const Seams& seams, double bound)
+void check_equal(Mesh& mesh, const Seams& seams, double bound, Options::Holes holes = Options::REFUSE)
 {
-  const Map free = flatten(mesh, seams, with_equal_lengths(false)),
-            equal = flatten(mesh, seams, with_equal_lengths(true));
+  const Map free = flatten(mesh, seams, with_equal_lengths(false, holes)),
+            equal = flatten(mesh, seams, with_equal_lengths(true, holes));
   BOOST_TEST(equal.report.converged);
-  BOOST_TEST(equal.report.strategy == Report::FROM_TARGET_ANGLES);
+  BOOST_TEST(equal.report.failed_strategies.empty());
   BOOST_TEST(equal.jump < 1e-5);
   BOOST_TEST(equal.measures.angular_distortion <= bound * free.measures.angular_distortion + 1e-6);
   BOOST_TEST_MESSAGE("jump " << free.jump << " -> " << equal.jump << ", energy "
@@ -188,6 +191,35 @@ BOOST_AUTO_TEST_CASE(of_other_surfaces_are_equal)
       const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
       SMP::cut_to_disks(mesh, seams);
       check_equal(mesh, seams, 2);
+    }
+}
+
+// Equations of loops and of holes at once
+BOOST_AUTO_TEST_CASE(beside_holes_are_equal)
+{
+  for(const Surface& surface : {torus(16, 10), slab(2), sphere(2)})
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      Mesh mesh = surface.mesh();
+      if(surface.handles == 2)
+        CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+      const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+      SMP::cut_to_disks(mesh, seams);
+      int holes = 0;
+      for(Mesh::Face_index f : mesh.faces()) {
+        bool is_inside = true;
+        for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+          for(auto g : mesh.halfedges_around_target(h))
+            is_inside = is_inside && !seams[mesh.edge(g)] && !mesh.is_border(mesh.edge(g));
+        if(is_inside && holes < 3) {
+          CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+          ++holes;
+        }
+      }
+      BOOST_TEST(holes == 3);
+      mesh.collect_garbage();
+      for(Options::Holes treatment : {Options::SOLVE, Options::FILL})
+        check_equal(mesh, seams, 2, treatment);
     }
 }
 
