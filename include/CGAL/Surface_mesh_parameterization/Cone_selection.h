@@ -106,7 +106,8 @@ struct Cone_selection : Cone_report
   /// Face type
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
 
-  /// the cones in the order in which they were chosen, each with the sum of the planar angles around it, in radians
+  /// the cones in the order in which they were chosen, each with the sum of the planar angles around it, in radians;
+  /// `free_cone_angle` if these sums are free
   std::vector<std::pair<vertex_descriptor, double>> cones;
 
   /// the vertices that the diagnosis is about: the pinched one, or those whose angles are not possible

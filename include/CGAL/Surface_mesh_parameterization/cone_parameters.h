@@ -68,7 +68,8 @@ angle_quantum(double angle, const NamedParameters& np = NamedParameters())
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// tells `flatten_with_cones()` whether the angle sums of all vertices on seams are free. `np` is as for `cone_angles()`.
+/// tells `flatten_with_cones()` whether the angle sums of all vertices on seams are free, and `select_cones()` whether the angles of cones
+/// do not matter. `np` is as for `cone_angles()`.
 template <typename NamedParameters = Default_named_parameters>
 Named_function_parameters<bool, internal_np::cones_are_free_t, NamedParameters>
 free_cones(bool are_free, const NamedParameters& np = NamedParameters())

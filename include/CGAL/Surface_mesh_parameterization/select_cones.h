@@ -65,6 +65,11 @@ For \f$m\f$ vertices, this takes one factorization of the Laplacian, and time \c
     \cgalParamType{`double`}
     \cgalParamDefault{`0`: any angles}
   \cgalParamNEnd
+  \cgalParamNBegin{free_cones}
+    \cgalParamDescription{whether the angles do not matter: all are `free_cone_angle` then, and a sphere may have fewer than three cones}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of the linear systems}
     \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}

@@ -25,7 +25,8 @@ struct Cone_options
 {
   std::size_t number_of_cones = 0;
   Cone_angles angles = Cone_angles::PREDICTED;
-  double quantum = 0; // none
+  double quantum = 0;    // none
+  bool are_free = false; // the angles do not matter
 };
 
 // Vertices of a connected surface, and the sums of their planar angles, if nothing is wrong
@@ -56,6 +57,8 @@ inline std::string wrong_option(const Cone_options& options)
            std::to_string(largest_number_of_cones);
   if(options.quantum != 0 && quanta_of_turn(options.quantum) == 0)
     return "2 pi is no multiple of the angle " + std::to_string(options.quantum);
+  if(options.quantum != 0 && options.are_free)
+    return "free cones do not have multiples of an angle";
   return "";
 }
 

@@ -61,7 +61,10 @@ public:
     for(double charge : m_charges)
       result.angles.push_back(2 * pi - charge);
     complete_total(result.angles);
-    check(result);
+    if(m_options.are_free)
+      result.angles.assign(m_cones.size(), free_cone_angle);
+    else
+      check(result);
     if(result.diagnosis == Cone_report::NOTHING_WRONG) {
       const std::optional<Eigen::VectorXd> u = scale();
       if(!u)

@@ -78,6 +78,7 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
   options.number_of_cones = n;
   options.angles = choose_parameter(get_parameter(np, internal_np::cone_angles), options.angles);
   options.quantum = choose_parameter(get_parameter(np, internal_np::cone_angle_quantum), options.quantum);
+  options.are_free = choose_parameter(get_parameter(np, internal_np::cones_are_free), options.are_free);
   if(const std::string message = wrong_option(options); !message.empty())
     return fail(Cone_report::WRONG_OPTION, message);
 

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTEN_WITH_CONES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTEN_WITH_CONES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/disable_warnings.h>
+
+#include <CGAL/Surface_mesh_parameterization/Cone_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/cone_flattener.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+
+/// \file flatten_with_cones.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+flattens a surface of any topology along short seams through cones, so that the plane goes on across each seam by a rigid motion.
+
+`select_cones()` chooses the cones, `cut_to_disks()` leads seams through them, and ABF++ flattens the disk that these leave. The planar angles around each
+cone sum to the angle that was chosen, and to \f$2\pi\f$ around all other vertices inside the surface, also on seams. Both sides of a seam have the same lengths and
+turns: a rotation and a translation take one side to the other, from one cone or branch of the seams to the next, up to the tolerance. If the angles are multiples
+of \f$\pi/2\f$ (`parameters::angle_quantum()`), so are these rotations on a sphere, and a grid of the plane goes on across all seams but for a shift.
+
+With `parameters::free_cones()`, the sums at all vertices on seams are free. Lengths on both sides of a seam are still equal, and the map is as good as that of the surface
+cut open.
+
+The map is locally injective, has the area of the surface and positive orientation, and its bounding box starts at the origin.
+
+Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameterizer_3`.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph` whose vertex descriptors are ordered by `<`
+\tparam EdgeIsSeamMap a model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam HalfedgeUVMap a model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh a connected triangle mesh, of any genus and with any number of borders
+\param n the number of cones (see `select_cones()`)
+\param seams receives whether each edge is a seam; unchanged if anything is wrong
+\param uvmap receives the coordinates: a halfedge of a face has those of its target at that face. Border halfedges get none. It is unchanged if anything is
+       wrong.
+\param np optional named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{cone_angles}
+    \cgalParamDescription{how the angles of cones are found (see `parameters::cone_angles()`)}
+    \cgalParamType{`Cone_angles`}
+    \cgalParamDefault{`Cone_angles::PREDICTED`}
+  \cgalParamNEnd
+  \cgalParamNBegin{angle_quantum}
+    \cgalParamDescription{the angle of which those of the cones are multiples, in radians (see `parameters::angle_quantum()`)}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0`: any angles}
+  \cgalParamNEnd
+  \cgalParamNBegin{free_cones}
+    \cgalParamDescription{whether the angle sums at all vertices on seams are free (see `parameters::free_cones()`)}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{parameterizer_options}
+    \cgalParamDescription{the options of ABF++ (see `parameters::parameterizer_options()`). Only free cones may go with `ABF_plus_plus_options::equal_seam_lengths` set to `false`.}
+    \cgalParamType{`ABF_plus_plus_options`}
+    \cgalParamDefault{`ABF_plus_plus_options()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges that must not become seams}
+    \cgalParamType{a model of `ReadablePropertyMap` with `bool` as value type}
+    \cgalParamDefault{no edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weight_map}
+    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
+    \cgalParamDefault{the length of the edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{the solver of the linear systems}
+    \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
+    \cgalParamDefault{`SuperLU_solver_traits<>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what is wrong, if anything, and the reports of all three parts
+
+\exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
+
+\sa `select_cones()`
+\sa `cut_to_disks()`
+\sa `ABF_plus_plus_parameterizer_3`
+*/
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Cone_flattening<TriangleMesh> flatten_with_cones(const TriangleMesh& mesh, std::size_t n, EdgeIsSeamMap seams,
+                                                 HalfedgeUVMap uvmap,
+                                                 const NamedParameters& np = parameters::default_values())
+{
+  return internal::ABF::Cone_flattener<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, NamedParameters>(
+             mesh, seams, uvmap, np)
+      .run(n);
+}
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#include <CGAL/enable_warnings.h>
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_FLATTEN_WITH_CONES_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Cone_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/cut_open.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Chooses cones, leads seams through them, and flattens what these leave. Writes seams and coordinates if all that succeeds.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename NamedParameters>
+class Cone_flattener
+{
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<bool>>::const_type Marks;
+
+public:
+  Cone_flattener(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uvmap,
+                 const NamedParameters& np)
+      : m_mesh(mesh), m_seams(seams), m_uvmap(uvmap), m_np(np),
+        m_marks(get(CGAL::dynamic_edge_property_t<bool>(), mesh)),
+        m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                    get_const_property_map(CGAL::vertex_point, mesh)))
+  {
+    m_options = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::cone_parameterizer_options), m_options);
+    m_are_free =
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::cones_are_free), m_are_free);
+  }
+
+  Cone_flattening<TriangleMesh> run(std::size_t number_of_cones)
+  {
+    m_result.cones = select_cones_of_mesh(m_mesh, number_of_cones, m_np);
+    if(m_result.cones.diagnosis != Cone_report::NOTHING_WRONG) {
+      fail(Cone_flattening_defect::CONES, m_result.cones.message);
+      return std::move(m_result);
+    }
+    for(const auto& e : edges(m_mesh))
+      put(m_marks, e, false);
+    m_result.seams = cut_to_disks(m_mesh, m_marks, parameters::terminals(m_result.cones.vertices(), m_np));
+    if(m_result.seams.diagnosis != Seam_report::NOTHING_WRONG) {
+      fail(Cone_flattening_defect::SEAMS, m_result.seams.message);
+      return std::move(m_result);
+    }
+    with_threads(m_options.threads, [&]() {
+      try {
+        flatten();
+      } catch(const Cancelled&) {
+        ABF::fail(m_result.map, Flattening_report::CANCELLED, "a visitor stopped the computation");
+      }
+    });
+    m_result.map.peak_memory = peak_resident_size();
+    if(m_result.map.diagnosis != Flattening_report::NOTHING_WRONG)
+      fail(Cone_flattening_defect::MAP, m_result.map.message);
+    return std::move(m_result);
+  }
+
+private:
+  void fail(Cone_flattening_defect diagnosis, const std::string& message)
+  {
+    m_result.diagnosis = diagnosis;
+    m_result.message = message;
+  }
+
+  void flatten()
+  {
+    typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
+    const Chart chart = read();
+    if(m_result.map.diagnosis != Flattening_report::NOTHING_WRONG)
+      return;
+    const Linear_solvers solvers(parameters::choose_parameter(
+        parameters::get_parameter(m_np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+    Flattening<ABF_plus_plus_report> flattening =
+        flatten_chart(chart, m_options, solvers, &round_to_points<Point>);
+    m_result.map = std::move(flattening.report);
+    if(m_result.map.diagnosis != Flattening_report::NOTHING_WRONG)
+      return;
+    for(const auto& e : edges(m_mesh))
+      put(m_seams, e, bool(get(m_marks, e)));
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      put(m_uvmap, m_reader.halfedge_to(c), planar_point<Point>(flattening.uv[chart.vertex[c]]));
+  }
+
+  // The surface, cut open; or what is wrong
+  Chart read()
+  {
+    Chart chart;
+    Chart_defect defect = find_wrong_option();
+    if(!defect) {
+      Seam_report report; // the surface was read before without complaint
+      m_reader.read([](const auto&) { return false; }, report);
+      chart = cut_open(m_reader.parts().front().chart, seams_of_corners());
+      defect = diagnose(chart, false);
+    }
+    if(!defect && m_options.equal_seam_lengths.value_or(true))
+      defect = equalize_seams(chart);
+    if(!defect && !m_are_free && chart.has_equal_seams)
+      defect = set_angle_sums(sums_at_seams(chart), chart);
+    if(defect)
+      ABF::fail(m_result.map, defect.diagnosis, defect.message);
+    return chart;
+  }
+
+  Chart_defect find_wrong_option() const
+  {
+    std::string message = wrong_option(m_options);
+    if(message.empty() && !m_are_free && !m_options.equal_seam_lengths.value_or(true))
+      message = "the angles of cones need equal lengths of seams";
+    if(message.empty())
+      return {};
+    return {Flattening_report::WRONG_OPTION, message, {}, {}};
+  }
+
+  std::vector<char> seams_of_corners() const
+  {
+    const Chart& surface = m_reader.parts().front().chart;
+    std::vector<char> is_seam;
+    for(int c = 0; c < surface.number_of_corners(); ++c)
+      is_seam.push_back(surface.opposite[c] >= 0 && get(m_marks, m_reader.edge_of(c)));
+    return is_seam;
+  }
+
+  // The angles of all copies of the cones. Without any cone, all vertices on seams get full turns.
+  std::vector<double> sums_at_seams(const Chart& chart) const
+  {
+    std::vector<double> sums(chart.points.size(), (std::numeric_limits<double>::quiet_NaN)());
+    const Vertex_angles<TriangleMesh> angles = m_result.cones.angles();
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      if(const auto angle = angles[target(m_reader.halfedge_to(c), m_mesh)])
+        sums[chart.vertex[c]] = *angle;
+    if(!m_result.cones.cones.empty())
+      return sums;
+    const Seam_places places(chart);
+    for(int v = 0; v < chart.number_of_vertices(); ++v)
+      if(places.is_inside(places.of(v)))
+        sums[v] = 2 * pi;
+    return sums;
+  }
+
+  const TriangleMesh& m_mesh;
+  EdgeIsSeamMap m_seams;
+  HalfedgeUVMap m_uvmap;
+  const NamedParameters& m_np;
+  ABF_plus_plus_options m_options;
+  bool m_are_free = false;
+  Marks m_marks; // of the seams
+  Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
+  Cone_flattening<TriangleMesh> m_result;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
