@@ -10,16 +10,24 @@
 #include "seam_surfaces.h"
 
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
+#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/select_cones.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
@@ -41,6 +49,8 @@ typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Property_map<Edge, bool> Seam_map;
 typedef SMP::Cone_selection<Mesh> Selection;
 typedef SMP::Cone_report Cone_report;
+typedef SMP::Cone_flattening<Mesh> Cone_flattening;
+typedef Mesh::Property_map<Halfedge, Kernel::Point_2> UV_map;
 
 namespace {
 
@@ -207,6 +217,96 @@ void check_angles(const Mesh& mesh, const Surface& surface, const Selection& sel
   BOOST_TEST(different.size() == selection.cones.size());
   if(surface.borders == 0)
     BOOST_TEST(std::abs(charge - 2 * CGAL_PI * characteristic(surface)) < 1e-12);
+}
+
+UV_map add_coordinates(Mesh& mesh)
+{
+  return mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv", Kernel::Point_2(7, 7)).first;
+}
+
+// A surface with a map, as the caller sees it
+struct Mapped_surface
+{
+  const Mesh& mesh;
+  Seam_map seams;
+  UV_map uv;
+
+  std::complex<double> at(Halfedge h) const { return {uv[h].x(), uv[h].y()}; }
+
+  // The similarity from the left side of a seam to its right side, but for a translation
+  std::complex<double> across(Halfedge h) const
+  {
+    const Halfedge g = mesh.opposite(h);
+    return (at(mesh.prev(g)) - at(g)) / (at(h) - at(mesh.prev(h)));
+  }
+
+  double angle_sum(Vertex v) const
+  {
+    double sum = 0;
+    for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      if(!mesh.is_border(h))
+        sum += std::arg((at(mesh.prev(h)) - at(h)) / (at(mesh.next(h)) - at(h)));
+    return sum;
+  }
+
+  void check_orientations() const
+  {
+    typedef CGAL::Exact_predicates_inexact_constructions_kernel Exact;
+    for(auto f : mesh.faces()) {
+      const Halfedge h = mesh.halfedge(f);
+      const auto point = [&](Halfedge g) { return Exact::Point_2(uv[g].x(), uv[g].y()); };
+      BOOST_TEST((CGAL::orientation(point(h), point(mesh.next(h)), point(mesh.prev(h))) == CGAL::LEFT_TURN));
+    }
+  }
+
+  // Lengths are equal everywhere; with rigid motions, turns too, from each cone or branch to the next.
+  void check_seams(const Cone_flattening& result, bool is_rigid) const
+  {
+    const auto angles = result.cones.angles();
+    double jump = 0, turn = 0, error = 0;
+    for(Edge e : mesh.edges())
+      if(seams[e])
+        jump = (std::max)(jump, std::abs(std::log(std::abs(across(mesh.halfedge(e))))));
+    for(Vertex v : mesh.vertices()) {
+      if(mesh.is_border(v))
+        continue;
+      const std::size_t number = seams_at(mesh, seams, v);
+      BOOST_TEST((!angles[v] || number > 0));
+      if(is_rigid || number == 0)
+        error = (std::max)(error, std::abs(angle_sum(v) - angles[v].value_or(2 * CGAL_PI)));
+      std::vector<Halfedge> in;
+      for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        if(seams[mesh.edge(h)])
+          in.push_back(h);
+      if(in.size() == 2 && !angles[v])
+        turn = (std::max)(turn, std::abs(std::arg(across(in[0]) / across(mesh.opposite(in[1])))));
+    }
+    BOOST_TEST(jump < 1e-5);
+    BOOST_TEST(error < 1e-5);
+    BOOST_TEST(std::abs(result.map.largest_seam_jump - jump) < 1e-12);
+    if(is_rigid) {
+      BOOST_TEST(turn < 1e-5);
+    }
+  }
+};
+
+Cone_flattening check_map(Mesh& mesh, const Surface& surface, std::size_t n, bool is_free)
+{
+  const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
+  const Cone_flattening result =
+      SMP::flatten_with_cones(mesh, n, map.seams, map.uv, parameters::free_cones(is_free));
+  BOOST_TEST_REQUIRE(result.message == "");
+  BOOST_TEST(to_string(result.diagnosis) == "NOTHING_WRONG");
+  BOOST_TEST(result.cones.cones.size() == n);
+  BOOST_TEST(result.map.converged);
+  if(!is_free)
+    check_angles(mesh, surface, result.cones);
+  check_disk(mesh, map.seams, result.seams);
+  map.check_orientations();
+  map.check_seams(result, !is_free);
+  const auto cut = SMP::make_seam_mesh(mesh, map.seams);
+  BOOST_TEST(SMP::measure_flattening(cut, SMP::border_halfedge(cut), map.uv).flipped_triangles == 0);
+  return result;
 }
 
 } // namespace
@@ -482,6 +582,164 @@ BOOST_AUTO_TEST_CASE(flat_disks_get_no_cones)
   const Selection selection = SMP::select_cones(plane.mesh(), 8);
   BOOST_TEST(selection.message == "");
   BOOST_TEST(selection.cones.empty());
+}
+
+BOOST_AUTO_TEST_CASE(maps_go_on_across_seams)
+{
+  for(const Surface& surface : surfaces_for_cones())
+    for(bool is_free : {false, true})
+      BOOST_TEST_CONTEXT(surface.name << (is_free ? ", free" : ""))
+      {
+        Mesh mesh = surface.mesh();
+        check_map(mesh, surface, 16, is_free);
+      }
+}
+
+// A torus and a tube need no cones.
+BOOST_AUTO_TEST_CASE(maps_without_cones)
+{
+  for(const Surface& surface : {torus(24, 16), bent(torus(24, 16), 1), cap(2), tube(12, 9)})
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      Mesh mesh = surface.mesh();
+      check_map(mesh, surface, 0, false);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(quarter_turns)
+{
+  int found = 0;
+  for(unsigned seed = 0; seed < 8; ++seed)
+    for(const Surface& surface : {bent(sphere(3), seed), bent(cap(3), seed)})
+      BOOST_TEST_CONTEXT(surface.name)
+      {
+        Mesh mesh = surface.mesh();
+        const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
+        const Cone_flattening result =
+            SMP::flatten_with_cones(mesh, 12, map.seams, map.uv, parameters::angle_quantum(CGAL_PI / 2));
+        if(result.cones.diagnosis == Cone_report::INFEASIBLE_ANGLES)
+          continue;
+        ++found;
+        BOOST_TEST_REQUIRE(result.message == "");
+        map.check_orientations();
+        map.check_seams(result, true);
+        for(Edge e : mesh.edges())
+          if(map.seams[e])
+            BOOST_TEST(std::abs(std::remainder(std::arg(map.across(mesh.halfedge(e))), CGAL_PI / 2)) < 1e-5);
+      }
+  BOOST_TEST(found > 12);
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_map)
+{
+  Mesh mesh = bent(sphere(2), 1).mesh();
+  const Seam_map seams = add_seams(mesh);
+  const UV_map uv = add_coordinates(mesh);
+  seams[Edge(5)] = true;
+  const auto check = [&](std::size_t n, const auto& np, SMP::Cone_flattening_defect diagnosis,
+                         const std::string& part) {
+    const Cone_flattening result = SMP::flatten_with_cones(mesh, n, seams, uv, np);
+    BOOST_TEST(to_string(result.diagnosis) == to_string(diagnosis));
+    BOOST_TEST(result.message.find(part) != std::string::npos, result.message);
+    for(Edge e : mesh.edges())
+      BOOST_TEST(seams[e] == (e == Edge(5)));
+    for(Halfedge h : mesh.halfedges())
+      BOOST_TEST(uv[h] == Kernel::Point_2(7, 7));
+    return result;
+  };
+  typedef SMP::Cone_flattening_defect Defect;
+  check(1, parameters::default_values(), Defect::CONES, "the cone at (");
+  check(8, parameters::angle_quantum(1), Defect::CONES, "2 pi is no multiple");
+  check(8, parameters::angle_quantum(CGAL_PI, parameters::free_cones(true)), Defect::CONES, "free cones");
+  const auto forbidden = boost::make_function_property_map<Edge>([](Edge) { return true; });
+  check(8, parameters::edge_is_constrained_map(forbidden), Defect::SEAMS, "cannot be cut to a disk");
+  SMP::ABF_plus_plus_options options;
+  options.equal_seam_lengths = false;
+  BOOST_TEST(
+      (check(8, parameters::parameterizer_options(options), Defect::MAP, "equal lengths").map.diagnosis ==
+       SMP::Flattening_report::WRONG_OPTION));
+  options.equal_seam_lengths.reset();
+  options.tolerance = -1;
+  check(8, parameters::parameterizer_options(options), Defect::MAP, "tolerance");
+}
+
+BOOST_AUTO_TEST_CASE(points_threads_and_coordinates)
+{
+  Mesh mesh = bent(sphere(3), 4).mesh(), twice = mesh;
+  for(Vertex v : twice.vertices())
+    twice.point(v) = CGAL::ORIGIN + 2 * (mesh.point(v) - CGAL::ORIGIN);
+  const Seam_map seams = add_seams(mesh);
+  const UV_map uv = add_coordinates(mesh),
+               other = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:other").first;
+  SMP::ABF_plus_plus_options options;
+  options.threads = 1;
+  BOOST_TEST(
+      SMP::flatten_with_cones(mesh, 8, seams, uv, parameters::parameterizer_options(options)).message == "");
+  options.threads = 2;
+  BOOST_TEST(
+      SMP::flatten_with_cones(mesh, 8, seams, other, parameters::parameterizer_options(options)).message ==
+      "");
+  for(Halfedge h : mesh.halfedges())
+    BOOST_TEST(uv[h] == other[h]);
+  BOOST_TEST(
+      SMP::flatten_with_cones(mesh, 8, seams, other, parameters::vertex_point_map(twice.points())).message ==
+      "");
+  double area = 0, least_x = 1, least_y = 1;
+  for(Halfedge h : mesh.halfedges()) {
+    BOOST_TEST(std::abs(other[h].x() - 2 * uv[h].x()) + std::abs(other[h].y() - 2 * uv[h].y()) < 1e-12);
+    least_x = (std::min)(least_x, uv[h].x());
+    least_y = (std::min)(least_y, uv[h].y());
+  }
+  for(auto f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    area += CGAL::area(uv[h], uv[mesh.next(h)], uv[mesh.prev(h)]);
+  }
+  BOOST_TEST(area == CGAL::Polygon_mesh_processing::area(mesh), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(least_x == 0);
+  BOOST_TEST(least_y == 0);
+}
+
+// The angles change as little as with a cut, and the surface fits together again.
+BOOST_AUTO_TEST_CASE(models_with_cones)
+{
+  const char* directory = std::getenv("ABF_DATA_DIR");
+  if(directory == nullptr) {
+    BOOST_TEST_MESSAGE("skipped: no models");
+    return;
+  }
+  struct Model
+  {
+    const char* name;
+    std::size_t cones;
+    double largest_ratio;
+  };
+  for(const Model& model : {Model{"cow.off", 8, 1.25}, {"camel.off", 16, 1.08}}) {
+    Mesh mesh;
+    BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(std::string(directory) + "/" + model.name, mesh));
+    const Surface ball = tetrahedron();
+    const auto measures = [&](bool is_free, bool is_equal) {
+      const Seam_map seams = add_seams(mesh);
+      const UV_map uv = add_coordinates(mesh);
+      SMP::ABF_plus_plus_options options;
+      options.equal_seam_lengths = is_equal;
+      const auto result = SMP::flatten_with_cones(
+          mesh, model.cones, seams, uv,
+          parameters::free_cones(is_free, parameters::parameterizer_options(options)));
+      BOOST_TEST_REQUIRE(result.message == "");
+      const auto cut = SMP::make_seam_mesh(mesh, seams);
+      return SMP::measure_flattening(cut, SMP::border_halfedge(cut), uv);
+    };
+    BOOST_TEST_CONTEXT(model.name)
+    {
+      const SMP::Flattening_measures cut = measures(true, false), free = measures(true, true),
+                                     rigid = measures(false, true);
+      BOOST_TEST(free.angular_distortion <= 1.02 * cut.angular_distortion);
+      BOOST_TEST(rigid.mean_quasi_conformal_ratio <= model.largest_ratio);
+      BOOST_TEST(rigid.flipped_triangles == 0);
+      check_map(mesh, ball, model.cones, true);
+      check_map(mesh, ball, model.cones, false);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

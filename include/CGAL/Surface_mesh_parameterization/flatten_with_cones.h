@@ -51,8 +51,8 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
 \param mesh a connected triangle mesh, of any genus and with any number of borders
 \param n the number of cones (see `select_cones()`)
 \param seams receives whether each edge is a seam; unchanged if anything is wrong
-\param uvmap receives the coordinates: a halfedge of a face has those of its target at that face. Border halfedges get none. It is unchanged if anything is
-       wrong.
+\param uvmap receives the coordinates: a halfedge of a face has those of its target at that face, and a border halfedge those at the face on the other side of
+       its edge. They are also at the vertices of `make_seam_mesh(mesh, seams)`. It is unchanged if anything is wrong.
 \param np optional named parameters:
 
 \cgalNamedParamsBegin

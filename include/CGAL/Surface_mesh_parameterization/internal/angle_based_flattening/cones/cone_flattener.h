@@ -103,8 +103,13 @@ private:
       return;
     for(const auto& e : edges(m_mesh))
       put(m_seams, e, bool(get(m_marks, e)));
-    for(int c = 0; c < chart.number_of_corners(); ++c)
-      put(m_uvmap, m_reader.halfedge_to(c), planar_point<Point>(flattening.uv[chart.vertex[c]]));
+    for(int c = 0; c < chart.number_of_corners(); ++c) {
+      const Point p = planar_point<Point>(flattening.uv[chart.vertex[c]]);
+      const auto h = m_reader.halfedge_to(c);
+      put(m_uvmap, h, p);
+      if(const auto border = opposite(next(h, m_mesh), m_mesh); CGAL::is_border(border, m_mesh))
+        put(m_uvmap, border, p);
+    }
   }
 
   // The surface, cut open; or what is wrong
