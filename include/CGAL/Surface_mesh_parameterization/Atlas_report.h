@@ -48,6 +48,17 @@ struct Atlas_report
     SEPARATED  ///< A piece of a map of ABF++ that overlapped itself, cut out as `split_overlaps()` does.
   };
 
+  /// Whether both sides of the seams within a chart have equal lengths in the plane (`parameters::equal_seam_lengths()`), and if not why.
+  enum Seam_lengths
+  {
+    NO_SEAMS,      ///< No seam has both sides in the chart.
+    EQUAL_LENGTHS, ///< They have. The map is that of ABF++, or a piece of it.
+    NOT_WANTED,    ///< `parameters::equal_seam_lengths()` is `false`.
+    OTHER_METHOD, ///< The map, or that of which it is a piece, is hierarchical or injective. These do not keep lengths of seams.
+    NO_EQUATIONS, ///< The seams are such that there are no equations for their lengths.
+    NOT_CONVERGED ///< The solver does not reach equal lengths. The map was made without them.
+  };
+
   /// A chart of the atlas.
   struct Chart
   {
@@ -64,6 +75,13 @@ struct Atlas_report
     double l2_stretch = 1;     ///< As `Flattening_measures::l2_stretch`.
     double contact = 0;        ///< As `Flattening_report::contact`.
     int rounds = 0;            ///< How often seams were added because the map stretched too much.
+
+    bool has_equal_seams = false;         ///< Whether `seam_lengths` is `EQUAL_LENGTHS`.
+    Seam_lengths seam_lengths = NO_SEAMS; ///< Whether both sides of seams have equal lengths, and if not why.
+
+    /// Largest difference between the logarithms of the lengths of both sides of an edge on a seam, with the final coordinates of any
+    /// map. Seams to other charts do not count: each chart has its own scale, up to a constant.
+    double largest_seam_jump = 0;
   };
 
   /// A part of the surface that has no charts.
@@ -103,6 +121,10 @@ struct Atlas_report
   double seam_length = 0;              ///< The length of all seams, each counted once.
   double relative_seam_length =
       0; ///< `seam_length` divided by the square root of the area of the surface that has charts.
+
+  /// Largest `Chart::largest_seam_jump` of the charts with equal seams; 0 without such charts. It is about as small as the angles are exact,
+  /// and the digits of coordinates allow.
+  double largest_equal_seam_jump = 0;
 
   /// Distortion of all charts together, with each at the size of its area on the surface. `border_is_simple` says whether all charts are injective.
   Flattening_measures measures;
@@ -167,6 +189,30 @@ inline std::string to_string(Atlas_report::Method method)
     return "injective";
   case Atlas_report::SEPARATED:
     return "separated";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a name, such as `"EQUAL_LENGTHS"`.
+///
+/// \relates Atlas_report
+inline std::string to_string(Atlas_report::Seam_lengths lengths)
+{
+  switch(lengths) {
+  case Atlas_report::NO_SEAMS:
+    return "NO_SEAMS";
+  case Atlas_report::EQUAL_LENGTHS:
+    return "EQUAL_LENGTHS";
+  case Atlas_report::NOT_WANTED:
+    return "NOT_WANTED";
+  case Atlas_report::OTHER_METHOD:
+    return "OTHER_METHOD";
+  case Atlas_report::NO_EQUATIONS:
+    return "NO_EQUATIONS";
+  case Atlas_report::NOT_CONVERGED:
+    return "NOT_CONVERGED";
   }
   return "unknown";
 }

@@ -41,6 +41,10 @@ enum atlas_cuts_necks_t
 {
   atlas_cuts_necks
 };
+enum atlas_equal_seams_t
+{
+  atlas_equal_seams
+};
 enum atlas_packs_t
 {
   atlas_packs
@@ -112,6 +116,17 @@ Named_function_parameters<bool, internal_np::atlas_cuts_necks_t, NamedParameters
 cut_necks(bool cuts, const NamedParameters& np = NamedParameters())
 {
   return Named_function_parameters<bool, internal_np::atlas_cuts_necks_t, NamedParameters>(cuts, np);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// tells `make_atlas()` whether both sides of the seams of a chart get equal lengths in the plane, where its map is that of ABF++. `np` is as
+/// for `edge_is_seam_map()`.
+template <typename NamedParameters = Default_named_parameters>
+Named_function_parameters<bool, internal_np::atlas_equal_seams_t, NamedParameters>
+equal_seam_lengths(bool equal, const NamedParameters& np = NamedParameters())
+{
+  return Named_function_parameters<bool, internal_np::atlas_equal_seams_t, NamedParameters>(equal, np);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -134,12 +134,12 @@ private:
 
 // The stopping rule: all constraints are met, and the last step had little left to gain. Both do not depend on the
 // resolution of the chart.
-inline bool has_converged(const ABF_plus_plus_options& options, const ABF_plus_plus_step& last,
-                          std::size_t corners)
+inline bool has_converged(const ABF_plus_plus_options& options, const Angle_iterate& iterate,
+                          double predicted_decrease)
 {
-  const double rounding = 1e-15 * static_cast<double>(corners);
-  return last.constraint_residual <= options.tolerance &&
-         last.predicted_decrease <= options.energy_tolerance * last.energy + rounding;
+  const double rounding = 1e-15 * static_cast<double>(iterate.alpha.size());
+  return iterate.largest_residual <= options.tolerance &&
+         predicted_decrease <= options.energy_tolerance * iterate.energy + rounding;
 }
 
 // What the solver found, and how.
@@ -181,13 +181,13 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
     const double length = take_step(chart, energy, beta, step, penalty, iterate);
     if(length == 0 && system.equation().steps() > 0 && forcing_terms.tighten())
       continue; // a more exact step may lower the merit function where this one did not
-    if(length == 0)
+    result.converged = has_converged(options, iterate, step.predicted_decrease);
+    if(length == 0) // rounding leaves nothing to gain, or there is no way
       break;
     result.steps.push_back({++result.iterations, iterate.energy, iterate.largest_residual,
                             step.predicted_decrease, length, system.equation().steps(),
                             system.equation().factorizations(), system.equation().repeated_factorizations()});
     visit_step(options.visitor, result.steps.back());
-    result.converged = has_converged(options, result.steps.back(), beta.size());
   }
   result.energy = iterate.energy;
   result.constraint_residual = iterate.largest_residual;

@@ -56,6 +56,7 @@ Atlas_options atlas_options(const NamedParameters& np)
   read(internal_np::atlas_area_weight, options.area_weight);
   read(internal_np::atlas_separates, options.separates);
   read(internal_np::atlas_cuts_necks, options.cuts_necks);
+  read(internal_np::atlas_equal_seams, options.equal_seam_lengths);
   read(internal_np::atlas_packs, options.packs);
   read(internal_np::atlas_threads, options.threads);
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::atlas_visitor_t>::value)

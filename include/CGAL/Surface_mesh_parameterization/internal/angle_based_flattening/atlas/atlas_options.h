@@ -29,6 +29,7 @@ struct Atlas_options
   bool separates = false;      // maps that overlap become several charts
   bool keeps_distance = false; // all maps are injective ones, between whose borders there is some clearance
   bool cuts_necks = false;     // branches become charts of their own
+  bool equal_seam_lengths = true; // in maps of ABF++
   bool packs = true;
   int threads = 0;
   Atlas_visitor* visitor = nullptr;

@@ -102,6 +102,7 @@ private:
       Atlas_report::Chart chart;
       chart.part = i;
       chart.method = part.method;
+      chart.seam_lengths = part.seam_lengths;
       chart.contact = part.contact;
       chart.rounds = part.rounds;
       m_atlas.report.charts.resize(first + static_cast<std::size_t>(part.number_of_pieces), chart);

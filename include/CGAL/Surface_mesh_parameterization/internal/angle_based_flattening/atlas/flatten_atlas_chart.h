@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
@@ -27,6 +28,7 @@ struct Chart_map
   std::vector<Chart::Point_2> uv; // of each vertex; empty if there is none
   Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
   bool overlaps = false; // parts of the disk in the plane
+  Atlas_report::Seam_lengths seam_lengths = Atlas_report::OTHER_METHOD;
   double contact = 0;
   Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
   std::string message;
@@ -67,12 +69,37 @@ public:
   {
     if(chart.number_of_triangles() > largest_direct_chart)
       return hierarchical_map(chart, may_overlap);
-    ABF_plus_plus_options options = direct_options(m_options);
-    options.visitor = m_visitor;
-    return result(flatten_chart(chart, options, m_solvers, &leave_as_it_is), Atlas_report::ABF_PLUS_PLUS);
+    return m_options.equal_seam_lengths ? direct_map_with_equal_seams(chart)
+                                        : direct_map(chart, Atlas_report::NOT_WANTED);
   }
 
 private:
+  // Without them if they cannot be reached
+  Chart_map direct_map_with_equal_seams(const Chart& chart) const
+  {
+    Chart equal = chart;
+    if(equalize_seams(equal))
+      return direct_map(chart, Atlas_report::NO_EQUATIONS);
+    if(!equal.has_equal_seams)
+      return direct_map(chart, Atlas_report::NO_SEAMS);
+    ABF_plus_plus_options options = direct_options(m_options);
+    options.visitor = m_visitor;
+    options.fallbacks = false; // they are for charts without any other map
+    options.tolerance = 1e-6;  // violations of several vertices add up along a seam
+    Flattening<ABF_plus_plus_report> map = flatten_chart(equal, options, m_solvers, &leave_as_it_is);
+    if(!map.succeeded() || !map.report.converged)
+      return direct_map(chart, Atlas_report::NOT_CONVERGED);
+    return result(std::move(map), Atlas_report::ABF_PLUS_PLUS, Atlas_report::EQUAL_LENGTHS);
+  }
+
+  Chart_map direct_map(const Chart& chart, Atlas_report::Seam_lengths seam_lengths) const
+  {
+    ABF_plus_plus_options options = direct_options(m_options);
+    options.visitor = m_visitor;
+    return result(flatten_chart(chart, options, m_solvers, &leave_as_it_is), Atlas_report::ABF_PLUS_PLUS,
+                  seam_lengths);
+  }
+
   Chart_map hierarchical_map(const Chart& chart, bool may_overlap) const
   {
     ABF_plus_plus_options direct = direct_options(m_options);
@@ -90,7 +117,7 @@ private:
     try {
       Chart copy = chart;
       return result(flatten_chart_hierarchically(copy, options, flatten_coarse, m_solvers, &leave_as_it_is),
-                    Atlas_report::HIERARCHICAL);
+                    Atlas_report::HIERARCHICAL, other_lengths());
     } catch(const Coarse_map_overlaps&) {
       Chart_map map;
       map.overlaps = true;
@@ -105,14 +132,21 @@ private:
     const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
     Chart copy = chart;
     return result(flatten_chart_hierarchically(copy, options, no_solver, m_solvers, &leave_as_it_is),
-                  Atlas_report::INJECTIVE);
+                  Atlas_report::INJECTIVE, other_lengths());
+  }
+
+  Atlas_report::Seam_lengths other_lengths() const
+  {
+    return m_options.equal_seam_lengths ? Atlas_report::OTHER_METHOD : Atlas_report::NOT_WANTED;
   }
 
   template <typename Report>
-  static Chart_map result(Flattening<Report> flattening, Atlas_report::Method method)
+  static Chart_map result(Flattening<Report> flattening, Atlas_report::Method method,
+                          Atlas_report::Seam_lengths seam_lengths)
   {
     Chart_map map;
     map.method = method;
+    map.seam_lengths = seam_lengths;
     map.diagnosis = flattening.report.diagnosis;
     map.message = std::move(flattening.report.message);
     map.contact = flattening.report.contact;

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -53,6 +54,7 @@ public:
       for(int c : border)
         report.charts[first + part.piece[c / 3]].border_length +=
             edge_length(part.chart, c) * part.chart.scale;
+    measure_seams(part, report, first);
   }
 
   Flattening_measures measures() { return m_totals.measures(); }
@@ -70,6 +72,27 @@ private:
       sum.scale += surface > 0 ? surface * surface / plane : 0;
     }
     return sums;
+  }
+
+  static void measure_seams(const Part_atlas& part, Atlas_report& report, std::size_t first)
+  {
+    std::vector<char> has_seams(part.number_of_pieces, false);
+    for(const std::vector<int>& border : part.chart.borders)
+      for(int c : border) {
+        const int piece = part.piece[c / 3], across = part.chart.seam[c];
+        if(across < 0 || part.piece[across / 3] != piece)
+          continue;
+        has_seams[piece] = true;
+        double& jump = report.charts[first + piece].largest_seam_jump;
+        jump = (std::max)(jump, seam_jump(part.chart, part.uv, c));
+      }
+    for(std::size_t i = 0; i < has_seams.size(); ++i) {
+      Atlas_report::Chart& chart = report.charts[first + i];
+      chart.seam_lengths = has_seams[i] ? part.seam_lengths : Atlas_report::NO_SEAMS;
+      chart.has_equal_seams = chart.seam_lengths == Atlas_report::EQUAL_LENGTHS;
+      if(chart.has_equal_seams)
+        report.largest_equal_seam_jump = (std::max)(report.largest_equal_seam_jump, chart.largest_seam_jump);
+    }
   }
 
   // Each relative to the scale of its chart

@@ -38,6 +38,7 @@ struct Part_atlas
   std::vector<int> piece;         // of each triangle: the chart of the atlas that it is in
   int number_of_pieces = 1;
   Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
+  Atlas_report::Seam_lengths seam_lengths = Atlas_report::NO_SEAMS;
   double contact = 0;
   int rounds = 0; // in which seams were added
   std::size_t number_of_terminals = 0;
@@ -108,6 +109,7 @@ private:
     attempt.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), attempt.is_seam);
     Chart& chart = attempt.patch.chart;
     chart.scale = m_surface.scale;
+    chart.seam = seam_sides(chart);
     if(const Chart_defect defect = diagnose(chart, false)) {
       attempt.map = Chart_map();
       attempt.map.diagnosis = defect.diagnosis;
@@ -117,6 +119,17 @@ private:
     attempt.map = m_flattener.run(chart);
     if(attempt.map.is_valid())
       attempt.stretch = scale_stretch(chart, attempt.map.uv);
+  }
+
+  // Of each corner that faces an edge of a seam: the one on the other side. Corners are those of the surface.
+  std::vector<int> seam_sides(const Chart& chart) const
+  {
+    std::vector<int> sides = m_surface.seam; // those that were given
+    sides.resize(chart.opposite.size(), -1);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      if(chart.opposite[c] < 0 && m_surface.opposite[c] >= 0)
+        sides[c] = m_surface.opposite[c];
+    return sides;
   }
 
   bool misses_bound(double stretch) const
@@ -183,6 +196,7 @@ private:
     atlas.chart = std::move(m_best.patch.chart);
     atlas.uv = std::move(m_best.map.uv);
     atlas.method = m_best.map.method;
+    atlas.seam_lengths = m_best.map.seam_lengths;
     atlas.contact = m_best.map.contact;
     atlas.rounds = m_rounds;
     atlas.number_of_terminals = m_terminals;
@@ -221,6 +235,7 @@ private:
     for(int v : patch.origin)
       uv.push_back(atlas.uv[v]);
     patch.chart.scale = m_surface.scale;
+    patch.chart.seam = seam_sides(patch.chart);
     atlas.chart = std::move(patch.chart);
     atlas.uv = std::move(uv);
     atlas.piece = connected_triangles(atlas.chart, [](int) { return true; });

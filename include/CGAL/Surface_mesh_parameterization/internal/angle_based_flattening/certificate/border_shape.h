@@ -81,17 +81,23 @@ inline double side_deviation(const Chart& chart, const std::vector<Chart::Point_
   return largest;
 }
 
-// The largest difference between the logarithms of the lengths of both sides of an edge on a seam
+// The difference between the logarithms of the lengths of both sides of an edge on a seam, one of which the corner faces
+inline double seam_jump(const Chart& chart, const std::vector<Chart::Point_2>& uv, int c)
+{
+  const auto length = [&](int corner) {
+    const auto side = uv[chart.edge_target(corner)] - uv[chart.edge_source(corner)];
+    return std::hypot(side.x(), side.y());
+  };
+  return std::abs(std::log(length(c) / length(chart.seam[c])));
+}
+
+// The largest one of a chart
 inline double largest_seam_jump(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
-  const auto squared_length = [&](int c) {
-    return CGAL::squared_distance(uv[chart.edge_source(c)], uv[chart.edge_target(c)]);
-  };
   double largest = 0;
-  for(std::size_t c = 0; c < chart.seam.size(); ++c)
-    if(const int across = chart.seam[c]; across > static_cast<int>(c))
-      largest = (std::max)(
-          largest, std::abs(std::log(squared_length(static_cast<int>(c)) / squared_length(across))) / 2);
+  for(int c = 0; c < static_cast<int>(chart.seam.size()); ++c)
+    if(chart.seam[c] > c)
+      largest = (std::max)(largest, seam_jump(chart, uv, c));
   return largest;
 }
 

@@ -186,18 +186,32 @@ private:
     Surface_part part;
     part.first_triangle = first;
     Chart& chart = part.chart;
-    chart.opposite.resize(3 * (m_faces.size() - first));
+    chart.opposite.resize(3 * (m_faces.size() - first), -1);
     for(int t = 0; t < static_cast<int>(chart.opposite.size()) / 3; ++t) {
       halfedge_descriptor h = halfedge(m_faces[first + t], m_mesh);
       for(int k : {1, 2, 0}) {
-        const halfedge_descriptor across = opposite(h, m_mesh);
-        chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) || is_cut(edge(h, m_mesh))
-                                        ? -1
-                                        : facing_corner(across) - 3 * first;
+        if(const int across = corner_across(h, first); across < 0 || !is_cut(edge(h, m_mesh)))
+          chart.opposite[3 * t + k] = across;
+        else
+          set_seam(chart, 3 * t + k, across);
         h = next(h, m_mesh);
       }
     }
     return part;
+  }
+
+  // The corner in the part that began with triangle `first` which faces the same edge; -1 if there is none
+  int corner_across(halfedge_descriptor h, int first) const
+  {
+    const halfedge_descriptor across = opposite(h, m_mesh);
+    const bool is_in_part = !CGAL::is_border(across, m_mesh) && get(m_ranks, face(across, m_mesh)) >= first;
+    return is_in_part ? facing_corner(across) - 3 * first : -1;
+  }
+
+  static void set_seam(Chart& chart, int c, int across)
+  {
+    chart.seam.resize(chart.opposite.size(), -1);
+    chart.seam[c] = across;
   }
 
   int facing_corner(halfedge_descriptor h) const
