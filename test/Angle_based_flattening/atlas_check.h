@@ -68,6 +68,23 @@ struct Atlas_run
   // Whether there is neither a border nor a seam
   bool is_joined(std::size_t c) const { return !is_border(c) && !is_seam[c]; }
 
+  // Whether both sides of a seam are in the same chart
+  bool is_inner_seam(std::size_t c) const
+  {
+    return !is_border(c) && is_seam[c] && chart[face[c]] >= 0 && chart[face[c]] == chart[face[across[c]]];
+  }
+
+  double planar_length(std::size_t c) const
+  {
+    const auto side = uv[c] - uv[previous(c)];
+    return std::hypot(side.x(), side.y());
+  }
+
+  double seam_jump(std::size_t c) const
+  {
+    return std::abs(std::log(planar_length(c) / planar_length(across[c])));
+  }
+
   double edge_length(std::size_t c) const
   {
     return std::sqrt(CGAL::squared_distance(point[previous(c)], point[c]));
@@ -473,6 +490,55 @@ inline void check_stretch(const Atlas_run& run, const std::vector<Chart_sums>& s
   BOOST_TEST(run.report.measures.border_is_simple);
 }
 
+// Whether each chart, glued together at its seams, is a sphere or a disk
+inline std::vector<char> simply_connected_charts(const Atlas_run& run)
+{
+  const auto is_glued = [&](std::size_t c) {
+    return !run.is_border(c) && run.chart[run.face[c]] >= 0 &&
+           run.chart[run.face[c]] == run.chart[run.face[run.across[c]]];
+  };
+  boost::disjoint_sets_with_storage<> sets(run.across.size());
+  for(std::size_t c = 0; c < run.across.size(); ++c)
+    if(is_glued(c))
+      sets.union_set(c, run.previous(run.across[c]));
+  std::vector<long> twice(run.report.charts.size(), 0); // the Euler characteristic
+  for(std::size_t c = 0; c < run.across.size(); ++c)
+    if(const int chart = run.chart[run.face[c]]; chart >= 0)
+      twice[static_cast<std::size_t>(chart)] += (sets.find_set(c) == c ? 2 : 0) - (is_glued(c) ? 1 : 2);
+  std::vector<char> result;
+  for(std::size_t i = 0; i < twice.size(); ++i)
+    result.push_back(twice[i] + 2 * static_cast<long>(run.report.charts[i].number_of_faces) >= 2);
+  return result;
+}
+
+// What the report says of seams within charts. Equal lengths are equal where no loop goes around handles or borders.
+inline void check_seam_lengths(const Atlas_run& run)
+{
+  std::vector<double> jump(run.report.charts.size(), 0);
+  std::vector<char> has_seams(jump.size(), false);
+  for(std::size_t c = 0; c < run.across.size(); ++c)
+    if(run.is_inner_seam(c)) {
+      const auto i = static_cast<std::size_t>(run.chart[run.face[c]]);
+      has_seams[i] = true;
+      jump[i] = (std::max)(jump[i], run.seam_jump(c));
+    }
+  const std::vector<char> is_simple = simply_connected_charts(run);
+  double largest = 0;
+  for(std::size_t i = 0; i < jump.size(); ++i) {
+    const Atlas_report::Chart& chart = run.report.charts[i];
+    BOOST_TEST(std::abs(chart.largest_seam_jump - jump[i]) <= 1e-12);
+    BOOST_TEST((chart.seam_lengths == Atlas_report::NO_SEAMS) == !has_seams[i]);
+    BOOST_TEST(chart.has_equal_seams == (chart.seam_lengths == Atlas_report::EQUAL_LENGTHS));
+    if(!chart.has_equal_seams)
+      continue;
+    BOOST_TEST((chart.method == Atlas_report::ABF_PLUS_PLUS || chart.method == Atlas_report::SEPARATED));
+    largest = (std::max)(largest, chart.largest_seam_jump);
+    if(is_simple[i])
+      BOOST_TEST(jump[i] <= 1e-5);
+  }
+  BOOST_TEST(run.report.largest_equal_seam_jump == largest);
+}
+
 // Not packed, each chart has its lower left corner at the origin.
 inline void check_corners(const Atlas_run& run)
 {
@@ -507,6 +573,7 @@ inline void check_atlas(const Atlas_run& run, const Wishes& wishes)
   const std::vector<Chart_sums> sums = chart_sums(run, wishes.weight);
   check_scale(run, sums, wishes);
   check_stretch(run, sums, wishes.stretch_bound);
+  check_seam_lengths(run);
 }
 
 } // namespace atlas_check

@@ -54,6 +54,7 @@ struct Command_line
   bool asks_for_component = false; // whether it is given
   double stretch_bound = 1.1;
   bool asks_for_stretch = false; // whether the bound is given
+  std::string equal_seams;       // "on" or "off"; the default is that of the kind of output
   std::string repair = "on";
 
   // With --plain
@@ -62,7 +63,6 @@ struct Command_line
   bool split_overlaps = false;
   std::string rectangle;     // four vertices, "auto", or empty
   std::string border_angles; // a file
-  std::string equal_seams = "off";
   std::string holes = "solve";
   std::string method = "auto";
   std::string solver = "superlu";

@@ -162,9 +162,12 @@ inline void check_angles(const Command_line& command)
 
 inline void check_equal_seams(Command_line& command)
 {
+  if(command.equal_seams.empty()) {
+    command.equal_seams = command.is_plain ? "off" : "on";
+  }
   check_name("equal-seams", command.equal_seams, {"on", "off"});
   command.options.equal_seam_lengths = command.equal_seams == "on";
-  if(!*command.options.equal_seam_lengths) {
+  if(!command.is_plain || !*command.options.equal_seam_lengths) {
     return;
   }
   if(command.method == "hierarchical") {
@@ -302,8 +305,8 @@ inline void check_plain(const Values& values, Command_line& command)
   if(command.is_plain) {
     check_injective(values, command);
     check_angles(command);
-    check_equal_seams(command);
   }
+  check_equal_seams(command);
   if(command.method == "auto" && !command.options.injective) {
     refine_method(values, command.hierarchical);
   }

@@ -101,6 +101,13 @@ inline po::options_description surface_options(Command_line& command)
       "how much a map that was made injective keeps areas: 0 not at all, 1 as isometric as possible. An "
       "atlas takes 0.02 if it "
       "is not given. --plain: with --injective only");
+  add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
+      "on, the default of an atlas: both sides of each edge along a seam get the same length, so that the "
+      "scale does not jump "
+      "there; on surfaces with handles or several borders, it jumps by a constant factor along each seam. Of "
+      "an atlas, only "
+      "maps that ABF++ makes as a whole get such seams. off, the default of --plain: angles change a little "
+      "less");
   add("repair", name_option(command.repair),
       "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
       "parts that touch in a "
@@ -164,11 +171,6 @@ inline po::options_description plain_options(Command_line& command)
       "where the map overlaps itself, split the chart along further seams into pieces whose maps do not. The "
       "coordinates stay as they are, so that pieces still lie over one another: move them apart as islands "
       "of the texture");
-  add("equal-seams", name_option(command.equal_seams),
-      "on: both sides of each edge along a seam get the same length, so that the scale does not jump there; "
-      "on surfaces with "
-      "handles or several borders, it jumps by a constant factor along each seam. off: angles change a "
-      "little less");
   add("rectangle", po::value(&command.rectangle)->value_name("V1,V2,V3,V4|auto"),
       "the border becomes a rectangle with straight sides and these four vertices of it as corners, counted "
       "from 1, as in OBJ files. auto: where the border comes near the corners of the smallest rectangle "

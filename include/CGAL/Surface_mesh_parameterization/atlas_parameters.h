@@ -120,8 +120,10 @@ cut_necks(bool cuts, const NamedParameters& np = NamedParameters())
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// tells `make_atlas()` whether both sides of the seams of a chart get equal lengths in the plane, where its map is that of ABF++. `np` is as
-/// for `edge_is_seam_map()`.
+/// tells `make_atlas()` whether both sides of each edge on a seam within a chart get the same length in the plane, as by
+/// `ABF_plus_plus_options::equal_seam_lengths`. That goes for the maps that ABF++ makes directly, and the pieces that are cut out of them, and
+/// not for hierarchical and injective ones. Where the solver does not reach equal lengths, the chart is mapped without them;
+/// `Atlas_report::Chart::seam_lengths` says so. `np` is as for `edge_is_seam_map()`.
 template <typename NamedParameters = Default_named_parameters>
 Named_function_parameters<bool, internal_np::atlas_equal_seams_t, NamedParameters>
 equal_seam_lengths(bool equal, const NamedParameters& np = NamedParameters())

@@ -32,6 +32,8 @@ each part remains one chart; `parameters::separate_overlaps()` cuts it into seve
 `stretch_bound`, as the long thin triangles of some models make it do, seams are added where it does, and the disk is flattened again, at most five times.
 If an injective map still stretches that much, and that of ABF++ does not, the latter is separated. The report says which way was taken for each chart.
 
+Both sides of the seams within a chart, found or given, get equal lengths where ABF++ maps the part directly (see `parameters::equal_seam_lengths()`).
+
 Then the charts are packed with equal texel density, as by `pack_charts()`, and certified: with the final coordinates, rounded to the number type of `uv`, each chart is
 injective, by exact predicates, and no two charts share a texel with its gutter. A map of ABF++ whose final coordinates have too few digits for that is replaced by an injective one,
 whose border keeps a distance from itself.
@@ -101,6 +103,11 @@ For \f$n\f$ triangles, it takes time \cgalBigO{n \log n}, and the factorization 
     \cgalParamDescription{whether branches of charts are cut off where that takes a short seam, so that the charts cover more of the square}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{equal_seam_lengths}
+    \cgalParamDescription{whether both sides of the seams within a chart get equal lengths in the plane (see `parameters::equal_seam_lengths()`)}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{pack_into_square}
     \cgalParamDescription{whether the charts are packed. Otherwise, each has the area of its surface, and the lower left corner of its bounding box at the origin.}

@@ -31,6 +31,9 @@ inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const doubl
   json.add("contact", json_number(chart.contact));
   json.add("border_length", json_number(chart.border_length));
   json.add("rounds", json_number(chart.rounds));
+  json.add("seam_lengths", json_text(to_string(chart.seam_lengths)));
+  json.add("has_equal_seams", json_bool(chart.has_equal_seams));
+  json.add("largest_seam_jump", json_number(chart.largest_seam_jump));
   return json.text();
 }
 
@@ -61,6 +64,7 @@ inline std::string atlas_json(const Atlas_record& record)
   seams.add("relative_length", json_number(report.relative_seam_length));
   seams.add("terminals", json_number(report.number_of_terminals));
   seams.add("stretch_bound", json_number(record.stretch_bound));
+  seams.add("largest_equal_jump", json_number(report.largest_equal_seam_jump));
   json.add("parts", json_number(report.number_of_parts));
   json.add("charts", json_array(report.charts, [&record](const std::size_t i) {
              return chart_json(record.report.charts[i], record.share_of_area[i]);

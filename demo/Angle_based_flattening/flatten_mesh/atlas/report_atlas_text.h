@@ -12,8 +12,10 @@
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -38,6 +40,33 @@ inline std::string methods_text(const SMP::Atlas_report& report)
   return text;
 }
 
+// The largest ratio of the lengths of both sides of an edge on a seam; not a number without seams
+inline double seam_jump(const SMP::Atlas_report::Chart& chart)
+{
+  return chart.seam_lengths == SMP::Atlas_report::NO_SEAMS ? std::numeric_limits<double>::quiet_NaN()
+                                                           : std::exp(chart.largest_seam_jump);
+}
+
+// How much the scale jumps at seams within charts, if there are some
+inline Report_rows seam_jump_rows(const SMP::Atlas_report& report)
+{
+  std::size_t with_seams = 0, equal = 0;
+  double jump = 0;
+  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+    with_seams += chart.seam_lengths != SMP::Atlas_report::NO_SEAMS;
+    equal += chart.has_equal_seams;
+    jump = (std::max)(jump, chart.largest_seam_jump);
+  }
+  if(with_seams == 0) {
+    return {};
+  }
+  const std::string charts = with_seams == 1 ? (equal == 1 ? "equal lengths were kept" : "lengths are free")
+                                             : std::to_string(equal) + " of " + std::to_string(with_seams) +
+                                                   " charts with seams have equal ones";
+  return {{"seam jump", format_number("%.4g", std::exp(jump)),
+           "largest ratio of the lengths of both sides of an edge on a seam; " + charts + "; best 1"}};
+}
+
 inline Report_rows chart_rows(const Atlas_record& record)
 {
   const SMP::Atlas_report& report = record.report;
@@ -60,6 +89,7 @@ inline Report_rows chart_rows(const Atlas_record& record)
   rows.push_back({"scale stretch", format_number("%.4g", worst),
                   "of the worst chart, by changes of area; bound " +
                       format_number("%.4g", record.stretch_bound) + "; best 1"});
+  append(rows, seam_jump_rows(report));
   if(record.options.is_packed) {
     rows.push_back({"covered", format_number("%.1f %%", 100 * report.covered_share),
                     "of the square; " + std::to_string(record.options.resolution) + " x " +

@@ -27,6 +27,8 @@ struct Report_contents
     double share_of_area; // on the surface
     std::string method;
     double l2_stretch, scale_stretch;
+    double
+        seam_jump; // largest ratio of the lengths of both sides of an edge on a seam; not a number without seams
   };
 
   std::string title;

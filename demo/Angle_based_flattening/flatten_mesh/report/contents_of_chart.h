@@ -18,8 +18,10 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 namespace flatten_mesh {
@@ -65,7 +67,10 @@ inline Report_contents contents_of_chart(const Mesh& input, const std::vector<In
     contents.box += flattening.uv[v].bbox();
   }
   contents.charts = {{chart.faces.size(), 1, flattening.method, flattening.measures.l2_stretch,
-                      scale_stretch(mesh, chart, flattening.uv)}};
+                      scale_stretch(mesh, chart, flattening.uv),
+                      record.seams && flattening.method == "direct"
+                          ? std::exp(flattening.report.largest_seam_jump)
+                          : std::numeric_limits<double>::quiet_NaN()}};
   contents.surface = internal::surface_of_chart(input, mesh, chart, flattening.uv);
   for(const Face f : chart.faces) {
     contents.faces.push_back(polygons[internal::face_of_input(input, mesh, chart, f).idx()]);

@@ -43,6 +43,7 @@ inline std::string chart_json(const Report_contents::Chart_row& chart)
   json.add("method", json_text(chart.method));
   json.add("l2_stretch", json_number(chart.l2_stretch));
   json.add("scale_stretch", json_number(chart.scale_stretch));
+  json.add("seam_jump", json_number(chart.seam_jump));
   return json.text();
 }
 

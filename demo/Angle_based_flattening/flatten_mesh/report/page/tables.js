@@ -29,6 +29,7 @@ const CHART_COLUMNS = [
   ["Method", (chart) => chart.method, (x) => x],
   ["L2 stretch", (chart) => chart.l2_stretch, (x) => numberText(x, 4)],
   ["Scale stretch", (chart) => chart.scale_stretch, (x) => numberText(x, 4)],
+  ["Seam jump", (chart) => chart.seam_jump, (x) => x === null ? "" : numberText(x, 4)],
 ];
 
 class ChartsTable {

@@ -13,6 +13,7 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/certify_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas_maker.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>

@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/add_terminals.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/cut_necks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/flatten_atlas_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/separate_overlaps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Cuts a connected surface open and flattens it, with more seams as long as it stretches too much.
+class Part_atlas_maker
+{
+public:
+  // `cost` is that of the edge that each corner of the surface faces.
+  Part_atlas_maker(const Chart& surface, const std::vector<double>& cost, const Atlas_options& options,
+                   const Linear_solvers& solvers, Part_progress& progress)
+      : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
+        m_flattener(options, solvers, &progress)
+  {}
+
+  Part_atlas run()
+  {
+    if(has_no_area())
+      return failure("NO_AREA", "the part of the surface with the vertex at " + position_text(m_surface, 0) +
+                                    " has no area");
+    m_progress.set_stage(0, 0.1);
+    Seams seams = find_seams(m_surface, m_cost, m_options.seams, m_solvers);
+    if(seams.status != Seams::DONE)
+      return failure(seams.status);
+    m_best.is_seam = std::move(seams.is_seam);
+    m_terminals = seams.terminals.size();
+    m_progress.set_stage(0.1, 0.5);
+    flatten(m_best);
+    if(!m_best.map.is_valid())
+      return failure(to_string(m_best.map.diagnosis), m_best.map.message);
+    m_progress.set_stage(0.5, 0.9);
+    add_seams();
+    avoid_stretch();
+    m_progress.set_stage(0.9, 1);
+    Part_atlas atlas = m_best.map.overlaps ? separated() : result();
+    if(m_options.cuts_necks && atlas.succeeded())
+      open_along(Neck_cutter(atlas.chart, atlas.uv, m_cost).run(), atlas);
+    return atlas;
+  }
+
+private:
+  struct Attempt
+  {
+    std::vector<char> is_seam; // of each corner of the surface: whether the edge that it faces is a seam
+    Dual_patch patch;          // the surface, opened there
+    Chart_map map;
+    double stretch = 0;
+  };
+
+  bool has_no_area() const
+  {
+    for(int t = 0; t < m_surface.number_of_triangles(); ++t)
+      if(surface_area(m_surface, t) > 0)
+        return false;
+    return true;
+  }
+
+  void flatten(Attempt& attempt) const
+  {
+    std::vector<int> all(m_surface.number_of_triangles());
+    std::iota(all.begin(), all.end(), 0);
+    attempt.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), attempt.is_seam);
+    Chart& chart = attempt.patch.chart;
+    chart.scale = m_surface.scale;
+    chart.seam = seam_sides(chart);
+    if(const Chart_defect defect = diagnose(chart, false)) {
+      attempt.map = Chart_map();
+      attempt.map.diagnosis = defect.diagnosis;
+      attempt.map.message = defect.message;
+      return;
+    }
+    attempt.map = m_flattener.run(chart);
+    if(attempt.map.is_valid())
+      attempt.stretch = scale_stretch(chart, attempt.map.uv);
+  }
+
+  // Of each corner that faces an edge of a seam: the one on the other side. Corners are those of the surface.
+  std::vector<int> seam_sides(const Chart& chart) const
+  {
+    std::vector<int> sides = m_surface.seam; // those that were given
+    sides.resize(chart.opposite.size(), -1);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      if(chart.opposite[c] < 0 && m_surface.opposite[c] >= 0)
+        sides[c] = m_surface.opposite[c];
+    return sides;
+  }
+
+  bool misses_bound(double stretch) const
+  {
+    return stretch > stretch_tolerance * m_options.seams.stretch_bound;
+  }
+
+  void add_seams()
+  {
+    const int max_rounds = 5;
+    int weak_rounds = 0;
+    for(int round = 0; misses_bound(m_best.stretch) && weak_rounds < 2 && round < max_rounds; ++round) {
+      const double before = m_best.stretch;
+      add_seams_in_round(std::size_t(3) << round);
+      m_rounds += m_best.stretch < before;
+      weak_rounds = m_best.stretch > (1 - least_gain) * before ? weak_rounds + 1 : 0;
+    }
+  }
+
+  void add_seams_in_round(std::size_t count)
+  {
+    const double before = m_best.stretch;
+    for(Stretch_criterion criterion : {Stretch_criterion::LOG_SCALE, Stretch_criterion::AREA})
+      if(m_best.stretch > (1 - least_gain) * before)
+        improve(criterion, count);
+  }
+
+  // Takes the map with more seams if that stretches less.
+  void improve(Stretch_criterion criterion, std::size_t count)
+  {
+    const std::size_t most = static_cast<std::size_t>(m_options.seams.maximum_number_of_terminals);
+    count = (std::min)(count, most - (std::min)(most, m_terminals));
+    Terminal_adder adder(m_surface, m_cost, m_best.is_seam);
+    const int added = adder.add(
+        vertex_scales(m_best.patch.chart, m_best.map.uv, m_best.patch.origin, m_surface.number_of_vertices()),
+        criterion, count);
+    if(added == 0)
+      return;
+    Attempt next;
+    next.is_seam = adder.seams();
+    flatten(next);
+    if(!next.map.is_valid() || next.stretch >= m_best.stretch)
+      return;
+    m_best = std::move(next);
+    m_terminals += static_cast<std::size_t>(added);
+  }
+
+  // Injective maps whose branches get stuck between one another shrink them, where that of ABF++ does not. It is separated then.
+  void avoid_stretch()
+  {
+    if(m_best.map.method != Atlas_report::INJECTIVE || !misses_bound(m_best.stretch))
+      return;
+    Chart_map map = m_flattener.abf_plus_plus(m_best.patch.chart, true);
+    if(!map.is_valid() || misses_bound(scale_stretch(m_best.patch.chart, map.uv)))
+      return;
+    m_injective = std::move(m_best.map);
+    m_best.map = std::move(map);
+  }
+
+  Part_atlas result()
+  {
+    Part_atlas atlas;
+    atlas.piece.assign(m_surface.number_of_triangles(), 0);
+    atlas.chart = std::move(m_best.patch.chart);
+    atlas.uv = std::move(m_best.map.uv);
+    atlas.method = m_best.map.method;
+    atlas.seam_lengths = m_best.map.seam_lengths;
+    atlas.contact = m_best.map.contact;
+    atlas.rounds = m_rounds;
+    atlas.number_of_terminals = m_terminals;
+    return atlas;
+  }
+
+  // Cuts the map into pieces that do not overlap themselves.
+  Part_atlas separated()
+  {
+    const Chart& chart = m_best.patch.chart;
+    const Separation separation =
+        Overlap_separator<Exact_point_2>(chart, m_cost, exact_points(m_best.map.uv)).run();
+    if(separation.status != Separation::DONE && m_injective.is_valid()) {
+      m_best.map = std::move(m_injective);
+      return result();
+    }
+    if(separation.status != Separation::DONE)
+      return failure(to_string(Flattening_report::OVERLAPPING),
+                     "the map of the part of the surface with the vertex at " + position_text(m_surface, 0) +
+                         " overlaps itself, and could not be separated");
+    Part_atlas atlas = result();
+    if(separation.number_of_pieces > 1) {
+      atlas.method = Atlas_report::SEPARATED;
+      open_along(separation.is_seam, atlas);
+    }
+    return atlas;
+  }
+
+  // Opens the charts along further seams. Their maps stay as they are.
+  void open_along(const std::vector<char>& is_seam, Part_atlas& atlas) const
+  {
+    std::vector<int> all(atlas.piece.size());
+    std::iota(all.begin(), all.end(), 0);
+    Dual_patch patch = Patch_cutter(atlas.chart, m_cost).cut_out(std::move(all), is_seam);
+    std::vector<Chart::Point_2> uv;
+    for(int v : patch.origin)
+      uv.push_back(atlas.uv[v]);
+    patch.chart.scale = m_surface.scale;
+    patch.chart.seam = seam_sides(patch.chart);
+    atlas.chart = std::move(patch.chart);
+    atlas.uv = std::move(uv);
+    atlas.piece = connected_triangles(atlas.chart, [](int) { return true; });
+    atlas.number_of_pieces = *std::max_element(atlas.piece.begin(), atlas.piece.end()) + 1;
+  }
+
+  static Part_atlas failure(const std::string& diagnosis, const std::string& message)
+  {
+    Part_atlas atlas;
+    atlas.diagnosis = diagnosis;
+    atlas.message = message;
+    return atlas;
+  }
+
+  Part_atlas failure(Seams::Status status) const
+  {
+    const std::string where = "the part of the surface with the vertex at " + position_text(m_surface, 0);
+    return status == Seams::NO_CUT
+               ? failure("NO_CUT_ALLOWED",
+                         where + " cannot be cut to a disk along the edges that may become seams")
+               : failure("LINEAR_SYSTEM_FAILED",
+                         "the linear system that predicts the scale could not be solved for " + where);
+  }
+
+  static constexpr double least_gain = 0.02;
+
+  const Chart& m_surface;
+  const std::vector<double>& m_cost;
+  const Atlas_options& m_options;
+  const Linear_solvers& m_solvers;
+  Part_progress& m_progress;
+  Atlas_chart_flattener m_flattener;
+  Attempt m_best;
+  Chart_map m_injective; // of `m_best`, if it stretches too much
+  std::size_t m_terminals = 0;
+  int m_rounds = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>
+#endif
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
