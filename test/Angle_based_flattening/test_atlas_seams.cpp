@@ -79,7 +79,7 @@ double largest_jump(const Atlas_run& run, const IsMeant& is_meant)
 
 BOOST_AUTO_TEST_CASE(random_surfaces_have_equal_seams)
 {
-  std::size_t equal = 0, simple = 0;
+  std::size_t equal = 0;
   for(unsigned seed = 0; seed < 60; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
@@ -89,16 +89,10 @@ BOOST_AUTO_TEST_CASE(random_surfaces_have_equal_seams)
         continue;
       check_atlas(run, Wishes());
       equal += count(run, Atlas_report::EQUAL_LENGTHS);
-      const std::vector<char> is_simple = atlas_check::simply_connected_charts(run);
-      for(std::size_t i = 0; i < is_simple.size(); ++i)
-        simple += is_simple[i] && run.report.charts[i].has_equal_seams;
       BOOST_TEST(count(run, Atlas_report::NOT_WANTED) == 0u);
       BOOST_TEST(count(run, Atlas_report::NO_EQUATIONS) == 0u);
     }
-  BOOST_TEST_MESSAGE(equal << " charts with equal seams, " << simple
-                           << " of them of simply connected surfaces");
   BOOST_TEST(equal > 40u);
-  BOOST_TEST(simple > 20u);
 }
 
 BOOST_AUTO_TEST_CASE(they_can_be_left_out)

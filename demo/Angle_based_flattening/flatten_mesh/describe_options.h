@@ -103,11 +103,9 @@ inline po::options_description surface_options(Command_line& command)
       "is not given. --plain: with --injective only");
   add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
       "on, the default of an atlas: both sides of each edge along a seam get the same length, so that the "
-      "scale does not jump "
-      "there; on surfaces with handles or several borders, it jumps by a constant factor along each seam. Of "
-      "an atlas, only "
-      "maps that ABF++ makes as a whole get such seams. off, the default of --plain: angles change a little "
-      "less");
+      "scale does not jump there. Of an atlas, only maps that ABF++ makes as a whole get such seams. off, "
+      "the "
+      "default of --plain: angles change a little less");
   add("repair", name_option(command.repair),
       "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
       "parts that touch in a "
