@@ -162,7 +162,8 @@ double largest_seam_jump(const std::string& obj)
       corners.emplace_back(std::stoul(word), std::stoul(word.substr(word.find('/') + 1)) - 1);
     }
     for(std::size_t i = 0; i < corners.size(); ++i) {
-      const auto& [v, s] = corners[i], &[ w, t ] = corners[(i + 1) % corners.size()];
+      const auto& [v, s] = corners[i];
+      const auto& [w, t] = corners[(i + 1) % corners.size()];
       lengths[{v, w}] =
           std::hypot(texture.at(2 * s) - texture.at(2 * t), texture.at(2 * s + 1) - texture.at(2 * t + 1));
     }
