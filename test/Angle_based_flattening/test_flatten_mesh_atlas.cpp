@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(figures_and_lines_of_the_reports)
 }
 
 // The lengths of both sides of seams, from the OBJ file: of an edge in two faces, the points and texture coordinates of its ends
-double largest_seam_jump(const std::string& obj)
+inline double largest_seam_jump(const std::string& obj)
 {
   const std::vector<double> texture = numbers(lines_with(obj, "vt"));
   std::map<std::pair<std::size_t, std::size_t>, double> lengths; // of the edge from one vertex to another
