@@ -394,14 +394,26 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
   run("--help");
   BOOST_TEST(status == 0);
   BOOST_TEST(standard_error == "");
-  for(const char* option :
-      {"input",     "output",         "svg",        "picture",     "json",       "component",
-       "border",    "method",         "barrier",    "layout",      "tolerance",  "max-iterations",
-       "step",      "solver",         "verbose",    "help",        "cut",        "stretch-bound",
-       "seams",     "split-overlaps", "injective",  "area-weight", "clearance",  "equal-seams",
-       "rectangle", "border-angles",  "plain",      "separate",    "seams-from", "charts-from-materials",
-       "no-pack",   "units",          "resolution", "gutter",      "rotations",  "threads",
-       "quiet",     "format"}) {
+  for(const char* option : {"input",      "output",
+                            "svg",        "picture",
+                            "json",       "component",
+                            "border",     "method",
+                            "barrier",    "layout",
+                            "tolerance",  "max-iterations",
+                            "step",       "solver",
+                            "verbose",    "help",
+                            "cut",        "stretch-bound",
+                            "seams",      "split-overlaps",
+                            "injective",  "area-weight",
+                            "clearance",  "equal-seams",
+                            "rectangle",  "border-angles",
+                            "plain",      "separate",
+                            "seams-from", "charts-from-materials",
+                            "no-pack",    "units",
+                            "resolution", "gutter",
+                            "rotations",  "threads",
+                            "quiet",      "format",
+                            "cones",      "cone-angle-multiple"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

@@ -54,7 +54,7 @@ struct Command_line
   bool asks_for_component = false; // whether it is given
   double stretch_bound = 1.1;
   bool asks_for_stretch = false; // whether the bound is given
-  std::string equal_seams;       // "on" or "off"; the default is that of the kind of output
+  std::string equal_seams;       // "on", "off", or empty: where ABF++ maps a surface that is cut directly
   std::string repair = "on";
 
   // With --plain
@@ -63,6 +63,9 @@ struct Command_line
   bool split_overlaps = false;
   std::string rectangle;     // four vertices, "auto", or empty
   std::string border_angles; // a file
+  int cones = 0;
+  bool asks_for_cones = false;    // whether their number is given
+  double cone_angle_multiple = 0; // degrees; 0: any angles
   std::string holes = "solve";
   std::string method = "auto";
   std::string solver = "superlu";

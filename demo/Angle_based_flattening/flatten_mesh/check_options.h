@@ -160,10 +160,50 @@ inline void check_angles(const Command_line& command)
         " goes with --layout exact or auto: least squares bend straight sides");
 }
 
+inline bool divides_turn(const double degrees)
+{
+  const double parts = std::round(360 / degrees);
+  return degrees > 0 && parts >= 1 && parts <= 1e6 && std::abs(parts * degrees - 360) <= 1e-8;
+}
+
+inline void check_cones(const Values& values, Command_line& command)
+{
+  command.asks_for_cones = is_given(values, "cones");
+  const bool has_multiple = is_given(values, "cone-angle-multiple");
+  if(!command.asks_for_cones) {
+    if(has_multiple) {
+      throw Usage_error("--cone-angle-multiple goes with --cones only");
+    }
+    return;
+  }
+  const auto check = [](const bool is_right, const std::string& rule) {
+    if(!is_right) {
+      throw Usage_error(rule);
+    }
+  };
+  check(command.cones >= 0 && command.cones <= 1000, "--cones takes a number from 0 to 1000; see --help");
+  check(!has_multiple || divides_turn(command.cone_angle_multiple),
+        "--cone-angle-multiple takes an angle in degrees that divides 360, as 90, 60 or 45 do");
+  check(command.rectangle.empty(), "--cones and --rectangle exclude each other");
+  check(command.border_angles.empty(), "--cones and --border-angles exclude each other");
+  check(!is_given(values, "cut"), "--cones and --cut exclude each other: seams lead to the cones");
+  check(!is_given(values, "stretch-bound"),
+        "--cones and --stretch-bound exclude each other: more cones make the stretch less");
+  check(command.equal_seams != "off",
+        "--cones and --equal-seams off exclude each other: both sides of a seam are equal");
+  check(command.method != "hierarchical",
+        "--cones goes with --method direct or auto: the hierarchical method prescribes no angles");
+  check(!command.options.injective,
+        "--cones and --injective exclude each other: one of them must give way where the map would overlap");
+  check(command.layout != "least-squares",
+        "--cones goes with --layout exact or auto: least squares leave gaps between both sides of a seam");
+  command.options.equal_seam_lengths = true;
+}
+
 inline void check_equal_seams(Command_line& command)
 {
   if(command.equal_seams.empty()) {
-    command.equal_seams = command.is_plain ? "off" : "on";
+    return;
   }
   check_name("equal-seams", command.equal_seams, {"on", "off"});
   command.options.equal_seam_lengths = command.equal_seams == "on";
@@ -305,6 +345,7 @@ inline void check_plain(const Values& values, Command_line& command)
   if(command.is_plain) {
     check_injective(values, command);
     check_angles(command);
+    check_cones(values, command);
   }
   check_equal_seams(command);
   if(command.method == "auto" && !command.options.injective) {

@@ -102,10 +102,12 @@ inline po::options_description surface_options(Command_line& command)
       "atlas takes 0.02 if it "
       "is not given. --plain: with --injective only");
   add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
-      "on, the default of an atlas: both sides of each edge along a seam get the same length, so that the "
-      "scale does not jump there. Of an atlas, only maps that ABF++ makes as a whole get such seams. off, "
-      "the "
-      "default of --plain: angles change a little less");
+      "on: both sides of each edge along a seam get the same length, so that the scale does not jump there. "
+      "off: their lengths are free. An atlas has equal ones, if this is not off, in the charts that ABF++ "
+      "maps "
+      "directly. --plain: if it is not given, it is on where the direct method maps a surface that is cut, "
+      "and "
+      "a note tells of the map without if that fails. on takes the direct method for large surfaces, too");
   add("repair", name_option(command.repair),
       "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
       "parts that touch in a "
@@ -177,6 +179,13 @@ inline po::options_description plain_options(Command_line& command)
   add("border-angles", po::value(&command.border_angles)->value_name("FILE"),
       "the border has these inner angles in the plane. The file has a line for each vertex that has one: its "
       "number, from 1, and its angle in degrees, 180 on straight sides");
+  add("cones", po::value(&command.cones)->value_name("N"),
+      "choose N vertices as cones, whose angles need not sum to 360 degrees in the plane, cut through them, "
+      "and map such that both sides of each seam are equal up to a rigid motion. Borders stay free. There "
+      "are fewer cones if fewer suffice");
+  add("cone-angle-multiple", po::value(&command.cone_angle_multiple)->value_name("DEGREES"),
+      "with --cones: the angles around cones are multiples of this, and so are the turns from one side of a "
+      "seam to the other: 90 makes them quarter turns. It divides 360; for spheres and disks");
   add("injective", po::bool_switch(&command.options.injective),
       "a map in which no two triangles overlap, without further seams: where the map would overlap itself, "
       "its border is kept from touching itself, and angles change more. Holes are filled meanwhile. --method "

@@ -36,7 +36,8 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
   const auto seams = np::edge_is_seam_map(atlas.seams, np::edge_is_constrained_map(diagonals(mesh)));
   const auto charts = np::face_chart_map(atlas.chart, np::stretch_bound(command.stretch_bound, seams));
   const auto pieces = np::separate_overlaps(options.separates, np::cut_necks(options.separates, charts));
-  const auto maps = np::equal_seam_lengths(command.equal_seams == "on", np::area_weight(area_weight, pieces));
+  const auto maps =
+      np::equal_seam_lengths(command.equal_seams != "off", np::area_weight(area_weight, pieces));
   const auto packing = np::resolution(
       options.resolution, np::gutter(options.gutter, np::number_of_rotations(options.rotations, maps)));
   const auto all =

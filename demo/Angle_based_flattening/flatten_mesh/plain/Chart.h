@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,6 +53,7 @@ struct Chart : public Component
   // Only if angles are prescribed:
   std::optional<SMP::Vertex_angles<Mesh>> angles;
   std::vector<Vertex> corners;                    // those that are not inside of straight sides
+  std::map<Vertex, double> marks;                 // corners, or the copies of cones, with their angles
   std::vector<SMP::Split_edge<Mesh>> split_edges; // which were in the way
 
   bool is_cut() const { return !input_vertices.empty(); }

@@ -32,6 +32,7 @@ struct Flattening
   Mesh::Property_map<Face, double> distortion; // change of the angles of each face, in degrees
   SMP::ABF_plus_plus_report report; // for the hierarchical method, the part that both methods have in common
   std::string method;               // direct or hierarchical
+  bool has_equal_seams = false;     // both sides of each seam have the same lengths
   int levels = 0;                   // of the hierarchical method
   int coarse_triangles = 0;
   bool is_polished = false;
@@ -61,7 +62,7 @@ struct Seam_record
 {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  std::string cut;                      // the value of --cut
+  std::string cut;                      // the value of --cut, or "cones"
   std::optional<std::size_t> terminals; // if the seams were chosen for little stretch
   std::size_t disks = 1;                // the largest one is flattened
   int rounds = 0;                       // in which seams were added to a map that missed the bound
@@ -71,6 +72,15 @@ struct Seam_record
   double scale_stretch = unknown;    // of the map
   std::optional<bool> bound_reached; // by the map, if a bound was asked for
   double seconds = 0;                // of their choice
+};
+
+// The cones through which a surface is cut.
+struct Cone_record
+{
+  std::size_t wanted = 0;
+  double multiple = 0;                               // of which all angles are multiples, in radians; or 0
+  std::vector<std::pair<std::size_t, double>> cones; // vertices from 0, and their angles in radians
+  double predicted_stretch = 1;
 };
 
 // The pieces of a chart that was split because its map overlapped itself.
@@ -94,6 +104,7 @@ struct Run_record
   double read_seconds = 0;
   double write_seconds = 0;
   std::optional<Seam_record> seams;
+  std::optional<Cone_record> cones;
   Flattening flattening;
   std::optional<Split_record> split;
   std::vector<std::size_t> corners; // of the prescribed border: vertices from 0

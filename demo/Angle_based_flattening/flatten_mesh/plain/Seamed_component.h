@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 namespace flatten_mesh {
 
@@ -23,6 +25,7 @@ struct Seamed_component
   Cut_mesh part;
   Edge_marks seams;
   Edge_marks forbidden; // edges that must not become seams, because the input does not have them
+  std::optional<std::map<Vertex, double>> cones; // of the part, with their angle sums, if they are prescribed
 };
 
 // A component without seams yet.

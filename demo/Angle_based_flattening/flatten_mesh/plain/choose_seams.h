@@ -9,6 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/plain/Seamed_component.h"
+#include "flatten_mesh/plain/choose_cones.h"
 #include "flatten_mesh/seam_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
@@ -22,8 +23,9 @@ namespace flatten_mesh {
 // Whether a component gets seams.
 inline bool is_cut(const Command_line& command, Mesh& mesh, const Component& component)
 {
-  return command.cut == "auto" ? command.asks_for_stretch || !is_disk_with_holes(mesh, component.number)
-                               : command.cut != "none";
+  return command.asks_for_cones  ? true
+         : command.cut == "auto" ? command.asks_for_stretch || !is_disk_with_holes(mesh, component.number)
+                                 : command.cut != "none";
 }
 
 namespace internal {
@@ -48,8 +50,10 @@ inline void choose_seams(const Command_line& command, Mesh& input, Seamed_compon
 {
   const Mesh& mesh = component.part.mesh;
   const auto options = CGAL::parameters::edge_is_constrained_map(component.forbidden);
-  record.cut = command.cut;
-  if(command.cut == "auto") {
+  record.cut = component.cones ? "cones" : command.cut;
+  if(component.cones) {
+    internal::check_report(cut_through_cones(component));
+  } else if(command.cut == "auto") {
     const SMP::Seam_report report = SMP::select_seams(
         mesh, component.seams, CGAL::parameters::stretch_bound(command.stretch_bound, options));
     internal::check_report(report);

@@ -38,6 +38,18 @@ struct Flat_surface
 
 namespace internal {
 
+// All copies of a cone have the sum of the angles around it.
+inline void prescribe_cones(const Cut_mesh& cut, const std::map<Vertex, double>& cones, Chart& chart)
+{
+  chart.angles.emplace();
+  for(const Vertex v : cut.mesh.vertices()) {
+    if(const auto cone = cones.find(cut.origins[v.idx()]); cone != cones.end()) {
+      chart.angles->set(v, cone->second);
+      chart.marks[v] = cone->second;
+    }
+  }
+}
+
 // The largest disk.
 inline Chart chart_of_cut(Cut_mesh& cut, const Seamed_component& component, const std::size_t border)
 {
@@ -48,6 +60,9 @@ inline Chart chart_of_cut(Cut_mesh& cut, const Seamed_component& component, cons
   const std::vector<int> chains = seam_chains(component.part.mesh, component.seams);
   for(const Edge e : cut.edge_origins) {
     chart.seams.push_back(chains[e.idx()]);
+  }
+  if(component.cones) {
+    prescribe_cones(cut, *component.cones, chart);
   }
   return chart;
 }

@@ -10,6 +10,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/plain/Run_record.h"
+#include "flatten_mesh/plain/seam_jump.h"
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Real_timer.h>
@@ -38,12 +39,19 @@ namespace internal {
 // The numbers of the first few of many vertices, as in "vertices 3, 17, ...".
 inline std::string vertices_text(const Chart& chart, const std::vector<Vertex>& vertices)
 {
-  const std::size_t shown = (std::min)(vertices.size(), std::size_t(6));
-  std::string text = vertices.size() == 1 ? "vertex " : "vertices ";
-  for(std::size_t i = 0; i < shown; ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(chart.input_vertex(vertices[i]).idx() + 1);
+  std::vector<std::size_t> numbers; // a vertex on a seam has several copies
+  for(const Vertex v : vertices) {
+    const std::size_t number = chart.input_vertex(v).idx() + 1;
+    if(numbers.size() < 7 && std::find(numbers.begin(), numbers.end(), number) == numbers.end()) {
+      numbers.push_back(number);
+    }
   }
-  return text + (shown < vertices.size() ? ", ..." : "");
+  const std::size_t shown = (std::min)(numbers.size(), std::size_t(6));
+  std::string text = numbers.size() == 1 ? "vertex " : "vertices ";
+  for(std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  }
+  return text + (shown < numbers.size() ? ", ..." : "");
 }
 
 // Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons
@@ -118,6 +126,7 @@ void flatten_directly(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_o
                       const UV_map& uv, Flattening& flattening)
 {
   flattening.method = "direct";
+  flattening.has_equal_seams = options.equal_seam_lengths.value_or(false);
   SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver_traits> direct(options);
   if(chart.angles) {
     direct.set_angle_sums(*chart.angles);
@@ -127,6 +136,29 @@ void flatten_directly(Mesh& mesh, const Chart& chart, const SMP::ABF_plus_plus_o
         [&chart](const Halfedge h) { return chart.seam_sides[h.idx()]; }));
   }
   run_parameterizer(mesh, chart, direct, uv, flattening);
+}
+
+// Both sides of seams get equal lengths, unless something else is asked for, or that fails.
+template <class Solver_traits>
+void flatten_with_equal_seams(Mesh& mesh, const Chart& chart, SMP::ABF_plus_plus_options options,
+                              const UV_map& uv, Flattening& flattening)
+{
+  const bool is_default = !options.equal_seam_lengths && !chart.seam_sides.empty();
+  if(is_default) {
+    options.equal_seam_lengths = true;
+  }
+  flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+  if(!is_default || flattening.succeeded() || !is_failure_of_computation(flattening.report)) {
+    return;
+  }
+  const std::string message = flattening.report.message;
+  const double seconds = flattening.parameterize_seconds;
+  options.equal_seam_lengths = false;
+  flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+  flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
+  flattening.note +=
+      std::string(flattening.note.empty() ? "" : "; ") +
+      "the two sides of a seam have different lengths, because the map with equal ones failed: " + message;
 }
 
 // Whether the energy of a hierarchical map is at most about 20 % above that of the direct method, by an estimate: sweeps until
@@ -172,7 +204,7 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
   const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
   if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || chart.angles ||
      options.equal_seam_lengths.value_or(false)) {
-    flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+    flatten_with_equal_seams<Solver_traits>(mesh, chart, options, uv, flattening);
     return;
   }
   const bool is_taken =
@@ -185,7 +217,7 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
           ? "the hierarchical method did not come close enough to the direct one, which replaced it"
           : "the direct method replaced the hierarchical one, which failed: " + flattening.report.message;
   const double seconds = flattening.parameterize_seconds;
-  flatten_directly<Solver_traits>(mesh, chart, options, uv, flattening);
+  flatten_with_equal_seams<Solver_traits>(mesh, chart, options, uv, flattening);
   flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
 }
 
@@ -224,6 +256,9 @@ inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_li
         mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
           flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
         });
+    if(flattening.method == "hierarchical") {
+      flattening.report.largest_seam_jump = seam_jump(mesh, chart, flattening.uv);
+    }
     flattening.measure_seconds = timer.time();
   }
   return flattening;

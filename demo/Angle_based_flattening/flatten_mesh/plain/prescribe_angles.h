@@ -97,6 +97,9 @@ inline std::optional<Flattening> prescribe_angles(Mesh& mesh, Chart& chart, cons
     chart.angles = SMP::rectangle_angles(mesh, *corners);
   }
   chart.corners = corners_of(*chart.angles, outer_border(mesh, chart));
+  for(const Vertex v : chart.corners) {
+    chart.marks[v] = *(*chart.angles)[v];
+  }
   internal::split_edges(mesh, chart);
   return std::nullopt;
 }

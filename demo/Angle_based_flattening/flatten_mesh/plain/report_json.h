@@ -66,6 +66,28 @@ inline std::string angles_json(const Run_record& record)
   return json.text();
 }
 
+// Angles are in radians, but for those named otherwise. Vertices count from 1.
+inline std::string cones_json(const Run_record& record)
+{
+  const SMP::ABF_plus_plus_report& report = record.flattening.report;
+  const Cone_record& cones = *record.cones;
+  const auto cone_json = [&cones](const std::size_t i) {
+    Json_object json;
+    json.add("vertex", json_number(cones.cones[i].first + 1));
+    json.add("angle", json_number(cones.cones[i].second));
+    json.add("degrees", json_number(cones.cones[i].second * 180. / CGAL_PI));
+    return json.text();
+  };
+  Json_object json;
+  json.add("wanted", json_number(cones.wanted));
+  json.add("cones", json_array(cones.cones, cone_json));
+  json.add("angle_multiple", cones.multiple > 0 ? json_number(cones.multiple) : "null");
+  json.add("predicted_stretch", json_number(cones.predicted_stretch));
+  json.add("largest_angle_error", json_number(report.largest_angle_error));
+  json.add("largest_seam_turn", json_number(report.largest_seam_turn));
+  return json.text();
+}
+
 inline std::string split_json(const Split_record& split)
 {
   Json_object json;
@@ -107,10 +129,11 @@ inline std::string report_json(const Run_record& record)
   internal::add_measures(json, record.flattening.succeeded() ? &record.flattening.measures : nullptr);
   internal::add_certificates(json, record.flattening);
   internal::add_injectivity(json, report);
-  json.add("largest_seam_jump", record.seams && record.flattening.method == "direct"
-                                    ? json_number(report.largest_seam_jump)
-                                    : "null");
-  json.add("prescribed", report.prescribed_angles > 0 ? internal::angles_json(record) : "null");
+  json.add("equal_seams", record.seams ? internal::json_bool(record.flattening.has_equal_seams) : "null");
+  json.add("largest_seam_jump", record.seams ? json_number(report.largest_seam_jump) : "null");
+  json.add("prescribed",
+           report.prescribed_angles > 0 && !record.cones ? internal::angles_json(record) : "null");
+  json.add("cones", record.cones ? internal::cones_json(record) : "null");
   json.add("split", record.split ? internal::split_json(*record.split) : "null");
   internal::Json_object seconds;
   for(const auto& stage : seconds_of_stages(record)) {

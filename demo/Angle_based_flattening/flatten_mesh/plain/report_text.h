@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -76,6 +78,33 @@ inline Report_rows angle_rows(const Run_record& record)
                " of their length"}};
 }
 
+inline Report_rows cone_rows(const Run_record& record)
+{
+  const SMP::ABF_plus_plus_report& report = record.flattening.report;
+  const std::vector<std::pair<std::size_t, double>>& cones = record.cones->cones;
+  std::string list;
+  for(std::size_t i = 0; i < cones.size() && i < 8; ++i) {
+    list += (i == 0 ? "" : ", ") + vertex_name(cones[i].first) + ": " + degrees_text(cones[i].second);
+  }
+  Report_rows rows = {{"cones", std::to_string(cones.size()), list + (cones.size() > 8 ? ", ..." : "")}};
+  if(record.seams) {
+    rows.push_back({"cone angles", "prescribed",
+                    "they hold within " + format_number("%.1e", report.largest_angle_error) +
+                        ", and both sides of seams turn alike within " +
+                        format_number("%.1e", report.largest_seam_turn)});
+  }
+  return rows;
+}
+
+inline Report_row seam_jump_row(const Flattening& flattening)
+{
+  return {"seam jump", format_number("%.4g", std::exp(flattening.report.largest_seam_jump)),
+          std::string("largest ratio of the lengths of both sides of an edge on a seam; ") +
+              (flattening.method == "hierarchical"
+                   ? "the hierarchical method leaves them free, --equal-seams on takes the direct one"
+                   : "best 1")};
+}
+
 inline Report_rows seams_rows(const Seam_record& seams)
 {
   const std::string terminals = seams.terminals ? "; " + count_text(*seams.terminals, "terminal") : "";
@@ -129,13 +158,15 @@ inline Report_rows surface_rows(const Run_record& record)
   if(record.seams) {
     append(rows, internal::seams_rows(*record.seams));
   }
-  if(record.seams && record.flattening.method == "direct") {
-    rows.push_back({"seam jump", format_number("%.4g", std::exp(record.flattening.report.largest_seam_jump)),
-                    "largest ratio of the lengths of both sides of an edge on a seam; best 1"});
+  if(record.cones) {
+    append(rows, internal::cone_rows(record));
+  }
+  if(record.seams) {
+    rows.push_back(internal::seam_jump_row(record.flattening));
   }
   append(rows, internal::method_rows(record.flattening));
   append(rows, internal::quality_rows(record.flattening.measures));
-  if(record.flattening.report.prescribed_angles > 0) {
+  if(record.flattening.report.prescribed_angles > 0 && !record.cones) {
     append(rows, internal::angle_rows(record));
   }
   if(record.flattening.report.injective) {

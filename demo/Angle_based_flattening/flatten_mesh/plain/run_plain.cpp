@@ -16,6 +16,7 @@
 #include "flatten_mesh/plain/Seamed_component.h"
 #include "flatten_mesh/plain/area.h"
 #include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/plain/choose_cones.h"
 #include "flatten_mesh/plain/choose_seams.h"
 #include "flatten_mesh/model/components.h"
 #include "flatten_mesh/plain/flatten_along_seams.h"
@@ -192,16 +193,30 @@ Run_record record_of(const Command_line& command, const Surface& surface)
   return record;
 }
 
+// There are fewer cones than asked for if fewer suffice.
+void tell_cones(const Cone_record& record, Notes& notes)
+{
+  if(record.cones.size() < record.wanted) {
+    notes.add(count_text(record.cones.size(), "cone") + " instead of " + std::to_string(record.wanted) +
+              (record.multiple > 0 ? ": the others would be flat" : ": the map needs no more"));
+  }
+}
+
 // Cuts the surface open. Without need for seams, it is flattened as it is.
-void cut_surface(const Command_line& command, Surface& surface, Run_record& record, const Progress& progress)
+void cut_surface(const Command_line& command, Surface& surface, Run_record& record, const Progress& progress,
+                 Notes& notes)
 {
   CGAL::Real_timer timer;
   timer.start();
   Seam_record seams;
+  if(command.asks_for_cones) {
+    record.cones = choose_cones(command, *surface.seamed);
+    tell_cones(*record.cones, notes);
+  }
   choose_seams(command, surface.input, *surface.seamed, seams);
   seams.seconds = timer.time();
   progress.stage("seams", seams.seconds);
-  if(command.cut != "auto" && !has_seams(*surface.seamed)) {
+  if((command.cut != "auto" || command.asks_for_cones) && !has_seams(*surface.seamed)) {
     surface.seamed.reset();
     surface.chart = choose_border(surface.input, surface.component, static_cast<std::size_t>(command.border));
   } else {
@@ -319,6 +334,10 @@ void look_at_overlap(const Command_line& command, const Flattening& flattening, 
     notes.add(
         "the map overlaps itself: other angles may avoid that, or --holes fill where only holes overlap; "
         "--split-overlaps keeps the angles, and splits the chart along seams");
+  } else if(command.asks_for_cones) {
+    notes.add(
+        "the map overlaps itself: --split-overlaps keeps the angles, and splits the chart along further "
+        "seams; other numbers of cones may avoid it");
   } else {
     notes.add("the map overlaps itself: --injective gives one that does not; --split-overlaps keeps the "
               "angles, and splits the chart along further seams");
@@ -342,7 +361,7 @@ Exit_status run_plain(const Command_line& command)
   look_at_area(surface, record, notes);
 
   if(surface.seamed) {
-    cut_surface(command, surface, record, progress);
+    cut_surface(command, surface, record, progress, notes);
   }
   record.flattening = surface.seamed ? flatten_cut_surface(command, surface, record, progress, notes)
                       : prescribes_angles(command)

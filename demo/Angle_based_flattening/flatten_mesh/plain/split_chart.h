@@ -68,6 +68,9 @@ inline void take_over(const Chart& chart, const Flattening& flattening, const Cu
     const Vertex before = alone.origins[result.cut.origins[v.idx()].idx()];
     result.chart.input_vertices.push_back(chart.input_vertex(before));
     result.flattening.uv[v] = flattening.uv[before];
+    if(const auto mark = chart.marks.find(before); mark != chart.marks.end()) {
+      result.chart.marks[v] = mark->second;
+    }
   }
   for(const Face f : mesh.faces()) {
     result.flattening.distortion[f] = flattening.distortion[chart.faces[f.idx()]];

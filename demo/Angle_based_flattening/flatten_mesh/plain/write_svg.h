@@ -81,14 +81,16 @@ inline std::string legend(const Distortion_scale& scale, const double left, cons
   return text + "</g>\n";
 }
 
-// A dot at each corner of a prescribed border
-inline std::string corner_marks(const Chart& chart, const Flattening& flattening, const Svg_frame& frame)
+// A dot at each corner of a prescribed border, and at each copy of a cone. Viewers show its title.
+inline std::string angle_marks(const Chart& chart, const Flattening& flattening, const Svg_frame& frame)
 {
   std::string text;
-  for(const Vertex v : chart.corners) {
+  for(const auto& [v, angle] : chart.marks) {
     const Svg_frame::Position position = frame(flattening.uv[v]);
     text += "<circle cx=\"" + std::to_string(position.first) + "\" cy=\"" + std::to_string(position.second) +
-            "\" r=\"900\" fill=\"#d22\" stroke=\"#fff\" stroke-width=\"250\"/>\n";
+            "\" r=\"900\" fill=\"#d22\" stroke=\"#fff\" stroke-width=\"250\"><title>" +
+            vertex_name(chart.input_vertex(v).idx()) + ": " + format_number("%.6g", angle * 180. / CGAL_PI) +
+            " degrees</title></circle>\n";
   }
   return text;
 }
@@ -112,7 +114,7 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
     }
   }
   return text + "<path fill=\"none\" stroke=\"#222\" stroke-width=\"120\" d=\"" + borders + "\"/>\n" +
-         seam_lines(surface, frame, width_of_seams) + corner_marks(chart, flattening, frame) + "</g>\n";
+         seam_lines(surface, frame, width_of_seams) + angle_marks(chart, flattening, frame) + "</g>\n";
 }
 
 } // namespace internal

@@ -1,0 +1,476 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program `flatten_mesh --plain` with cones and with seams of equal lengths, as a black box: what it writes is measured again.
+
+#include "run_flatten_mesh.h"
+
+#include <complex>
+#include <utility>
+
+BOOST_AUTO_TEST_SUITE(test_flatten_mesh_cones)
+
+namespace {
+
+const double pi = 3.14159265358979323846;
+
+// A corner of a polygon in an OBJ text: its vertex and its texture coordinates, from 0; the latter -1 if there are none
+struct Obj_corner
+{
+  int vertex = -1, texture = -1;
+};
+
+struct Obj_map
+{
+  std::vector<std::complex<double>> uv;
+  std::vector<std::vector<Obj_corner>> faces;
+};
+
+Obj_map obj_map(const std::string& text)
+{
+  Obj_map map;
+  for(const std::string& line : lines_with(text, "vt")) {
+    std::istringstream words(line);
+    double u = 0, v = 0;
+    words >> u >> v;
+    map.uv.emplace_back(u, v);
+  }
+  for(const std::string& line : lines_with(text, "f")) {
+    std::istringstream words(line);
+    map.faces.emplace_back();
+    for(std::string word; words >> word;) {
+      const std::size_t slash = word.find('/');
+      map.faces.back().push_back(
+          {std::stoi(word) - 1, slash == std::string::npos ? -1 : std::stoi(word.substr(slash + 1)) - 1});
+    }
+  }
+  return map;
+}
+
+struct Seam_measures
+{
+  std::size_t edges = 0;
+  double jump = 0;           // largest |logarithm| of the ratio of both lengths
+  std::vector<double> turns; // of each edge: from one side to the other
+};
+
+Seam_measures measure_seams(const Obj_map& map)
+{
+  std::map<std::pair<int, int>, std::pair<int, int>> sides;
+  for(const std::vector<Obj_corner>& face : map.faces) {
+    for(std::size_t i = 0; i < face.size(); ++i) {
+      const Obj_corner &a = face[i], &b = face[(i + 1) % face.size()];
+      sides[{a.vertex, b.vertex}] = {a.texture, b.texture};
+    }
+  }
+  Seam_measures result;
+  for(const auto& [edge, side] : sides) {
+    const auto other = sides.find({edge.second, edge.first});
+    if(edge.first > edge.second || other == sides.end() || side.first < 0 ||
+       (other->second.first == side.second && other->second.second == side.first)) {
+      continue;
+    }
+    const auto vector = [&map](const int a, const int b) {
+      return map.uv[static_cast<std::size_t>(b)] - map.uv[static_cast<std::size_t>(a)];
+    };
+    const std::complex<double> transition =
+        vector(other->second.second, other->second.first) / vector(side.first, side.second);
+    ++result.edges;
+    result.jump = (std::max)(result.jump, std::abs(std::log(std::abs(transition))));
+    result.turns.push_back(std::arg(transition));
+  }
+  return result;
+}
+
+// The sum of the planar angles around each vertex
+std::map<int, double> angle_sums(const Obj_map& map)
+{
+  std::map<int, double> sums;
+  for(const std::vector<Obj_corner>& face : map.faces) {
+    for(std::size_t i = 0; i < face.size() && face[i].texture >= 0; ++i) {
+      const auto at = [&](const std::size_t k) {
+        return map.uv[static_cast<std::size_t>(face[k % face.size()].texture)];
+      };
+      const double angle = std::arg((at(i + face.size() - 1) - at(i)) / (at(i + 1) - at(i)));
+      sums[face[i].vertex] += angle < 0 ? angle + 2 * pi : angle;
+    }
+  }
+  return sums;
+}
+
+// Vertices at the border of the surface
+std::set<int> border_vertices(const Obj_map& map)
+{
+  std::set<std::pair<int, int>> sides;
+  for(const std::vector<Obj_corner>& face : map.faces) {
+    for(std::size_t i = 0; i < face.size(); ++i) {
+      sides.insert({face[i].vertex, face[(i + 1) % face.size()].vertex});
+    }
+  }
+  std::set<int> result;
+  for(const auto& [v, w] : sides) {
+    if(sides.count({w, v}) == 0) {
+      result.insert({v, w});
+    }
+  }
+  return result;
+}
+
+double distance_to_multiple(const double angle, const double quantum)
+{
+  return std::abs(angle - quantum * std::round(angle / quantum));
+}
+
+std::string degrees_text(const double degrees)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.6g", degrees);
+  return text;
+}
+
+struct Cone_folder : Folder
+{
+  Cone_folder() { common_options = "--plain "; }
+
+  // The angle of each cone in the report, by vertex from 0
+  std::map<int, double> cones() const
+  {
+    std::map<int, double> result;
+    const boost::property_tree::ptree report = json();
+    for(const auto& cone : report.get_child("cones.cones")) {
+      const double angle = cone.second.get<double>("angle");
+      BOOST_TEST(cone.second.get<double>("degrees") == angle * 180 / pi, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(result.emplace(cone.second.get<int>("vertex") - 1, angle).second);
+    }
+    return result;
+  }
+
+  // Everything that a report says is measured again in the OBJ file.
+  void check_cones(const double quantum = 0)
+  {
+    check_succeeded();
+    const Obj_map map = obj_map(obj());
+    const Seam_measures seams = measure_seams(map);
+    const std::map<int, double> angles = cones();
+    BOOST_TEST(seams.edges > 0u);
+    BOOST_TEST(seams.jump < 1e-5);
+    BOOST_TEST(std::abs(seams.jump - json().get<double>("largest_seam_jump")) < 1e-8);
+    BOOST_TEST(json().get<std::string>("equal_seams") == "true");
+    BOOST_TEST(json().get<std::string>("prescribed") == "null");
+    BOOST_TEST(json().get<std::string>("seams.cut") == "cones");
+    BOOST_TEST(json().get<double>("cones.largest_seam_turn") < 2e-5);
+    BOOST_TEST(json().get<double>("cones.largest_angle_error") < 2e-5);
+    const std::set<int> border = border_vertices(map);
+    for(const auto& [v, sum] : angle_sums(map)) {
+      const auto cone = angles.find(v);
+      if(cone != angles.end() || border.count(v) == 0) {
+        BOOST_TEST(std::abs(sum - (cone == angles.end() ? 2 * pi : cone->second)) < 2e-5, "vertex " << v);
+      }
+    }
+    for(std::size_t i = 0; quantum > 0 && i < seams.turns.size(); ++i) {
+      BOOST_TEST(distance_to_multiple(seams.turns[i], quantum) < 1e-4);
+    }
+    check_dots(map, angles);
+  }
+
+  void check_succeeded()
+  {
+    BOOST_TEST(status == 0, standard_error);
+    BOOST_TEST(json().get<std::string>("status") == "OK");
+    BOOST_TEST(json().get<int>("flipped_triangles") == 0);
+  }
+
+  // One for each copy of each cone, with its title
+  void check_dots(const Obj_map& map, const std::map<int, double>& angles) const
+  {
+    std::set<int> copies;
+    for(const std::vector<Obj_corner>& face : map.faces) {
+      for(const Obj_corner& corner : face) {
+        if(angles.count(corner.vertex) != 0 && corner.texture >= 0) {
+          copies.insert(corner.texture);
+        }
+      }
+    }
+    const std::string svg = content(file("flat.svg"));
+    BOOST_TEST(count(svg, "<circle ") == copies.size());
+    for(const auto& [v, angle] : angles) {
+      const std::string title = "<title>vertex " + std::to_string(v + 1) + ": " +
+                                degrees_text(angle * 180 / pi) + " degrees</title>";
+      BOOST_TEST(count(svg, title) > 0u, title);
+    }
+  }
+
+  static std::size_t count(const std::string& text, const std::string& word)
+  {
+    std::size_t number = 0;
+    for(std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+      ++number;
+    }
+    return number;
+  }
+};
+
+// A sphere with bumps
+Block ball(const bool triangulated = true, const int size = 6)
+{
+  Block block;
+  block.length = size;
+  block.width = size;
+  block.height = size;
+  block.triangulated = triangulated;
+  block.round = true;
+  block.noise = 0.1;
+  return block.make();
+}
+
+// Of genus 2, finer than `two_rings()`
+Block double_ring()
+{
+  Block block;
+  block.length = 10;
+  block.width = 6;
+  block.height = 2;
+  for(const int i : {2, 3, 6, 7}) {
+    for(const int j : {2, 3}) {
+      block.holes.push_back(i + block.length * j);
+    }
+  }
+  return block.make();
+}
+
+// A disk with a steep hill, of quadrangles, triangles, or hexagons: two quadrangles each
+std::string hill(const int corners)
+{
+  const int n = 16;
+  std::ostringstream points;
+  for(int j = 0; j <= n; ++j) {
+    for(int i = 0; i <= n; ++i) {
+      const double x = (i - 0.5 * n) / n, y = (j - 0.45 * n) / n;
+      points << x << ' ' << y << ' ' << 0.8 * std::exp(-20 * (x * x + y * y)) << '\n';
+    }
+  }
+  Sheet sheet;
+  sheet.columns = sheet.rows = n;
+  sheet.triangulated = corners == 3;
+  std::vector<std::vector<int>> faces = sheet.faces();
+  if(corners == 6) {
+    std::vector<std::vector<int>> pairs;
+    for(std::size_t f = 0; f < faces.size(); f += 2) {
+      const std::vector<int>&a = faces[f], &b = faces[f + 1];
+      pairs.push_back({a[0], a[1], b[1], b[2], a[2], a[3]});
+    }
+    faces = pairs;
+  }
+  return off(sheet.vertices(), points.str(), faces);
+}
+
+double sum_of_charges(const std::map<int, double>& angles)
+{
+  double sum = 0;
+  for(const auto& cone : angles) {
+    sum += 2 * pi - cone.second;
+  }
+  return sum;
+}
+
+} // namespace
+
+BOOST_FIXTURE_TEST_SUITE(cones, Cone_folder)
+
+BOOST_AUTO_TEST_CASE(of_a_sphere)
+{
+  for(const bool triangulated : {true, false}) {
+    BOOST_TEST_CONTEXT("triangulated: " << triangulated)
+    {
+      flatten(write("ball.off", ball(triangulated).text()), "--cones 8");
+      check_cones();
+      BOOST_TEST(cones().size() == 8u);
+      BOOST_TEST(json().get<int>("cones.wanted") == 8);
+      BOOST_TEST(json().get<std::string>("cones.angle_multiple") == "null");
+      BOOST_TEST(std::abs(sum_of_charges(cones()) - 4 * pi) < 1e-9);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_multiples_of_an_angle)
+{
+  const std::string input = write("ball.off", ball().text());
+  for(const int degrees : {90, 60}) {
+    BOOST_TEST_CONTEXT(degrees << " degrees")
+    {
+      flatten(input, "--cones 8 --cone-angle-multiple " + std::to_string(degrees));
+      check_cones(degrees * pi / 180);
+      BOOST_TEST(json().get<double>("cones.angle_multiple") == degrees * pi / 180,
+                 boost::test_tools::tolerance(1e-12));
+      for(const auto& cone : cones()) {
+        BOOST_TEST(distance_to_multiple(cone.second, degrees * pi / 180) < 1e-9);
+      }
+      BOOST_TEST(std::abs(sum_of_charges(cones()) - 4 * pi) < 1e-9);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_surface_with_handles)
+{
+  flatten(write("rings.off", double_ring().text()), "--cones 10");
+  check_cones();
+  BOOST_TEST(std::abs(sum_of_charges(cones()) + 4 * pi) < 1e-9);
+}
+
+// Its seams run along the sides of polygons.
+BOOST_AUTO_TEST_CASE(of_a_disk)
+{
+  for(const int corners : {3, 4, 6}) {
+    BOOST_TEST_CONTEXT(corners << " corners")
+    {
+      flatten(write("hill.off", hill(corners)), "--cones 3");
+      check_cones();
+      const std::set<int> border = border_vertices(obj_map(obj()));
+      for(const auto& cone : cones()) {
+        BOOST_TEST(border.count(cone.first) == 0u);
+      }
+    }
+  }
+  flatten(write("hill.off", hill(3)), "--cones 3 --cone-angle-multiple 30");
+  check_cones(pi / 6);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_component)
+{
+  Collection collection;
+  const Block first = ball(false, 7), second = ball(false, 5);
+  collection.add(first);
+  collection.add(second);
+  const int vertices = static_cast<int>(first.places.size());
+  flatten(write("balls.off", collection.text()),
+          "--cones 6 --component 1 --seams " + quoted(file("flat.selection.txt")));
+  check_cones();
+  for(const auto& cone : cones()) {
+    BOOST_TEST(cone.first >= vertices);
+  }
+  BOOST_TEST(edges_in(content(file("flat.selection.txt"))).size() == measure_seams(obj_map(obj())).edges);
+}
+
+// A plane needs none.
+BOOST_AUTO_TEST_CASE(that_are_not_needed)
+{
+  Sheet sheet;
+  std::ostringstream points;
+  for(int v = 0; v < sheet.vertices(); ++v) {
+    points << v % (sheet.columns + 1) << ' ' << v / (sheet.columns + 1) << " 0\n";
+  }
+  flatten(write("plane.off", off(sheet.vertices(), points.str(), sheet.faces())), "--cones 4");
+  check_succeeded();
+  check_told("0 cones instead of 4");
+  BOOST_TEST(cones().empty());
+  BOOST_TEST(json().get<std::string>("seams") == "null");
+}
+
+BOOST_AUTO_TEST_CASE(survive_a_split)
+{
+  flatten(write("ball.off", ball().text()), "--cones 30 --split-overlaps");
+  check_succeeded();
+  const Obj_map map = obj_map(obj());
+  BOOST_TEST(json().get<int>("split.pieces") > 1);
+  BOOST_TEST(measure_seams(map).jump < 1e-5);
+  check_dots(map, cones());
+}
+
+BOOST_AUTO_TEST_CASE(that_are_not_possible_are_refused)
+{
+  const std::string sphere = write("ball.off", ball().text());
+  for(const std::string number : {"0", "1", "2"}) {
+    flatten(sphere, "--cones " + number);
+    check_refusal({"cones"});
+  }
+  flatten(sphere, "--cones 3 --cone-angle-multiple 180");
+  check_refusal({"cannot choose cones", "vertex "});
+  flatten(write("rings.off", double_ring().text()), "--cones 8 --cone-angle-multiple 90");
+  check_refusal({"cannot choose cones", "neither a sphere nor a disk"});
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage)
+{
+  const std::string input = write("ball.off", ball().text());
+  const std::vector<std::pair<std::string, std::string>> conflicts = {
+      {"--rectangle auto", "--rectangle"},
+      {"--border-angles angles.txt", "--border-angles"},
+      {"--cut topology", "--cut"},
+      {"--stretch-bound 1.2", "--stretch-bound"},
+      {"--equal-seams off", "--equal-seams off"},
+      {"--method hierarchical", "--method"},
+      {"--injective", "--injective"},
+      {"--layout least-squares", "--layout"}};
+  for(const auto& [option, word] : conflicts) {
+    flatten(input, "--cones 8 " + option);
+    check_refusal({word});
+  }
+  for(const std::string number : {"-1", "1001", "8.5", "many"}) {
+    flatten(input, "--cones=" + number);
+    check_refusal({"cones"});
+  }
+  for(const std::string angle : {"0", "-90", "70", "361", "nan", "inf", "1e-9", "right"}) {
+    flatten(input, "--cones 8 --cone-angle-multiple=" + angle);
+    check_refusal({"cone-angle-multiple"});
+  }
+  flatten(input, "--cone-angle-multiple 90");
+  check_refusal({"--cones only"});
+  common_options = "";
+  flatten(input, "--cones 8");
+  check_refusal({"--cones", "--plain only"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(equal_seams, Cone_folder)
+
+// They are the default of the direct method.
+BOOST_AUTO_TEST_CASE(of_the_direct_method)
+{
+  for(const std::string& surface : {ball().text(), double_ring().text()}) {
+    const std::string input = write("surface.off", surface);
+    for(const std::string option : {"", "--method direct", "--equal-seams on", "--equal-seams off"}) {
+      BOOST_TEST_CONTEXT(option)
+      {
+        flatten(input, "--cut topology " + option);
+        check_succeeded();
+        const bool is_on = option != "--equal-seams off";
+        const double jump = measure_seams(obj_map(obj())).jump;
+        BOOST_TEST((jump < 1e-5) == is_on, jump);
+        BOOST_TEST((jump > 1e-2) != is_on, jump);
+        BOOST_TEST(std::abs(jump - json().get<double>("largest_seam_jump")) < 1e-8);
+        BOOST_TEST(json().get<std::string>("equal_seams") == (is_on ? "true" : "false"));
+        BOOST_TEST(standard_output.find("--equal-seams") == std::string::npos);
+      }
+    }
+  }
+}
+
+// The default does not change the method, and the report says what that means.
+BOOST_AUTO_TEST_CASE(not_of_the_hierarchical_method)
+{
+  flatten(write("ball.off", ball(true, 12).text()), "--cut topology --method hierarchical");
+  check_succeeded();
+  BOOST_TEST(json().get<std::string>("method") == "hierarchical");
+  BOOST_TEST(json().get<std::string>("equal_seams") == "false");
+  const double jump = measure_seams(obj_map(obj())).jump;
+  BOOST_TEST(jump > 1e-2);
+  BOOST_TEST(std::abs(jump - json().get<double>("largest_seam_jump")) < 1e-8);
+  BOOST_TEST(standard_output.find("--equal-seams on takes the direct one") != std::string::npos,
+             standard_output);
+}
+
+BOOST_AUTO_TEST_CASE(mean_nothing_without_seams)
+{
+  flatten(write("sheet.off", off(Sheet())));
+  check_success();
+  BOOST_TEST(json().get<std::string>("equal_seams") == "null");
+  BOOST_TEST(json().get<std::string>("largest_seam_jump") == "null");
+  BOOST_TEST(json().get<std::string>("cones") == "null");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()
