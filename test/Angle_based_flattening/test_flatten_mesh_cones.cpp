@@ -12,8 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(test_flatten_mesh_cones)
 
-namespace {
-
 const double pi = 3.14159265358979323846;
 
 // A corner of a polygon in an OBJ text: its vertex and its texture coordinates, from 0; the latter -1 if there are none
@@ -28,7 +26,7 @@ struct Obj_map
   std::vector<std::vector<Obj_corner>> faces;
 };
 
-Obj_map obj_map(const std::string& text)
+inline Obj_map obj_map(const std::string& text)
 {
   Obj_map map;
   for(const std::string& line : lines_with(text, "vt")) {
@@ -56,7 +54,7 @@ struct Seam_measures
   std::vector<double> turns; // of each edge: from one side to the other
 };
 
-Seam_measures measure_seams(const Obj_map& map)
+inline Seam_measures measure_seams(const Obj_map& map)
 {
   std::map<std::pair<int, int>, std::pair<int, int>> sides;
   for(const std::vector<Obj_corner>& face : map.faces) {
@@ -85,7 +83,7 @@ Seam_measures measure_seams(const Obj_map& map)
 }
 
 // The sum of the planar angles around each vertex
-std::map<int, double> angle_sums(const Obj_map& map)
+inline std::map<int, double> angle_sums(const Obj_map& map)
 {
   std::map<int, double> sums;
   for(const std::vector<Obj_corner>& face : map.faces) {
@@ -101,7 +99,7 @@ std::map<int, double> angle_sums(const Obj_map& map)
 }
 
 // Vertices at the border of the surface
-std::set<int> border_vertices(const Obj_map& map)
+inline std::set<int> border_vertices(const Obj_map& map)
 {
   std::set<std::pair<int, int>> sides;
   for(const std::vector<Obj_corner>& face : map.faces) {
@@ -118,12 +116,12 @@ std::set<int> border_vertices(const Obj_map& map)
   return result;
 }
 
-double distance_to_multiple(const double angle, const double quantum)
+inline double distance_to_multiple(const double angle, const double quantum)
 {
   return std::abs(angle - quantum * std::round(angle / quantum));
 }
 
-std::string degrees_text(const double degrees)
+inline std::string degrees_text(const double degrees)
 {
   char text[32];
   std::snprintf(text, sizeof(text), "%.6g", degrees);
@@ -213,7 +211,7 @@ struct Cone_folder : Folder
 };
 
 // A sphere with bumps
-Block ball(const bool triangulated = true, const int size = 6)
+inline Block ball(const bool triangulated = true, const int size = 6)
 {
   Block block;
   block.length = size;
@@ -226,7 +224,7 @@ Block ball(const bool triangulated = true, const int size = 6)
 }
 
 // Of genus 2, finer than `two_rings()`
-Block double_ring()
+inline Block double_ring()
 {
   Block block;
   block.length = 10;
@@ -241,7 +239,7 @@ Block double_ring()
 }
 
 // A disk with a steep hill, of quadrangles, triangles, or hexagons: two quadrangles each
-std::string hill(const int corners)
+inline std::string hill(const int corners)
 {
   const int n = 16;
   std::ostringstream points;
@@ -266,7 +264,25 @@ std::string hill(const int corners)
   return off(sheet.vertices(), points.str(), faces);
 }
 
-double sum_of_charges(const std::map<int, double>& angles)
+// A tube of quadrangles around a circle, wider in three places
+inline std::string torus()
+{
+  const int n = 24, m = 16;
+  std::ostringstream points;
+  std::vector<std::vector<int>> faces;
+  const auto vertex = [](const int i, const int j) { return i % n * m + j % m; };
+  for(int i = 0; i < n; ++i) {
+    for(int j = 0; j < m; ++j) {
+      const double a = 2 * pi * i / n, b = 2 * pi * j / m, width = 1 + 0.2 * std::sin(3 * a);
+      const double radius = 3 + width * std::cos(b);
+      points << radius * std::cos(a) << ' ' << radius * std::sin(a) << ' ' << width * std::sin(b) << '\n';
+      faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  }
+  return off(n * m, points.str(), faces);
+}
+
+inline double sum_of_charges(const std::map<int, double>& angles)
 {
   double sum = 0;
   for(const auto& cone : angles) {
@@ -274,8 +290,6 @@ double sum_of_charges(const std::map<int, double>& angles)
   }
   return sum;
 }
-
-} // namespace
 
 BOOST_FIXTURE_TEST_SUITE(cones, Cone_folder)
 
@@ -317,6 +331,14 @@ BOOST_AUTO_TEST_CASE(of_a_surface_with_handles)
   flatten(write("rings.off", double_ring().text()), "--cones 10");
   check_cones();
   BOOST_TEST(std::abs(sum_of_charges(cones()) + 4 * pi) < 1e-9);
+}
+
+// It is flat without.
+BOOST_AUTO_TEST_CASE(none_of_a_torus)
+{
+  flatten(write("torus.off", torus()), "--cones 0");
+  check_cones();
+  BOOST_TEST(cones().empty());
 }
 
 // Its seams run along the sides of polygons.
@@ -381,12 +403,14 @@ BOOST_AUTO_TEST_CASE(survive_a_split)
 BOOST_AUTO_TEST_CASE(that_are_not_possible_are_refused)
 {
   const std::string sphere = write("ball.off", ball().text());
-  for(const std::string number : {"0", "1", "2"}) {
+  flatten(sphere, "--cones 0");
+  check_refusal({"cannot choose cones", "needs cones"});
+  for(const std::string number : {"1", "2"}) {
     flatten(sphere, "--cones " + number);
-    check_refusal({"cones"});
+    check_refusal({"cannot choose cones", "(vertex "});
   }
   flatten(sphere, "--cones 3 --cone-angle-multiple 180");
-  check_refusal({"cannot choose cones", "vertex "});
+  check_refusal({"cannot choose cones", "more cones are needed"});
   flatten(write("rings.off", double_ring().text()), "--cones 8 --cone-angle-multiple 90");
   check_refusal({"cannot choose cones", "neither a sphere nor a disk"});
 }

@@ -109,9 +109,11 @@ inline Report_rows seams_rows(const Seam_record& seams)
 {
   const std::string terminals = seams.terminals ? "; " + count_text(*seams.terminals, "terminal") : "";
   std::string remark = "of lengths, by changes of area; ";
+  if(std::isfinite(seams.predicted_stretch)) {
+    remark += format_number("predicted %.4g; ", seams.predicted_stretch);
+  }
   if(seams.terminals) {
-    remark += format_number("predicted %.4g; ", seams.predicted_stretch) +
-              format_number("bound %.4g; ", seams.stretch_bound);
+    remark += format_number("bound %.4g; ", seams.stretch_bound);
   }
   if(seams.rounds > 0) {
     remark += "seams added in " + count_text(static_cast<std::size_t>(seams.rounds), "round") + "; ";

@@ -197,8 +197,9 @@ Run_record record_of(const Command_line& command, const Surface& surface)
 void tell_cones(const Cone_record& record, Notes& notes)
 {
   if(record.cones.size() < record.wanted) {
-    notes.add(count_text(record.cones.size(), "cone") + " instead of " + std::to_string(record.wanted) +
-              (record.multiple > 0 ? ": the others would be flat" : ": the map needs no more"));
+    notes.add(
+        count_text(record.cones.size(), "cone") + " instead of " + std::to_string(record.wanted) +
+        (record.multiple > 0 ? ": the angles of others would be 360 degrees" : ": the map needs no more"));
   }
 }
 
@@ -212,6 +213,7 @@ void cut_surface(const Command_line& command, Surface& surface, Run_record& reco
   if(command.asks_for_cones) {
     record.cones = choose_cones(command, *surface.seamed);
     tell_cones(*record.cones, notes);
+    seams.predicted_stretch = record.cones->predicted_stretch;
   }
   choose_seams(command, surface.input, *surface.seamed, seams);
   seams.seconds = timer.time();
