@@ -19,12 +19,14 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+#include <CGAL/Surface_mesh_parameterization/select_cones.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 #include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
@@ -48,8 +50,9 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 const Surface_view dinosaur_view({0.45, -1, 0.35}, {0, 0, 1}), mask_view({0.3, -1, 0.1}, {0, 0, 1}),
-    bust_view({0.3, 0.1, 1}, {0, 1, 0}), camel_view({1, 0.25, 0.5}, {0, 1, 0}),
-    diplodocus_view({0.6, 0.3, 1}, {0, 1, 0}), bull_view({0.4, 0.2, 1}, {0, 1, 0});
+    homer_view({0.3, 0.1, 1}, {0, 1, 0}), bust_view({0.3, 0.1, 1}, {0, 1, 0}),
+    camel_view({1, 0.25, 0.5}, {0, 1, 0}), diplodocus_view({0.6, 0.3, 1}, {0, 1, 0}),
+    bull_view({0.4, 0.2, 1}, {0, 1, 0});
 
 void check(const bool is_right, const std::string& what)
 {
@@ -91,12 +94,33 @@ public:
       drawing.draw_charts(surface, side);
       drawing.draw_borders(surface);
     }
-    const std::string png = canvas.png(levels), file = m_folder + "/method_" + name + ".png";
+    write(canvas, levels, "method_" + name);
+  }
+
+  // Several maps of a surface that was cut, side by side on the surface
+  void draw_side_by_side(const std::string& name, const std::vector<Mesh>& meshes,
+                         const std::vector<Atlas>& atlases, const Surface_view& view) const
+  {
+    const int size = 400, levels = 25, squares = 30;
+    const double margin = 6, inner = size - 2 * margin;
+    Canvas canvas(size * static_cast<int>(atlases.size()), size);
+    for(std::size_t i = 0; i < atlases.size(); ++i) {
+      const Textured_surface surface = textured_atlas(meshes[i], atlases[i]);
+      const double left = margin + static_cast<double>(i) * size;
+      draw_textured_surface(canvas, surface, side_of_squares(surface, squares), view,
+                            {left, margin, inner, inner});
+    }
+    write(canvas, levels, name);
+  }
+
+private:
+  void write(const Canvas& canvas, const int levels, const std::string& name) const
+  {
+    const std::string png = canvas.png(levels), file = m_folder + "/" + name + ".png";
     std::ofstream stream(file, std::ios::binary);
     check(!!stream.write(png.data(), static_cast<std::streamsize>(png.size())), "writing " + file);
   }
 
-private:
   static void mark_borders(Textured_surface& surface)
   {
     for(Textured_surface::Border& border : surface.borders) {
@@ -203,6 +227,49 @@ void draw_rectangle(const std::string& data, const Pictures& pictures)
   pictures.draw("rectangle", mask, flatten("rectangle", mask, parameterizer), mask_view);
 }
 
+// Seams of a surface through its cones
+Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
+{
+  const Atlas atlas = empty_atlas(mesh);
+  const std::vector<Vertex> terminals = cones.vertices();
+  const SMP::Seam_report report =
+      SMP::cut_to_disks(mesh, atlas.seams, CGAL::parameters::terminals(terminals));
+  check(report.diagnosis == SMP::Seam_report::NOTHING_WRONG, "seams through cones");
+  for(const Face f : mesh.faces()) {
+    atlas.chart[f] = 0;
+  }
+  return atlas;
+}
+
+// Cut first, with equal lengths along seams, and with rigid transitions, side by side. The last one is also a picture of its own.
+void draw_cones(const std::string& demo, const Pictures& pictures)
+{
+  const Mesh mesh = read_mesh(demo + "/homer.off");
+  const SMP::Cone_selection<Mesh> cones = SMP::select_cones(mesh, 12);
+  check(cones.diagnosis == SMP::Cone_report::NOTHING_WRONG, "selecting cones");
+  SMP::ABF_plus_plus_options cut_first;
+  cut_first.equal_seam_lengths = false;
+  typedef SMP::Cut_mesh<Mesh> Cut;
+  SMP::ABF_plus_plus_parameterizer_3<Cut> apart(cut_first), equal, rigid;
+  rigid.set_angle_sums(cones.angles());
+  std::vector<Mesh> copies(3, mesh);
+  std::vector<Atlas> atlases;
+  for(auto* parameterizer : {&apart, &equal, &rigid}) {
+    Mesh& copy = copies[atlases.size()];
+    atlases.push_back(cut_through(copy, cones));
+    Cut cut = SMP::make_seam_mesh(copy, atlases.back().seams);
+    const auto border = SMP::border_halfedge(cut);
+    check(SMP::parameterize(cut, *parameterizer, border, atlases.back().uv) == SMP::OK, "a map with cones");
+    const SMP::Flattening_measures measures = SMP::measure_flattening(cut, border, atlases.back().uv);
+    std::cout << "cones: jump by "
+              << format_number("%.3g", std::exp(parameterizer->report().largest_seam_jump))
+              << ", quasi-conformal ratio " << format_number("%.3g", measures.mean_quasi_conformal_ratio)
+              << ", stretch " << format_number("%.3g", measures.l2_stretch) << "\n";
+  }
+  pictures.draw_side_by_side("cones", copies, atlases, homer_view);
+  pictures.draw("cones", copies.back(), atlases.back(), homer_view);
+}
+
 // The dinosaur, cut so that its map overlaps itself: as one injective chart, and split into charts that are packed
 void draw_overlaps(const std::string& data, const Pictures& pictures)
 {
@@ -298,6 +365,7 @@ void run(const std::string& data, const std::string& demo, const Pictures& pictu
   draw_cut_surfaces(demo, pictures);
   draw_holes(data, pictures);
   draw_rectangle(data, pictures);
+  draw_cones(demo, pictures);
   draw_overlaps(data, pictures);
   draw_packed_charts(data, pictures);
   draw_atlas(demo, pictures);

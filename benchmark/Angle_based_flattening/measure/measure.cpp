@@ -27,6 +27,7 @@ int main(int argc, char* argv[])
   Seam_choice_options seam_options;
   Atlas_choice atlas_choice;
   Packing_choice packing_choice;
+  Control_choice control_choice;
   int first_run = 0;
   std::string output;
   po::options_description options(
@@ -37,6 +38,8 @@ int main(int argc, char* argv[])
       "measure overlaps FILE [--bound X]\n"
       "measure atlas FILE [--bound X] [--separate] [--necks] [--check] [--output FILE]\n"
       "measure packing FILE [--regions N] [--resolution N] [--gutter N]\n"
+      "measure cones FILE [--cones N] [--repeat N]\n"
+      "measure rectangle FILE [--repeat N]\n"
       "measure solve SOLVER FILE full|block\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
@@ -63,9 +66,11 @@ int main(int argc, char* argv[])
       "check", po::bool_switch(&atlas_choice.checks), "look for flips, overlaps and shared texels")(
       "method", po::value(&seam_options.method), "what flattens the surface that is cut open")(
       "regions", po::value(&packing_choice.regions), "number of regions that a surface is cut into")(
-      "resolution", po::value(&packing_choice.resolution), "texels along a side of the unit square")(
-      "gutter", po::value(&packing_choice.gutter),
-      "texels between two charts")("first-run", po::value(&first_run), "number of runs to leave out")(
+      "resolution", po::value(&packing_choice.resolution),
+      "texels along a side of the unit square")("cones", po::value(&control_choice.cones), "number of cones")(
+      "repeat", po::value(&control_choice.repeat),
+      "number of runs in turn")("gutter", po::value(&packing_choice.gutter), "texels between two charts")(
+      "first-run", po::value(&first_run), "number of runs to leave out")(
       "words", po::value(&words), "the subcommand and its arguments; the word '--words' is left out");
   Measurement m;
   try {
@@ -93,6 +98,10 @@ int main(int argc, char* argv[])
       atlas(words[1], atlas_choice, m);
     } else if(is("packing", 1)) {
       packing(words[1], packing_choice, m);
+    } else if(is("cones", 1)) {
+      cones(words[1], control_choice, m);
+    } else if(is("rectangle", 1)) {
+      rectangle(words[1], control_choice, m);
     } else if(is("solve", 3)) {
       solve(words[1], words[2], words[3], m);
     } else if(is("layouts", 2)) {

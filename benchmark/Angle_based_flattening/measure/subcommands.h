@@ -75,6 +75,20 @@ struct Packing_choice
 // Cuts and flattens a surface, splits its charts where they overlap, and packs them, also by their rectangles.
 void packing(const std::string& file, const Packing_choice& choice, Measurement& m);
 
+struct Control_choice
+{
+  std::size_t cones = 16;
+  int repeat = 3; // of how many runs in turn the medians of times are taken
+};
+
+// Selects cones of a connected surface, and leads seams through them. Maps the surface in several ways, in turn: cut first, with equal
+// lengths along seams, with prescribed angles around cones, and with multiples of a right angle (spheres only). Prints a
+// measurement for each, the last one by `m`.
+void cones(const std::string& file, const Control_choice& choice, Measurement& m);
+
+// The same for a disk: with a free border, with four right angles, and as a rectangle
+void rectangle(const std::string& file, const Control_choice& choice, Measurement& m);
+
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 

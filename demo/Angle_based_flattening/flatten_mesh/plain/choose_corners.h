@@ -6,8 +6,6 @@
 #ifndef FLATTEN_MESH_CHOOSE_CORNERS_H
 #define FLATTEN_MESH_CHOOSE_CORNERS_H
 
-#include "flatten_mesh/plain/Run_record.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/convex_hull_2.h>
@@ -55,7 +53,8 @@ inline std::size_t nearest_vertex(const Corner_points& border, const Corner_kern
 
 // The vertices of a planar border, of at least four, that are nearest to the corners of the smallest rectangle around it: where a
 // rectangle changes the map the least, roughly
-inline std::array<Vertex, 4> choose_corners(const std::vector<Vertex>& border, const UV_map& uv)
+template <typename Vertex, typename UV_map>
+std::array<Vertex, 4> choose_corners(const std::vector<Vertex>& border, const UV_map& uv)
 {
   internal::Corner_points points;
   for(const Vertex v : border) {
