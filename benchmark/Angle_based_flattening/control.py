@@ -89,15 +89,15 @@ def main() -> None:
     targets = Targets()
     report = Report(options.output)
     report.add(head("Control of seams and borders", measure) + "Each surface is cut open along seams through cones of select_cones(). "
-               "*Cut first*: what is cut open is mapped like any disk. *Equal*: with equal lengths on both sides of seams; the sums of angles "
-               "there are free. *Rigid*: the sums are prescribed, at cones those that select_cones() predicts, and a full turn elsewhere; "
-               "*least squares*: the same with Cone_angles::LEAST_SQUARES. "
-               "*Quarters*: the same with multiples of a right angle at the cones (spheres only). Disks: with a *free* border, with "
-               "*four corners* that are right angles, and as a *rectangle*. E: the energy of the angles, by measure_flattening(). QC: the "
-               "quasi-conformal ratio. Jump: the largest difference between the logarithms of both lengths of an edge on a seam. Turn: of "
-               "the angles around a vertex in the middle of a seam from a full turn. Predicted: the L2 stretch that select_cones() expects. Error: of a prescribed angle, in radians. The ways "
-               f"were taken in turn, {options.repeat} times, in one process on one thread. Times are medians; ratios are medians of those "
-               "side by side.\n\n")
+               "*Cut first*: what is cut open is mapped like any disk. *Equal*: with equal lengths on both sides of seams; the sums of "
+               "angles there are free. *Rigid*: the sums are prescribed, at cones those that select_cones() predicts, and a full turn "
+               "elsewhere; *least squares*: the same with Cone_angles::LEAST_SQUARES. *Quarters*: the same with multiples of a right "
+               "angle at the cones (spheres only). Disks: with a *free* border, with *four corners* that are right angles, and as a "
+               "*rectangle*. Predicted: the L2 stretch that select_cones() expects. E: the energy of the angles, by "
+               "measure_flattening(). QC: the quasi-conformal ratio. Jump: the largest difference between the logarithms of both lengths "
+               "of an edge on a seam. Turn: of the angles around a vertex in the middle of a seam from a full turn. Error: of a prescribed "
+               f"angle, in radians. The ways were taken in turn, {options.repeat} times, in one process on one thread. Times are medians; "
+               "ratios are medians of those side by side.\n\n")
     report.add(cones(measure, models, options, targets))
     report.add(rectangles(measure, disks, options, targets))
     if targets.rows:
