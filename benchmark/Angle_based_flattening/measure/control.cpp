@@ -80,6 +80,7 @@ void add_to(const Way& way, const Way& first, Measurement& m)
   }
   m.add("seconds", median(way.seconds));
   m.add("ratio", median(ratios));
+  m.add("read", way.report.seconds.read);
   m.add("angles", way.report.seconds.angles);
   m.add("layout", way.report.seconds.layout);
   m.add("newton_steps", way.report.iterations);
