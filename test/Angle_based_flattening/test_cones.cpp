@@ -16,7 +16,9 @@
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/select_cones.h>
 
+#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -31,6 +33,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <string>
@@ -697,6 +700,54 @@ BOOST_AUTO_TEST_CASE(points_threads_and_coordinates)
   BOOST_TEST(area == CGAL::Polygon_mesh_processing::area(mesh), boost::test_tools::tolerance(1e-9));
   BOOST_TEST(least_x == 0);
   BOOST_TEST(least_y == 0);
+}
+
+// Other meshes, maps and solvers lead to the same cones.
+BOOST_AUTO_TEST_CASE(polyhedra_and_other_solvers)
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  typedef boost::graph_traits<Polyhedron> Traits;
+  typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>
+      Solver;
+  const Surface surface = bent(sphere(3), 6);
+  const Mesh mesh = surface.mesh();
+  const Polyhedron polyhedron = surface.mesh<Polyhedron>();
+  std::map<Traits::edge_descriptor, bool> seams;
+  std::map<Traits::halfedge_descriptor, Kernel::Point_2> uv;
+  const auto result = SMP::flatten_with_cones(polyhedron, 8, boost::make_assoc_property_map(seams),
+                                              boost::make_assoc_property_map(uv));
+  BOOST_TEST_REQUIRE(result.message == "");
+  BOOST_TEST(uv.size() == 3 * mesh.number_of_faces());
+  BOOST_TEST(seams.size() == mesh.number_of_edges());
+  const Selection expected = SMP::select_cones(mesh, 8),
+                  other = SMP::select_cones(mesh, 8, parameters::sparse_linear_solver(Solver()));
+  for(std::size_t i = 0; i < 8; ++i) {
+    BOOST_TEST(mesh.point(expected.cones[i].first) == result.cones.cones[i].first->point());
+    BOOST_TEST(std::abs(expected.cones[i].second - result.cones.cones[i].second) < 1e-9);
+    BOOST_TEST((expected.cones[i].first == other.cones[i].first));
+    BOOST_TEST(std::abs(expected.cones[i].second - other.cones[i].second) < 1e-9);
+  }
+}
+
+// Faces without area, and vertices in one place
+BOOST_AUTO_TEST_CASE(degenerate_surfaces)
+{
+  for(double z : {0., 1e-200, 1e-9})
+    for(unsigned seed = 0; seed < 6; ++seed) {
+      Mesh mesh = bent(seed % 2 == 0 ? sphere(2) : cap(2), seed).mesh();
+      std::mt19937 random(seed);
+      for(Vertex v : mesh.vertices()) {
+        const Point_3 p = mesh.point(v);
+        if(seed < 4 ? random() % 3 == 0 : true)
+          mesh.point(v) = Point_3(seed < 2 ? 0 : p.x(), seed < 4 ? 0 : p.y(), z * p.z());
+      }
+      const Seam_map seams = add_seams(mesh);
+      const UV_map uv = add_coordinates(mesh);
+      const Cone_flattening result = SMP::flatten_with_cones(mesh, 6, seams, uv);
+      BOOST_TEST((result.diagnosis == SMP::Cone_flattening_defect::NOTHING_WRONG) == (result.message == ""));
+      if(result.message == "")
+        Mapped_surface{mesh, seams, uv}.check_orientations();
+    }
 }
 
 // The angles change as little as with a cut, and the surface fits together again.
