@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -39,6 +40,13 @@ struct Chosen_cones
   std::vector<double> angles; // of each of them
   double predicted_stretch = 1;
 };
+
+inline int euler_characteristic(const Chart& surface)
+{
+  const auto border_edges = std::count(surface.opposite.begin(), surface.opposite.end(), -1);
+  return surface.number_of_vertices() - (surface.number_of_corners() + static_cast<int>(border_edges)) / 2 +
+         surface.number_of_triangles();
+}
 
 // The number of quanta of a full turn, or 0 if it is no whole number
 inline int quanta_of_turn(double quantum)

@@ -18,7 +18,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -52,11 +51,8 @@ int find_pinched_vertex(const Chart& surface, const std::vector<VertexDescriptor
 
 inline bool is_sphere_or_disk(const Chart& surface)
 {
-  const auto border_edges = std::count(surface.opposite.begin(), surface.opposite.end(), -1);
-  const int characteristic = surface.number_of_vertices() -
-                             (surface.number_of_corners() + static_cast<int>(border_edges)) / 2 +
-                             surface.number_of_triangles();
-  return characteristic + static_cast<int>(surface.borders.size()) == 2 && surface.borders.size() < 2;
+  return euler_characteristic(surface) + static_cast<int>(surface.borders.size()) == 2 &&
+         surface.borders.size() < 2;
 }
 
 template <typename TriangleMesh, typename NamedParameters>

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_CHARGES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_CHARGES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/growing_cholesky.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/scale_response.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Where the log scale varies no more than that, there is nothing to choose.
+inline constexpr double least_log_scale = 1e-9;
+
+// Chooses cones, each where the scale that the others leave is farthest from 1, and their charges. The charge of a cone is what it lacks
+// of a full turn.
+class Cone_charges
+{
+public:
+  Cone_charges(const Chart& surface, const Linear_solvers& solvers)
+      : m_surface(surface), m_log_scale(surface, solvers), m_response(surface, m_log_scale, solvers),
+        m_total(2 * pi * euler_characteristic(surface)),
+        m_curvature(Eigen::Map<const Eigen::VectorXd>(m_log_scale.defects().data(), size())),
+        m_area(Eigen::Map<const Eigen::VectorXd>(m_log_scale.areas().data(), size()))
+  {}
+
+  const std::vector<int>& cones() const { return m_cones; }
+  const Eigen::VectorXd& charges() const { return m_charges; }
+
+  // That of all cones, if the surface is closed
+  double total() const { return m_total; }
+
+  // Returns `false` if the linear solver fails, as the other functions do.
+  bool choose(std::size_t number_of_cones)
+  {
+    std::optional<Eigen::VectorXd> u = m_response(-m_curvature);
+    if(!u)
+      return false;
+    m_base = *u;
+    if(is_closed())
+      u = scale_without_cones();
+    while(u && m_cones.size() < number_of_cones) {
+      int cone = -1;
+      for(int v = 0; v < size(); ++v)
+        if((cone < 0 || std::abs((*u)[v]) > std::abs((*u)[cone])) && is_free(v))
+          cone = v;
+      if(cone < 0 || std::abs((*u)[cone]) <= least_log_scale)
+        return true;
+      if(!add(cone))
+        return false;
+      u = scale();
+    }
+    return u.has_value();
+  }
+
+  // Replaces the charges that make u vanish at the cones by those with which u varies least.
+  bool balance()
+  {
+    const int bound = number_of_bound_cones(), n = number_of_cones() - bound;
+    if(n == 0 || !(m_log_scale.total_area() > 0))
+      return true;
+    // The mean square of u = base + sum of charges * green functions is least where its gradient vanishes. The products of
+    // these functions come from a second response to each.
+    Eigen::MatrixXd products(n, n);
+    for(int i = 0; i < n; ++i) {
+      const std::optional<Eigen::VectorXd> green = green_function(m_cones[i + bound]),
+                                           second = green ? m_response(weighted(*green)) : std::nullopt;
+      if(!second)
+        return false;
+      products.col(i) = at_cones(*second);
+    }
+    const std::optional<Eigen::VectorXd> second = m_response(weighted(m_base));
+    if(!second)
+      return false;
+    set_charges(products.partialPivLu().solve(-at_cones(*second)));
+    return m_charges.allFinite();
+  }
+
+  // The stretch that these charges predict; nothing if the linear solver fails
+  std::optional<double> stretch(const std::vector<int>& cones, const std::vector<double>& charges)
+  {
+    m_cones = cones;
+    m_charges = Eigen::Map<const Eigen::VectorXd>(charges.data(), number_of_cones());
+    const std::optional<Eigen::VectorXd> u = scale();
+    return u ? std::optional<double>(m_log_scale.stretch({u->begin(), u->end()})) : std::nullopt;
+  }
+
+private:
+  int size() const { return m_surface.number_of_vertices(); }
+  int number_of_cones() const { return static_cast<int>(m_cones.size()); }
+  bool is_closed() const { return m_surface.borders.empty(); }
+
+  // The scale that the cones have with their charges, but for a constant on a closed surface
+  std::optional<Eigen::VectorXd> scale()
+  {
+    Eigen::VectorXd sources = -m_curvature;
+    for(int i = 0; i < number_of_cones(); ++i)
+      sources[m_cones[i]] += m_charges[i];
+    std::optional<Eigen::VectorXd> u = m_response(sources);
+    if(u && is_closed() && !m_cones.empty())
+      u->array() -= (*u)[m_cones.front()];
+    return u;
+  }
+
+  bool is_free(int v) const
+  {
+    return m_surface.interior[v] >= 0 && std::find(m_cones.begin(), m_cones.end(), v) == m_cones.end();
+  }
+
+  // That of a closed surface to one of constant curvature, away from its mean
+  std::optional<Eigen::VectorXd> scale_without_cones()
+  {
+    if(!(m_log_scale.total_area() > 0))
+      return m_base;
+    std::optional<Eigen::VectorXd> u =
+        m_response(m_curvature.sum() / m_log_scale.total_area() * m_area - m_curvature);
+    if(u)
+      u->array() -= m_area.dot(*u) / m_log_scale.total_area();
+    return u;
+  }
+
+  // Adds a cone, and finds the charges that make u vanish at all cones. The first one of a closed surface takes what the others leave of
+  // the total.
+  bool add(int cone)
+  {
+    const std::optional<Eigen::VectorXd> green = green_function(cone);
+    if(!green)
+      return false;
+    m_cones.push_back(cone);
+    if(is_closed() && number_of_cones() == 1) {
+      m_base += m_total * *green;
+      m_charges = Eigen::VectorXd::Constant(1, m_total);
+      return true;
+    }
+    if(!m_green.append(at_cones(*green)))
+      return false;
+    set_charges(m_green.solve(-at_cones(m_base)));
+    return m_charges.allFinite();
+  }
+
+  // The response to a unit at a cone, and to its opposite at the first one of a closed surface
+  std::optional<Eigen::VectorXd> green_function(int cone)
+  {
+    Eigen::VectorXd unit = Eigen::VectorXd::Unit(size(), cone);
+    if(number_of_bound_cones() == 1)
+      unit[m_cones.front()] -= 1;
+    return m_response(unit);
+  }
+
+  int number_of_bound_cones() const { return is_closed() && !m_cones.empty() ? 1 : 0; }
+
+  // Of the cones with charges of their own; on a closed surface the differences from the first cone
+  Eigen::VectorXd at_cones(const Eigen::VectorXd& u) const
+  {
+    const int bound = number_of_bound_cones();
+    Eigen::VectorXd values(number_of_cones() - bound);
+    for(int i = bound; i < number_of_cones(); ++i)
+      values[i - bound] = u[m_cones[i]] - (bound == 1 ? u[m_cones.front()] : 0);
+    return values;
+  }
+
+  void set_charges(const Eigen::VectorXd& own)
+  {
+    m_charges.resize(number_of_cones());
+    if(number_of_bound_cones() == 1)
+      m_charges << m_total - own.sum(), own;
+    else
+      m_charges = own;
+  }
+
+  // Times the areas, without the mean
+  Eigen::VectorXd weighted(const Eigen::VectorXd& u) const
+  {
+    return m_area.cwiseProduct(u) - m_area * (m_area.dot(u) / m_log_scale.total_area());
+  }
+
+  const Chart& m_surface;
+  const Log_scale m_log_scale;
+  Scale_response m_response;
+  const double m_total;
+  const Eigen::VectorXd m_curvature, m_area;
+  Eigen::VectorXd
+      m_base; // the response to the curvature, and to the whole charge of a closed surface at its first cone
+  Growing_cholesky m_green; // of the Green functions at the cones
+  std::vector<int> m_cones;
+  Eigen::VectorXd m_charges;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_CHARGES_H
