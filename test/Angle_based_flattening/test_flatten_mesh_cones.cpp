@@ -392,7 +392,7 @@ BOOST_AUTO_TEST_CASE(that_are_not_needed)
 
 BOOST_AUTO_TEST_CASE(survive_a_split)
 {
-  flatten(write("ball.off", ball().text()), "--cones 30 --split-overlaps");
+  flatten(write("torus.off", torus()), "--cones 24 --split-overlaps");
   check_succeeded();
   const Obj_map map = obj_map(obj());
   BOOST_TEST(json().get<int>("split.pieces") > 1);
