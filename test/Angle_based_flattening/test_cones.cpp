@@ -334,6 +334,22 @@ BOOST_AUTO_TEST_CASE(seams_reach_all_terminals)
   }
 }
 
+// All vertices are alike at first.
+BOOST_AUTO_TEST_CASE(of_regular_polyhedra)
+{
+  for(const Surface& surface : {tetrahedron(), octahedron(), icosahedron()})
+    BOOST_TEST_CONTEXT(surface.name)
+    {
+      const Mesh mesh = surface.mesh();
+      const auto cones = SMP::select_cones(mesh, 4);
+      BOOST_TEST(cones.diagnosis == SMP::Cone_report::NOTHING_WRONG, cones.message);
+      double total = 0;
+      for(const auto& cone : cones.cones)
+        total += 2 * CGAL_PI - cone.second;
+      BOOST_TEST(std::abs(total - 4 * CGAL_PI) < 1e-12);
+    }
+}
+
 // On a sphere, the shortest path between two vertices joins them, or the second shortest if the former is an edge.
 BOOST_AUTO_TEST_CASE(seams_between_two_terminals)
 {

@@ -147,6 +147,25 @@ BOOST_AUTO_TEST_CASE(of_spheres_are_equal)
     }
 }
 
+// What vertices are off by adds up along seams: then the last step is not yet the last.
+BOOST_AUTO_TEST_CASE(are_equal_to_the_tolerance)
+{
+  for(double tolerance : {1e-2, 1e-3, 1e-4, 1e-7})
+    for(unsigned seed = 0; seed < 8; ++seed)
+      BOOST_TEST_CONTEXT("tolerance " << tolerance << ", seed " << seed)
+      {
+        Mesh mesh = bumpy_sphere(3, seed);
+        const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+        SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(1.02));
+        Options options = with_equal_lengths(true);
+        options.tolerance = tolerance;
+        const Map map = flatten(mesh, seams, options);
+        BOOST_TEST(map.report.converged);
+        BOOST_TEST(map.report.constraint_residual <= tolerance);
+        BOOST_TEST(map.jump <= 1.1 * tolerance);
+      }
+}
+
 // Seams from one vertex to all corners of a fan around it: a vertex with a hundred places, and ends with one place
 BOOST_AUTO_TEST_CASE(at_vertices_of_many_seams)
 {

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/border_walk.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/reduced_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
@@ -15,6 +16,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -28,6 +32,24 @@ inline void add_loop_residuals(const Chart& chart, const std::vector<double>& lo
 {
   for(const Loop_crossing& crossing : chart.crossings)
     residual[2 * chart.node_of_loop(crossing.loop) + 1] += log_sines[crossing.out] - log_sines[crossing.in];
+}
+
+// The largest difference of the logarithms of the lengths of both sides of an edge on a seam. What vertices and loops are off by adds up
+// along a seam.
+inline double largest_seam_difference(const Chart& chart, const std::vector<double>& alpha)
+{
+  if(!chart.has_equal_seams)
+    return 0;
+  const std::vector<int>& border = chart.borders.front();
+  const Border_walk walk = walk_along_border(chart, alpha, border);
+  std::vector<double> log_length(chart.vertex.size(), std::numeric_limits<double>::quiet_NaN());
+  for(std::size_t i = 0; i < border.size(); ++i)
+    log_length[border[i]] = walk[i].log_length;
+  double largest = 0;
+  for(int c : border)
+    if(const int across = chart.seam[c]; across > c && !std::isnan(log_length[across]))
+      largest = (std::max)(largest, std::abs(log_length[c] - log_length[across]));
+  return largest;
 }
 
 // The loops through the triangles of a chart

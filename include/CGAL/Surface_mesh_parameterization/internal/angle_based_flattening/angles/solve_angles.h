@@ -38,7 +38,7 @@ struct Angle_iterate
   {
     residual = constraint_residuals(chart, alpha);
     energy = angle_energy.value(alpha, beta, chart.weight);
-    largest_residual = largest_violation(chart, residual);
+    largest_residual = (std::max)(largest_violation(chart, residual), largest_seam_difference(chart, alpha));
   }
 
   double violation() const { return residual.cwiseAbs().sum(); }

@@ -85,7 +85,6 @@ private:
     ABF_plus_plus_options options = direct_options(m_options);
     options.visitor = m_visitor;
     options.fallbacks = false; // they are for charts without any other map
-    options.tolerance = 1e-6;  // violations of several vertices add up along a seam
     Flattening<ABF_plus_plus_report> map = flatten_chart(equal, options, m_solvers, &leave_as_it_is);
     if(!map.succeeded() || !map.report.converged)
       return direct_map(chart, Atlas_report::NOT_CONVERGED);

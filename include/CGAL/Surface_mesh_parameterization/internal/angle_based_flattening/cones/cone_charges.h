@@ -24,7 +24,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Where the log scale varies no more than that, there is nothing to choose.
+// Where the log scale varies no more than that, no vertex is better than another one.
 inline constexpr double least_log_scale = 1e-9;
 
 // Chooses cones, each where the scale that the others leave is farthest from 1, and their charges. The charge of a cone is what it lacks
@@ -59,8 +59,13 @@ public:
       for(int v = 0; v < size(); ++v)
         if((cone < 0 || std::abs((*u)[v]) > std::abs((*u)[cone])) && is_free(v))
           cone = v;
-      if(cone < 0 || std::abs((*u)[cone]) <= least_log_scale)
+      if(cone < 0)
         return true;
+      if(std::abs((*u)[cone]) <= least_log_scale) {
+        if(!(is_closed() && m_cones.empty() && m_total != 0))
+          return true;
+        cone = 0; // on a regular polyhedron all vertices are alike, and there must be some cone
+      }
       if(!add(cone))
         return false;
       u = scale();
