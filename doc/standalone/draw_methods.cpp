@@ -101,14 +101,14 @@ public:
   void draw_side_by_side(const std::string& name, const std::vector<Mesh>& meshes,
                          const std::vector<Atlas>& atlases, const Surface_view& view) const
   {
-    const int size = 400, levels = 25, squares = 30;
-    const double margin = 6, inner = size - 2 * margin;
-    Canvas canvas(size * static_cast<int>(atlases.size()), size);
+    const int width = 330, height = 580, levels = 25, squares = 24;
+    const double margin = 6;
+    Canvas canvas(width * static_cast<int>(atlases.size()), height);
     for(std::size_t i = 0; i < atlases.size(); ++i) {
       const Textured_surface surface = textured_atlas(meshes[i], atlases[i]);
-      const double left = margin + static_cast<double>(i) * size;
-      draw_textured_surface(canvas, surface, side_of_squares(surface, squares), view,
-                            {left, margin, inner, inner});
+      draw_textured_surface(
+          canvas, surface, side_of_squares(surface, squares), view,
+          {margin + static_cast<double>(i) * width, margin, width - 2 * margin, height - 2 * margin});
     }
     write(canvas, levels, name);
   }
@@ -259,8 +259,14 @@ void draw_cones(const std::string& demo, const Pictures& pictures)
     atlases.push_back(cut_through(copy, cones));
     Cut cut = SMP::make_seam_mesh(copy, atlases.back().seams);
     const auto border = SMP::border_halfedge(cut);
-    check(SMP::parameterize(cut, *parameterizer, border, atlases.back().uv) == SMP::OK, "a map with cones");
-    const SMP::Flattening_measures measures = SMP::measure_flattening(cut, border, atlases.back().uv);
+    const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv_of_copies").first;
+    check(SMP::parameterize(cut, *parameterizer, border, uv) == SMP::OK, "a map with cones");
+    const SMP::Flattening_measures measures = SMP::measure_flattening(cut, border, uv);
+    for(const Halfedge h : copy.halfedges()) {
+      if(!copy.is_border(h)) {
+        atlases.back().uv[h] = uv[target(boost::graph_traits<Cut>::halfedge_descriptor(h), cut)];
+      }
+    }
     std::cout << "cones: jump by "
               << format_number("%.3g", std::exp(parameterizer->report().largest_seam_jump))
               << ", quasi-conformal ratio " << format_number("%.3g", measures.mean_quasi_conformal_ratio)

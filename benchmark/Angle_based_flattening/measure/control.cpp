@@ -140,9 +140,10 @@ void cones(const std::string& file, const Control_choice& choice, Measurement& m
   cut_first.equal_seam_lengths = false;
   std::vector<Way> ways = {{"cut first", cut_first, {}}, {"equal", Options(), {}}};
   ways.push_back(with_cones("rigid", selection));
-  ways.push_back(with_cones(
-      "least squares",
-      SMP::select_cones(mesh, choice.cones, CGAL::parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES))));
+  const auto least_squares =
+      SMP::select_cones(mesh, choice.cones, CGAL::parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES));
+  if(least_squares.diagnosis != SMP::Cone_report::INFEASIBLE_ANGLES) // few cones can need a negative angle
+    ways.push_back(with_cones("least squares", least_squares));
   if(is_sphere(mesh))
     ways.push_back(with_cones(
         "quarters", SMP::select_cones(mesh, choice.cones, CGAL::parameters::angle_quantum(CGAL_PI / 2))));
