@@ -101,7 +101,7 @@ public:
   void draw_side_by_side(const std::string& name, const std::vector<Mesh>& meshes,
                          const std::vector<Atlas>& atlases, const Surface_view& view) const
   {
-    const int width = 330, height = 580, levels = 25, squares = 24;
+    const int width = 330, height = 580, levels = 25, squares = 44;
     const double margin = 6;
     Canvas canvas(width * static_cast<int>(atlases.size()), height);
     for(std::size_t i = 0; i < atlases.size(); ++i) {
@@ -245,7 +245,8 @@ Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
 void draw_cones(const std::string& demo, const Pictures& pictures)
 {
   const Mesh mesh = read_mesh(demo + "/homer.off");
-  const SMP::Cone_selection<Mesh> cones = SMP::select_cones(mesh, 12);
+  const SMP::Cone_selection<Mesh> cones =
+      SMP::select_cones(mesh, 16, CGAL::parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES));
   check(cones.diagnosis == SMP::Cone_report::NOTHING_WRONG, "selecting cones");
   SMP::ABF_plus_plus_options cut_first;
   cut_first.equal_seam_lengths = false;
