@@ -245,8 +245,7 @@ Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
 void draw_cones(const std::string& demo, const Pictures& pictures)
 {
   const Mesh mesh = read_mesh(demo + "/homer.off");
-  const SMP::Cone_selection<Mesh> cones =
-      SMP::select_cones(mesh, 16, CGAL::parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES));
+  const SMP::Cone_selection<Mesh> cones = SMP::select_cones(mesh, 24);
   check(cones.diagnosis == SMP::Cone_report::NOTHING_WRONG, "selecting cones");
   SMP::ABF_plus_plus_options cut_first;
   cut_first.equal_seam_lengths = false;
