@@ -9,6 +9,7 @@
 
 #include "seam_surfaces.h"
 
+#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
@@ -23,8 +24,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_cone_sums)
@@ -440,6 +443,64 @@ BOOST_FIXTURE_TEST_CASE(are_an_error_without_convergence, Sphere_with_cones)
     BOOST_TEST((map.report.diagnosis == Report::NO_CONVERGENCE ||
                 map.report.diagnosis == Report::FLIPPED_TRIANGLES));
   }
+}
+
+namespace {
+
+// Fails at a call of the solver.
+struct Faulty_traits : CGAL::SuperLU_solver_traits<>
+{
+  typedef CGAL::SuperLU_solver_traits<> Base;
+
+  bool factor(const Matrix& a, NT& d) { return --*calls_left != 0 && Base::factor(a, d); }
+  bool linear_solver(const Vector& b, Vector& x) { return --*calls_left != 0 && Base::linear_solver(b, x); }
+
+  std::shared_ptr<int> calls_left = std::make_shared<int>(0);
+};
+
+} // namespace
+
+// A failure at any call is an error or does no harm, and no coordinates are written.
+BOOST_FIXTURE_TEST_CASE(survive_failures_of_the_solver, Sphere_with_cones)
+{
+  int failures = 0;
+  for(int call = 1; call < 100; ++call) {
+    Seam_mesh cut = SMP::make_seam_mesh(mesh, seams);
+    const UV_map uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:faulty_uv").first;
+    for(Halfedge h : mesh.halfedges())
+      put(uv, h, Kernel::Point_2(7, 7));
+    Faulty_traits traits;
+    *traits.calls_left = call;
+    SMP::ABF_plus_plus_parameterizer_3<Seam_mesh, Faulty_traits> parameterizer(Options(), traits);
+    parameterizer.set_angle_sums(angles);
+    const SMP::Error_code code = SMP::parameterize(cut, parameterizer, SMP::border_halfedge(cut), uv);
+    const auto all = mesh.halfedges();
+    const bool is_written =
+        std::any_of(all.begin(), all.end(), [&](Halfedge h) { return get(uv, h) != Kernel::Point_2(7, 7); });
+    BOOST_TEST(is_written == (code == SMP::OK));
+    if(code == SMP::OK) {
+      BOOST_TEST(parameterizer.report().largest_angle_error < 2e-5);
+      BOOST_TEST(parameterizer.report().largest_seam_jump < 2e-5);
+    } else {
+      BOOST_TEST(parameterizer.report().diagnosis == Report::LINEAR_SYSTEM_FAILED);
+      ++failures;
+    }
+    if(*traits.calls_left > 0)
+      break;
+  }
+  BOOST_TEST(failures > 0);
+}
+
+// Of the property map
+BOOST_FIXTURE_TEST_CASE(pass_exceptions_through, Sphere_with_cones)
+{
+  int calls_left = 5;
+  const auto throwing = boost::make_function_property_map<Vertex>([&](Vertex v) {
+    if(--calls_left == 0)
+      throw std::runtime_error("get");
+    return angles[v];
+  });
+  BOOST_CHECK_THROW(flatten(mesh, seams, throwing), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
