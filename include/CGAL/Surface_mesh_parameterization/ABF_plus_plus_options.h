@@ -50,7 +50,7 @@ struct ABF_plus_plus_options : Flattening_options
 
   /// Largest accepted violation of a constraint at a vertex, in radians; at least 1e-14. For the reconstruction
   /// constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap relative
-  /// to its circumference. The layout closes the remaining gap. With the
+  /// to its circumference; for seams of equal lengths, also twice the largest difference of the logarithms of both lengths. The layout closes the remaining gap. With the
   /// default value, measures of distortion have at least four correct digits.
   double tolerance = 1e-5;
 

@@ -56,7 +56,9 @@ struct Atlas_report
     NOT_WANTED,    ///< `parameters::equal_seam_lengths()` is `false`.
     OTHER_METHOD, ///< The map, or that of which it is a piece, is hierarchical or injective. These do not keep lengths of seams.
     NO_EQUATIONS, ///< The seams are such that there are no equations for their lengths.
-    NOT_CONVERGED ///< The solver does not reach equal lengths. The map was made without them.
+    NOT_CONVERGED, ///< The solver does not reach equal lengths. The map was made without them.
+    TOO_MUCH_DISTORTION ///< Around handles or between borders, equal lengths take more than 1.1 times the energy. The map was made
+    ///< without them.
   };
 
   /// A chart of the atlas.
@@ -213,6 +215,8 @@ inline std::string to_string(Atlas_report::Seam_lengths lengths)
     return "NO_EQUATIONS";
   case Atlas_report::NOT_CONVERGED:
     return "NOT_CONVERGED";
+  case Atlas_report::TOO_MUCH_DISTORTION:
+    return "TOO_MUCH_DISTORTION";
   }
   return "unknown";
 }

@@ -38,7 +38,9 @@ struct Angle_iterate
   {
     residual = constraint_residuals(chart, alpha);
     energy = angle_energy.value(alpha, beta, chart.weight);
-    largest_residual = (std::max)(largest_violation(chart, residual), largest_seam_difference(chart, alpha));
+    // What the layout closes comes on top of the difference of lengths.
+    largest_residual =
+        (std::max)(largest_violation(chart, residual), 2 * largest_seam_difference(chart, alpha));
   }
 
   double violation() const { return residual.cwiseAbs().sum(); }

@@ -36,6 +36,9 @@ struct Chart_map
   bool is_valid() const { return !uv.empty(); }
 };
 
+// Around handles, equal lengths can cost much. A map has them if its energy is so many times that of free lengths at most.
+inline constexpr double largest_price_of_equal_seams = 1.1;
+
 // Flattens disks in the way that is best for an atlas.
 class Atlas_chart_flattener
 {
@@ -88,15 +91,24 @@ private:
     Flattening<ABF_plus_plus_report> map = flatten_chart(equal, options, m_solvers, &leave_as_it_is);
     if(!map.succeeded() || !map.report.converged)
       return direct_map(chart, Atlas_report::NOT_CONVERGED);
+    if(equal.number_of_loops > 0) { // without them, equal lengths change the energy little
+      Flattening<ABF_plus_plus_report> free = direct_flattening(chart);
+      if(free.succeeded() && map.report.energy > largest_price_of_equal_seams * free.report.energy)
+        return result(std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::TOO_MUCH_DISTORTION);
+    }
     return result(std::move(map), Atlas_report::ABF_PLUS_PLUS, Atlas_report::EQUAL_LENGTHS);
   }
 
   Chart_map direct_map(const Chart& chart, Atlas_report::Seam_lengths seam_lengths) const
   {
+    return result(direct_flattening(chart), Atlas_report::ABF_PLUS_PLUS, seam_lengths);
+  }
+
+  Flattening<ABF_plus_plus_report> direct_flattening(const Chart& chart) const
+  {
     ABF_plus_plus_options options = direct_options(m_options);
     options.visitor = m_visitor;
-    return result(flatten_chart(chart, options, m_solvers, &leave_as_it_is), Atlas_report::ABF_PLUS_PLUS,
-                  seam_lengths);
+    return flatten_chart(chart, options, m_solvers, &leave_as_it_is);
   }
 
   Chart_map hierarchical_map(const Chart& chart, bool may_overlap) const
