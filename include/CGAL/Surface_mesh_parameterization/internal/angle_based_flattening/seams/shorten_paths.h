@@ -25,7 +25,8 @@ class Path_shortening
 {
 public:
   Path_shortening(Sector_graph& surface, const std::vector<double>& cost, const std::vector<int>& terminals)
-      : m_surface(surface), m_cost(cost), m_is_terminal(surface.surface().points.size(), false)
+      : m_surface(surface), m_cost(cost), m_is_terminal(surface.surface().points.size(), false),
+        m_paths(surface, cost)
   {
     for(int v : terminals)
       m_is_terminal[v] = true;
@@ -136,18 +137,21 @@ private:
   // A path that is shorter than `length`, or none
   std::vector<int> shortest_path(const std::vector<int>& from, const std::vector<int>& to, double length)
   {
-    std::vector<char> is_target(m_surface.number_of_nodes(), false);
+    m_is_target.resize(m_surface.number_of_nodes(), false);
     for(int x : to)
-      is_target[x] = true;
-    Shortest_paths paths(m_surface, m_cost);
-    const int x = paths.find(from, length * (1 - 1e-6), [&](int y) { return is_target[y]; });
-    m_visits_left -= paths.number_of_visited_nodes();
-    return x < 0 ? std::vector<int>() : paths.path(x);
+      m_is_target[x] = true;
+    const int x = m_paths.find(from, length * (1 - 1e-6), [&](int y) { return m_is_target[y]; });
+    for(int y : to)
+      m_is_target[y] = false;
+    m_visits_left -= m_paths.number_of_visited_nodes();
+    return x < 0 ? std::vector<int>() : m_paths.path(x);
   }
 
   Sector_graph& m_surface;
   const std::vector<double>& m_cost;
   std::vector<char> m_is_terminal; // of each vertex
+  std::vector<char> m_is_target;   // of each node, during a search
+  Shortest_paths m_paths;
   std::int64_t m_visits_left = 0;
 };
 

@@ -10,10 +10,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sector_graph.h>
 
-#include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/property_map/function_property_map.hpp>
+#include <boost/graph/detail/d_ary_heap.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -24,14 +24,14 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // The cost of an edge that must not become a seam
 inline constexpr double forbidden = std::numeric_limits<double>::infinity();
 
-// Shortest paths from some nodes of an opened surface
+// Shortest paths from some nodes of an opened surface. Searches can follow one another, also when seams have changed: each takes time
+// for the nodes that it visits and those that the one before visited, not for the whole surface.
 class Shortest_paths
 {
 public:
   // `cost` is that of the edge that each corner faces.
   Shortest_paths(const Sector_graph& surface, const std::vector<double>& cost)
-      : m_surface(surface), m_cost(cost), m_distance(surface.number_of_nodes(), forbidden),
-        m_edge(surface.number_of_nodes(), -1)
+      : m_surface(surface), m_cost(cost), m_labels(surface.number_of_nodes())
   {}
 
   // Paths lead through these nodes only.
@@ -41,19 +41,20 @@ public:
   template <typename IsTarget>
   int find(const std::vector<int>& sources, double bound, const IsTarget& is_target)
   {
+    forget_last_search();
+    Queue queue(Distance_map{&m_labels}, Place_map{&m_labels});
     for(int x : sources)
-      m_distance[x] = 0;
-    std::vector<boost::default_color_type> color(m_distance.size(), boost::white_color);
-    const boost::typed_identity_property_map<int> index;
-    try {
-      boost::dijkstra_shortest_paths_no_init(
-          m_surface, sources.begin(), sources.end(), boost::dummy_property_map(),
-          boost::make_iterator_property_map(m_distance.begin(), index),
-          boost::make_function_property_map<int>([&](int c) { return cost(c); }), index, std::less<double>(),
-          boost::closed_plus<double>(), 0., Visitor<IsTarget>(*this, bound, is_target),
-          boost::make_iterator_property_map(color.begin(), index));
-    } catch(const Found& found) {
-      return found.node;
+      reach(x, 0, -1, queue);
+    while(!queue.empty()) {
+      const int x = queue.top();
+      queue.pop();
+      ++m_visited;
+      if(!is_reached(x) || distance(x) > bound)
+        return -1;
+      if(is_target(x))
+        return x;
+      for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge)
+        reach(m_surface.target_node(*edge), distance(x) + cost(*edge), *edge, queue);
     }
     return -1;
   }
@@ -64,69 +65,97 @@ public:
     find(sources, forbidden, [](int) { return false; });
   }
 
-  bool is_reached(int x) const { return m_distance[x] < forbidden; }
-  double distance(int x) const { return m_distance[x]; }
-  int last_edge(int x) const { return m_edge[x]; } // of the path, or -1 at a source
-  int number_of_visited_nodes() const { return m_visited; }
+  bool is_reached(int x) const { return m_labels[x].distance < forbidden; }
+  double distance(int x) const { return m_labels[x].distance; }
+  int last_edge(int x) const { return m_labels[x].last_edge; } // of the path, or -1 at a source
+  int number_of_visited_nodes() const { return m_visited; }    // by the last search
 
   bool path_has_two_edges(int x) const
   {
-    return m_edge[x] >= 0 && m_edge[m_surface.source_node(m_edge[x])] >= 0;
+    return last_edge(x) >= 0 && last_edge(m_surface.source_node(last_edge(x))) >= 0;
   }
 
   // The edges of the path to a node, the last one first
   std::vector<int> path(int x) const
   {
     std::vector<int> edges;
-    for(int c = m_edge[x]; c >= 0; c = m_edge[m_surface.source_node(c)])
+    for(int c = last_edge(x); c >= 0; c = last_edge(m_surface.source_node(c)))
       edges.push_back(c);
     return edges;
   }
 
 private:
+  // What a search knows of a node, in one place of memory
+  struct Label
+  {
+    double distance = forbidden;
+    int last_edge = -1;
+    int place = -1; // in the queue, while it is there
+  };
+
+  struct Distance_map
+  {
+    typedef int key_type;
+    typedef double value_type, reference;
+    typedef boost::readable_property_map_tag category;
+
+    friend double get(const Distance_map& map, int x) { return (*map.labels)[x].distance; }
+
+    const std::vector<Label>* labels;
+  };
+
+  struct Place_map
+  {
+    typedef int key_type, value_type, reference;
+    typedef boost::read_write_property_map_tag category;
+
+    friend int get(const Place_map& map, int x) { return (*map.labels)[x].place; }
+    friend void put(const Place_map& map, int x, std::size_t place)
+    {
+      (*map.labels)[x].place = static_cast<int>(place);
+    }
+
+    std::vector<Label>* labels;
+  };
+
+  typedef boost::d_ary_heap_indirect<int, 4, Place_map, Distance_map, std::less<double>> Queue;
+
   double cost(int c) const
   {
     return m_is_allowed.empty() || m_is_allowed[m_surface.target_node(c)] ? m_cost[c] : forbidden;
   }
 
-  struct Found // ends a search
+  void forget_last_search()
   {
-    int node;
-  };
+    for(int x : m_touched)
+      m_labels[x] = Label();
+    m_touched.clear();
+    m_labels.resize(m_surface.number_of_nodes());
+    m_visited = 0;
+  }
 
-  template <typename IsTarget>
-  class Visitor : public boost::dijkstra_visitor<>
+  // Notes a path to a node if it is the shortest so far.
+  void reach(int x, double distance, int last_edge, Queue& queue)
   {
-  public:
-    Visitor(Shortest_paths& paths, double bound, const IsTarget& is_target)
-        : m_paths(paths), m_bound(bound), m_is_target(is_target)
-    {}
-
-    void examine_vertex(int x, const Sector_graph&) const
-    {
-      ++m_paths.m_visited;
-      if(!(m_paths.m_distance[x] < forbidden) || m_paths.m_distance[x] > m_bound)
-        throw Found{-1};
-      if(m_is_target(x))
-        throw Found{x};
+    Label& label = m_labels[x];
+    const bool is_new = label.distance == forbidden && label.place < 0;
+    if(distance < label.distance) {
+      label.distance = distance;
+      label.last_edge = last_edge;
+      if(label.place >= 0)
+        queue.update(x);
     }
-
-    void edge_relaxed(int c, const Sector_graph& surface) const
-    {
-      m_paths.m_edge[surface.target_node(c)] = c;
+    if(is_new) {
+      m_touched.push_back(x);
+      queue.push(x);
     }
-
-  private:
-    Shortest_paths& m_paths;
-    double m_bound;
-    const IsTarget& m_is_target;
-  };
+  }
 
   const Sector_graph& m_surface;
   const std::vector<double>& m_cost;
   std::vector<char> m_is_allowed; // all of them if empty
-  std::vector<double> m_distance;
-  std::vector<int> m_edge;
+  std::vector<Label> m_labels;    // of each node
+  std::vector<int> m_touched;     // the nodes with labels other than the first ones
   int m_visited = 0;
 };
 
