@@ -134,7 +134,8 @@ private:
     m_visited = 0;
   }
 
-  // Notes a path to a node if it is the shortest so far.
+  // Notes a path to a node if it is the shortest so far. Nodes at an infinite distance are queued too: the order of nodes at the same
+  // distance depends on all that are in the queue.
   void reach(int x, double distance, int last_edge, Queue& queue)
   {
     Label& label = m_labels[x];
