@@ -28,6 +28,7 @@ auto seam_cost(const NamedParameters& np)
   return [is_constrained, &np](const Edge& e, double length) {
     if(get(is_constrained, e))
       return (std::numeric_limits<double>::infinity)();
+    (void)np; // not used without weights
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::seam_edge_weight_t>::value)
       return length;
     else
