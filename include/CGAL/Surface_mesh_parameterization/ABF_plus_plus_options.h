@@ -74,7 +74,7 @@ struct ABF_plus_plus_options : Flattening_options
   ///
   /// Angles are found on the surface before the cut: the equations of lengths hold around the vertices of seams, too, and along loops through
   /// handles and around borders. Lengths are equal up to the tolerance. On models with 16 cones that costs next to no distortion, and up
-  /// to 1.5 times the time.
+  /// to 1.3 times the time.
   ///
   /// A seam with a side on the border of a hole keeps different lengths, or is an error if this is `true`. An injective map
   /// (`Flattening_options::injective`) has equal lengths only if the map does not overlap itself anyway;
