@@ -289,6 +289,8 @@ struct Mapped_surface
     BOOST_TEST(std::abs(result.map.largest_seam_jump - jump) < 1e-12);
     if(is_rigid) {
       BOOST_TEST(turn < 1e-5);
+      BOOST_TEST(result.map.largest_seam_turn > turn - 1e-12); // also counts branches
+      BOOST_TEST(result.map.prescribed_angles == static_cast<int>(result.cones.cones.size()));
     }
   }
 };

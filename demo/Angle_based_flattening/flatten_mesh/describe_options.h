@@ -103,11 +103,10 @@ inline po::options_description surface_options(Command_line& command)
       "is not given. --plain: with --injective only");
   add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
       "on: both sides of each edge along a seam get the same length, so that the scale does not jump there. "
-      "off: their lengths are free. An atlas has equal ones, if this is not off, in the charts that ABF++ "
+      "off: their lengths are free. If it is not given, an atlas has equal ones in the charts that ABF++ "
       "maps "
-      "directly. --plain: if it is not given, it is on where the direct method maps a surface that is cut, "
-      "and "
-      "a note tells of the map without if that fails. on takes the direct method for large surfaces, too");
+      "directly, and --plain where the direct method maps a surface that is cut; a note tells of the map "
+      "without if that fails. --plain with on takes the direct method for large surfaces, too");
   add("repair", name_option(command.repair),
       "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
       "parts that touch in a "

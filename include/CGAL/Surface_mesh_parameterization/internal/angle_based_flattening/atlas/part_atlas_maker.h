@@ -88,9 +88,7 @@ private:
     std::vector<int> all(m_surface.number_of_triangles());
     std::iota(all.begin(), all.end(), 0);
     attempt.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), attempt.is_seam);
-    Chart& chart = attempt.patch.chart;
-    chart.scale = m_surface.scale;
-    chart.seam = seam_sides(chart);
+    const Chart& chart = attempt.patch.chart;
     if(const Chart_defect defect = diagnose(chart, false)) {
       attempt.map = Chart_map();
       attempt.map.diagnosis = defect.diagnosis;
@@ -100,17 +98,6 @@ private:
     attempt.map = m_flattener.run(chart);
     if(attempt.map.is_valid())
       attempt.stretch = scale_stretch(chart, attempt.map.uv);
-  }
-
-  // Of each corner that faces an edge of a seam: the one on the other side. Corners are those of the surface.
-  std::vector<int> seam_sides(const Chart& chart) const
-  {
-    std::vector<int> sides = m_surface.seam; // those that were given
-    sides.resize(chart.opposite.size(), -1);
-    for(int c = 0; c < chart.number_of_corners(); ++c)
-      if(chart.opposite[c] < 0 && m_surface.opposite[c] >= 0)
-        sides[c] = m_surface.opposite[c];
-    return sides;
   }
 
   bool misses_bound(double stretch) const
@@ -215,8 +202,6 @@ private:
     std::vector<Chart::Point_2> uv;
     for(int v : patch.origin)
       uv.push_back(atlas.uv[v]);
-    patch.chart.scale = m_surface.scale;
-    patch.chart.seam = seam_sides(patch.chart);
     atlas.chart = std::move(patch.chart);
     atlas.uv = std::move(uv);
     atlas.piece = connected_triangles(atlas.chart, [](int) { return true; });

@@ -13,8 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/cut_open.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,7 +121,7 @@ private:
     if(!defect) {
       Seam_report report; // the surface was read before without complaint
       m_reader.read([](const auto&) { return false; }, report);
-      chart = cut_open(m_reader.parts().front().chart, seams_of_corners());
+      chart = cut_open(m_reader.parts().front().chart);
       defect = diagnose(chart, false);
     }
     if(!defect && m_options.equal_seam_lengths.value_or(true))
@@ -142,16 +143,18 @@ private:
     return {Flattening_report::WRONG_OPTION, message, {}, {}};
   }
 
-  std::vector<char> seams_of_corners() const
+  Chart cut_open(const Chart& surface) const
   {
-    const Chart& surface = m_reader.parts().front().chart;
     std::vector<char> is_seam;
     for(int c = 0; c < surface.number_of_corners(); ++c)
       is_seam.push_back(surface.opposite[c] >= 0 && get(m_marks, m_reader.edge_of(c)));
-    return is_seam;
+    std::vector<int> all(surface.number_of_triangles());
+    std::iota(all.begin(), all.end(), 0);
+    const std::vector<double> no_cost(surface.vertex.size(), 0.);
+    return Patch_cutter(surface, no_cost).cut_out(std::move(all), is_seam).chart;
   }
 
-  // The angles of all copies of the cones. Without any cone, all vertices on seams get full turns.
+  // The angles of all copies of the cones; other vertices on seams get full turns
   std::vector<double> sums_at_seams(const Chart& chart) const
   {
     std::vector<double> sums(chart.points.size(), (std::numeric_limits<double>::quiet_NaN)());
@@ -159,12 +162,6 @@ private:
     for(int c = 0; c < chart.number_of_corners(); ++c)
       if(const auto angle = angles[target(m_reader.halfedge_to(c), m_mesh)])
         sums[chart.vertex[c]] = *angle;
-    if(!m_result.cones.cones.empty())
-      return sums;
-    const Seam_places places(chart);
-    for(int v = 0; v < chart.number_of_vertices(); ++v)
-      if(places.is_inside(places.of(v)))
-        sums[v] = 2 * pi;
     return sums;
   }
 

@@ -47,7 +47,8 @@ public:
       : m_whole(whole), m_cost(cost), m_local(whole.number_of_triangles(), -1)
   {}
 
-  // `is_seam` is that of the edge that each corner of the chart faces.
+  // `is_seam` is that of the edge that each corner of the chart faces. The patch knows the other sides of its seams, also of those where
+  // the chart was open before.
   Dual_patch cut_out(std::vector<int> triangles, const std::vector<char>& is_seam)
   {
     Dual_patch patch;
@@ -55,12 +56,17 @@ public:
     const std::size_t corners = 3 * patch.triangles.size();
     for(std::size_t t = 0; t < patch.triangles.size(); ++t)
       m_local[patch.triangles[t]] = static_cast<int>(t);
+    patch.chart.scale = m_whole.scale;
     patch.chart.opposite.assign(corners, -1);
+    patch.chart.seam.assign(corners, -1);
     for(int c = 0; c < static_cast<int>(corners); ++c) {
       const int whole_corner = patch.whole_corner(c), across = m_whole.opposite[whole_corner];
       patch.cost.push_back(m_cost[whole_corner]);
-      if(across >= 0 && !is_seam[whole_corner] && m_local[across / 3] >= 0)
-        patch.chart.opposite[c] = 3 * m_local[across / 3] + across % 3;
+      if(across >= 0 && !is_seam[whole_corner])
+        patch.chart.opposite[c] = local_corner(across);
+      else
+        patch.chart.seam[c] =
+            local_corner(across >= 0 || m_whole.seam.empty() ? across : m_whole.seam[whole_corner]);
     }
     for(int t : patch.triangles)
       m_local[t] = -1;
@@ -69,6 +75,13 @@ public:
   }
 
 private:
+  // In the patch, or -1
+  int local_corner(int whole_corner) const
+  {
+    const int t = whole_corner < 0 ? -1 : m_local[whole_corner / 3];
+    return t < 0 ? -1 : 3 * t + whole_corner % 3;
+  }
+
   void number_vertices(Dual_patch& patch) const
   {
     Chart& chart = patch.chart;
