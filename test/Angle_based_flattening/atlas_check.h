@@ -420,6 +420,10 @@ inline void check_texels(const Atlas_run& run, int resolution, int gutter)
 struct Chart_sums
 {
   double surface = 0, weighted = 0, plane = 0, scale = 0, stretch = 0;
+  double extent = 0; // squared lengths of edges
+
+  // Whether rounding changes the area of the surface by less than the tolerance
+  bool has_area() const { return surface > 1e-9 * extent; }
 };
 
 inline std::vector<Chart_sums> chart_sums(const Atlas_run& run, const std::vector<double>& weight)
@@ -434,13 +438,14 @@ inline std::vector<Chart_sums> chart_sums(const Atlas_run& run, const std::vecto
     sum.surface += surface;
     sum.weighted += w * w * surface;
     sum.plane += plane;
+    const std::size_t c = run.first_corner[f];
+    const auto p = run.point[c + 1] - run.point[c], q = run.point[c + 2] - run.point[c];
+    sum.extent += p.squared_length() + q.squared_length();
     if(!(surface > 0))
       continue;
     sum.scale += surface * surface / plane;
     // the squared singular values of the map from the plane to the surface: its Dirichlet energy
-    const std::size_t c = run.first_corner[f];
     const auto a = run.uv[c + 1] - run.uv[c], b = run.uv[c + 2] - run.uv[c];
-    const auto p = run.point[c + 1] - run.point[c], q = run.point[c + 2] - run.point[c];
     const auto d = b.x() * p - a.x() * q, e = b.y() * p - a.y() * q;
     sum.stretch += surface * (d * d + e * e) / (8 * plane * plane);
   }
@@ -476,11 +481,13 @@ inline void check_stretch(const Atlas_run& run, const std::vector<Chart_sums>& s
   for(std::size_t i = 0; i < sums.size(); ++i) {
     const Atlas_report::Chart& chart = run.report.charts[i];
     const Chart_sums& sum = sums[i];
-    BOOST_TEST(chart.area == sum.surface, tolerance);
-    const double scale_stretch = std::sqrt(sum.scale * sum.plane) / sum.surface;
-    BOOST_TEST(chart.scale_stretch == scale_stretch, tolerance);
-    const double l2_stretch = std::sqrt(sum.stretch * sum.plane) / sum.surface;
-    BOOST_TEST(chart.l2_stretch == l2_stretch, tolerance);
+    if(sum.has_area()) {
+      BOOST_TEST(chart.area == sum.surface, tolerance);
+      const double scale_stretch = std::sqrt(sum.scale * sum.plane) / sum.surface;
+      BOOST_TEST(chart.scale_stretch == scale_stretch, tolerance);
+      const double l2_stretch = std::sqrt(sum.stretch * sum.plane) / sum.surface;
+      BOOST_TEST(chart.l2_stretch == l2_stretch, tolerance);
+    }
     BOOST_TEST(chart.bound_reached == (chart.scale_stretch <= 1.03 * bound));
     surface += sum.surface;
     stretch += sum.surface * chart.l2_stretch * chart.l2_stretch;

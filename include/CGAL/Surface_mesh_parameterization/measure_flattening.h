@@ -82,7 +82,7 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
   for(internal::ABF::Chart::Point_2& p : uv)
     p = internal::ABF::Chart::Point_2(p.x() / scale, p.y() / scale);
   return internal::ABF::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
-    visitor(reader.face_descriptors[t], face);
+    visitor(reader.face_of_triangle(t), face);
   });
 }
 

@@ -19,15 +19,16 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise.
+// Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise. (Remainders of unsigned numbers take
+// less time.)
 inline int next_corner(int c)
 {
-  return c % 3 == 2 ? c - 2 : c + 1;
+  return static_cast<unsigned>(c) % 3 == 2 ? c - 2 : c + 1;
 }
 
 inline int previous_corner(int c)
 {
-  return c % 3 == 0 ? c + 2 : c - 1;
+  return static_cast<unsigned>(c) % 3 == 0 ? c + 2 : c - 1;
 }
 
 inline constexpr double pi = CGAL_PI;
@@ -127,6 +128,20 @@ inline double edge_length(const Chart& chart, int c)
 {
   return std::sqrt(
       CGAL::squared_distance(chart.points[chart.edge_source(c)], chart.points[chart.edge_target(c)]));
+}
+
+// The vertices of each border cycle, in its order
+typedef std::vector<std::vector<int>> Border_cycles;
+
+inline Border_cycles border_cycles(const Chart& chart)
+{
+  Border_cycles cycles;
+  for(const std::vector<int>& border : chart.borders) {
+    cycles.emplace_back();
+    for(int c : border)
+      cycles.back().push_back(chart.edge_source(c));
+  }
+  return cycles;
 }
 
 // The matrix of Eq. 16 has at most 14 numbers for each triangle, which are counted with `int`: of `t` triangles at most

@@ -65,7 +65,7 @@ inline void find_borders(Chart& chart, int first_border = -1)
   chart.borders.clear();
 
   auto follow = [&](int start) {
-    if(found[start] || chart.opposite[start] >= 0)
+    if(chart.opposite[start] >= 0 || found[start])
       return;
     chart.borders.emplace_back();
     for(int c = start; !found[c]; c = next_on_border(chart, c)) {

@@ -54,17 +54,17 @@ inline Chart_defect find_wrong_weight(const std::vector<double>& weight)
   return defect;
 }
 
-// Sets the weights of the triangles of a chart from the importance of its faces.
-template <typename FaceDescriptor, typename FaceImportance>
-Chart_defect read_importance(const std::vector<FaceDescriptor>& faces, const FaceImportance& importance,
-                             Chart& chart)
+// Sets the weights of the triangles of the chart that was read, from the importance of its faces.
+template <typename ChartReader, typename FaceImportance>
+Chart_defect read_importance(ChartReader& reader, const FaceImportance& importance)
 {
   if(!importance)
     return {};
-  chart.weight.reserve(faces.size());
-  for(const FaceDescriptor& f : faces)
-    chart.weight.push_back(importance(f));
-  return find_wrong_weight(chart.weight);
+  std::vector<double>& weight = reader.chart.weight;
+  weight.reserve(reader.number_of_faces());
+  for(int t = 0; t < reader.number_of_faces(); ++t)
+    weight.push_back(importance(reader.face_of_triangle(t)));
+  return find_wrong_weight(weight);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -10,7 +10,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/entered_faces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_ranks.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -18,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -65,7 +66,7 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
 };
 
 // Reads the connected component of a border halfedge into a chart. Any model of `FaceGraph` will do; the mesh is not
-// looked at afterwards, but for writing the result.
+// looked at afterwards, but for writing the result and naming faces.
 template <typename TriangleMesh>
 class Chart_reader
 {
@@ -73,20 +74,25 @@ class Chart_reader
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef
-      typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int>>::const_type Face_ranks;
 
 public:
-  Chart_reader(const TriangleMesh& mesh) : m_mesh(mesh) {}
+  Chart_reader(const TriangleMesh& mesh) : m_mesh(mesh), m_faces(mesh) {}
 
   // `vimap` maps each vertex to an integer of its own; these need not be consecutive.
   template <typename VertexIndexMap>
   Chart_defect read(halfedge_descriptor bhd, VertexIndexMap vimap)
   {
-    if(Chart_defect defect = find_faces(bhd))
+    if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
+      return {Flattening_report::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
+    const halfedge_descriptor inner = opposite(bhd, m_mesh);
+    if(CGAL::is_border(inner, m_mesh))
+      return {Flattening_report::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
+    if(Chart_defect defect = find_faces(inner, vimap))
       return defect;
-    number_vertices(vimap);
+    if constexpr(Seam_sides<TriangleMesh>::has_seams)
+      link_seams([&](halfedge_descriptor h) { return Seam_sides<TriangleMesh>::across(h, m_mesh); });
     read_points();
+    find_borders(chart, 1); // which faces the border
     return {};
   }
 
@@ -104,130 +110,86 @@ public:
   template <typename Across>
   void link_seams(const Across& across)
   {
-    chart.seam.assign(3 * face_descriptors.size(), -1);
-    for_each_corner([&](halfedge_descriptor h, int c) {
-      const int facing = next_corner(c); // the one that faces `h`
-      if(chart.opposite[facing] >= 0)
-        return;
-      const halfedge_descriptor other = across(h);
-      if(other != Graph_traits::null_halfedge() && get(*m_ranks, face(other, m_mesh)) >= 0)
-        chart.seam[facing] = facing_corner(other, *m_ranks);
-    });
+    chart.seam.assign(chart.opposite.size(), -1);
+    for(int c = 0; c < static_cast<int>(chart.opposite.size()); ++c)
+      if(chart.opposite[c] < 0) {
+        const halfedge_descriptor other = across(m_faces.faced_halfedge(c));
+        if(other == Graph_traits::null_halfedge())
+          continue;
+        if(const int t = m_faces.rank(face(other, m_mesh)); t >= 0)
+          chart.seam[c] = facing_corner(other, t);
+      }
   }
+
+  int number_of_faces() const { return m_faces.size(); }
+  face_descriptor face_of_triangle(int t) const { return m_faces.face_of(t); }
 
   Chart chart;
   std::vector<vertex_descriptor> vertex_descriptors; // of each vertex of the chart
-  std::vector<face_descriptor> face_descriptors;     // of each triangle of the chart
 
 private:
-  // Sets `face_descriptors` and the chart's corner table up to the vertices. Faces come in the order of a breadth-first
-  // search, whatever that of the mesh is, so that neighbours are near to each other in memory.
-  Chart_defect find_faces(halfedge_descriptor bhd)
-  {
-    if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
-      return {Flattening_report::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
-    const halfedge_descriptor inner = opposite(bhd, m_mesh);
-    if(CGAL::is_border(inner, m_mesh))
-      return {Flattening_report::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
+  int facing_corner(halfedge_descriptor h, int t) const { return 3 * t + m_faces.facing_corner(h, t); }
 
-    Face_ranks ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
-    for(face_descriptor f : faces(m_mesh))
-      put(ranks, f, -1);
-    const auto find = [&](face_descriptor f) {
-      if(get(ranks, f) >= 0)
-        return;
-      put(ranks, f, static_cast<int>(face_descriptors.size()));
-      face_descriptors.push_back(f);
+  // Sets the corner table, and the vertices in the order in which the faces come upon them. A face that is entered from another
+  // one brings one vertex, which may be new.
+  template <typename VertexIndexMap>
+  Chart_defect find_faces(halfedge_descriptor inner, VertexIndexMap vimap)
+  {
+    const std::size_t most_faces = m_faces.begin();
+    chart.opposite.reserve(3 * most_faces);
+    chart.vertex.reserve(3 * most_faces);
+    Vertex_ranks<typename boost::property_traits<VertexIndexMap>::value_type> ranks(
+        24 * most_faces); // vertices are half as many as faces
+    const auto find_vertex = [&](halfedge_descriptor h) {
+      const vertex_descriptor v = target(h, m_mesh);
+      int& rank = ranks[get(vimap, v)];
+      if(rank < 0) {
+        rank = static_cast<int>(vertex_descriptors.size());
+        vertex_descriptors.push_back(v);
+      }
+      return rank;
     };
-    find(face(inner, m_mesh));
-    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
-      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
-      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
-        if(const halfedge_descriptor across = opposite(h, m_mesh); !CGAL::is_border(across, m_mesh))
-          find(face(across, m_mesh));
-      if(h != halfedge(face_descriptors[t], m_mesh))
-        return {Flattening_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {static_cast<int>(t)}};
-      if(face_descriptors.size() > static_cast<std::size_t>(largest_number_of_triangles))
+    const int first = find_vertex(inner);
+    enter(inner, face(inner, m_mesh), -1, first, find_vertex(prev(inner, m_mesh)));
+    for(int t = 0; t < number_of_faces(); ++t) {
+      if(!m_faces.is_triangle(t))
+        return {Flattening_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {t}};
+      chart.vertex[3 * t + 1] = find_vertex(next(m_faces.entry(t), m_mesh));
+      m_faces.link_others(t, t, [&](halfedge_descriptor h, int k) { link(h, 3 * t + k); });
+      if(number_of_faces() > largest_number_of_triangles)
         return {
             Flattening_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
     }
-    link_corners(ranks);
-    m_ranks = ranks;
-    if constexpr(Seam_sides<TriangleMesh>::has_seams)
-      link_seams([&](halfedge_descriptor h) { return Seam_sides<TriangleMesh>::across(h, m_mesh); });
-    m_first_border = facing_corner(inner, ranks);
     return {};
   }
 
-  // The corner of the face of `h` that faces `h`. Corner k of a face is at the target of its halfedge number k, and
-  // so faces halfedge number k + 2.
-  int facing_corner(halfedge_descriptor h, const Face_ranks& ranks) const
+  // Sets what is opposite of the corner that faces halfedge `h`, and enters the face there if it is new. An edge between two
+  // faces that were found already is linked from the second one.
+  void link(halfedge_descriptor h, int corner)
   {
-    const face_descriptor f = face(h, m_mesh);
-    int k = 1;
-    for(halfedge_descriptor g = halfedge(f, m_mesh); g != h; g = next(g, m_mesh))
-      ++k;
-    return 3 * get(ranks, f) + k % 3;
-  }
-
-  void link_corners(const Face_ranks& ranks)
-  {
-    chart.opposite.resize(3 * face_descriptors.size());
-    for(std::size_t t = 0; t < face_descriptors.size(); ++t) {
-      halfedge_descriptor h = halfedge(face_descriptors[t], m_mesh);
-      for(int k : {1, 2, 0}) {
-        const halfedge_descriptor across = opposite(h, m_mesh);
-        chart.opposite[3 * t + k] = CGAL::is_border(across, m_mesh) ? -1 : facing_corner(across, ranks);
-        h = next(h, m_mesh);
-      }
-    }
-  }
-
-  // Calls `visit` with the halfedge to the vertex of each corner, and the corner.
-  template <typename Visitor>
-  void for_each_corner(const Visitor& visit) const
-  {
-    int c = 0;
-    for(face_descriptor f : face_descriptors) {
-      halfedge_descriptor h = halfedge(f, m_mesh);
-      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
-        visit(h, c++);
-    }
-  }
-
-  // Sets `vertex_descriptors`, in the order in which the faces come upon them, and the vertex of each corner.
-  template <typename VertexIndexMap>
-  void number_vertices(VertexIndexMap vimap)
-  {
-    typedef typename boost::property_traits<VertexIndexMap>::value_type Index;
-    std::vector<Index> indices(3 * face_descriptors.size());
-    for_each_corner([&](halfedge_descriptor h, int c) { indices[c] = get(vimap, target(h, m_mesh)); });
-    make_indices_dense(indices);
-    std::vector<int> ranks(static_cast<std::size_t>(*std::max_element(indices.begin(), indices.end())) + 1,
-                           -1);
-    chart.vertex.resize(indices.size());
-    for_each_corner([&](halfedge_descriptor h, int c) {
-      int& rank = ranks[static_cast<std::size_t>(indices[c])];
-      if(rank < 0) {
-        rank = static_cast<int>(vertex_descriptors.size());
-        vertex_descriptors.push_back(target(h, m_mesh));
-      }
-      chart.vertex[c] = rank;
-    });
-  }
-
-  // Replaces indices of vertices that are too far apart for an array.
-  template <typename Index>
-  static void make_indices_dense(std::vector<Index>& indices)
-  {
-    const auto [least, largest] = std::minmax_element(indices.begin(), indices.end());
-    if(!(*least < Index(0)) && static_cast<std::size_t>(*largest) < 8 * indices.size())
+    const halfedge_descriptor across = opposite(h, m_mesh);
+    if(CGAL::is_border(across, m_mesh))
       return;
-    std::vector<Index> sorted = indices;
-    std::sort(sorted.begin(), sorted.end());
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    for(Index& v : indices)
-      v = static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
+    const face_descriptor f = face(across, m_mesh);
+    const int t = m_faces.rank(f);
+    if(t < 0) {
+      chart.opposite[corner] = 3 * number_of_faces() + 1;
+      enter(across, f, corner, chart.edge_source(corner), chart.edge_target(corner));
+    } else if(t <= corner / 3) {
+      chart.opposite[corner] = facing_corner(across, t);
+      chart.opposite[chart.opposite[corner]] = corner;
+    }
+  }
+
+  // Adds face `f`, which `entry` belongs to. `from` is the corner that faces the entry from the other side; `target` and `source` are
+  // the vertices of the entry.
+  void enter(halfedge_descriptor entry, face_descriptor f, int from, int target, int source)
+  {
+    m_faces.enter(entry, f);
+    for(int c : {-1, from, -1})
+      chart.opposite.push_back(c);
+    for(int v : {target, -1, source})
+      chart.vertex.push_back(v);
   }
 
   void read_points()
@@ -244,12 +206,10 @@ private:
     chart.scale = power_of_two(largest);
     for(Chart::Point_3& p : chart.points)
       p = Chart::Point_3(p.x() / chart.scale, p.y() / chart.scale, p.z() / chart.scale);
-    find_borders(chart, m_first_border);
   }
 
   const TriangleMesh& m_mesh;
-  int m_first_border = -1;
-  std::optional<Face_ranks> m_ranks;
+  Entered_faces<TriangleMesh> m_faces;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -18,20 +18,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The vertices of each border cycle, in its order
-typedef std::vector<std::vector<int>> Border_cycles;
-
-inline Border_cycles border_cycles(const Chart& chart)
-{
-  Border_cycles cycles;
-  for(const std::vector<int>& border : chart.borders) {
-    cycles.emplace_back();
-    for(int c : border)
-      cycles.back().push_back(chart.edge_source(c));
-  }
-  return cycles;
-}
-
 // The borders of a chart in the plane, while their vertices move one by one: whether edges touch, and which are near. A disk
 // whose triangles are all positively oriented is injective if its border is simple, so nothing else needs a test.
 //

@@ -132,12 +132,13 @@ private:
                     "the linear system that predicts the scale could not be solved for " + where);
   }
 
+  // Where seams were kept, no other edge has a mark.
   void mark(const std::vector<Seams>& results)
   {
     for(std::size_t i = 0; i < results.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
       for(int c = 0; c < part.chart.number_of_corners(); ++c)
-        if(part.chart.opposite[c] > c)
+        if(part.chart.opposite[c] > c && (results[i].is_seam[c] || !m_keeps_seams))
           put(m_seams, m_reader.edge_of(3 * part.first_triangle + c), bool(results[i].is_seam[c]));
     }
   }
@@ -153,13 +154,38 @@ private:
       for(int c = 0; c < part.chart.number_of_corners(); ++c)
         if(results[i].is_seam[c] || is_seam_at_border(part, c))
           sides += edge_length(part.chart, c);
+      report.number_of_disks += count_pieces(part.chart, results[i].is_seam);
       report.number_of_terminals += results[i].terminals.size();
       report.predicted_stretch = (std::max)(report.predicted_stretch, results[i].predicted_stretch);
     }
-    report.number_of_components = m_reader.count_parts([](edge_descriptor) { return false; });
-    report.number_of_disks = m_reader.count_parts([&](edge_descriptor e) { return get(m_seams, e); });
+    report.number_of_components = m_reader.count_components();
     report.seam_length = sides / 2 * m_reader.scale();
     report.relative_seam_length = area > 0 ? sides / 2 / std::sqrt(area) : 0;
+  }
+
+  // The number of pieces that the seams cut a part into
+  static std::size_t count_pieces(const Chart& chart, const std::vector<char>& is_seam)
+  {
+    std::size_t count = 0;
+    std::vector<char> is_found(chart.number_of_triangles(), false);
+    std::vector<int> found;
+    const auto find = [&](int t) {
+      if(!is_found[t])
+        found.push_back(t);
+      is_found[t] = true;
+    };
+    for(int first = 0; first < chart.number_of_triangles(); ++first) {
+      count += !is_found[first];
+      find(first);
+      while(!found.empty()) {
+        const int t = found.back();
+        found.pop_back();
+        for(int c = 3 * t; c < 3 * t + 3; ++c)
+          if(chart.opposite[c] >= 0 && !is_seam[c])
+            find(chart.opposite[c] / 3);
+      }
+    }
+    return count;
   }
 
   bool is_seam_at_border(const Surface_part& part, int c) const

@@ -33,8 +33,8 @@ public:
     coarsening.coarsen(vertices, Hierarchical_options().extreme_angle);
     Coarse_chart coarse = coarsening.coarse_chart();
     m_coarse = std::move(coarse.chart);
-    m_fine_vertex = std::move(coarse.vertices);
-    find_regions(coarsening);
+    m_fine_vertex = coarsening.original(coarse.vertices);
+    find_regions(coarse.vertices, coarsening);
   }
 
   const Chart& chart() const { return m_coarse; }
@@ -88,13 +88,13 @@ public:
 
 private:
   // The vertices of the surface that were merged into each vertex of the copy
-  void find_regions(Coarsening& coarsening)
+  void find_regions(const std::vector<int>& remaining, Coarsening& coarsening)
   {
-    std::vector<int> region(m_surface.points.size(), -1);
-    for(std::size_t i = 0; i < m_fine_vertex.size(); ++i)
-      region[m_fine_vertex[i]] = static_cast<int>(i);
+    std::vector<int> region(coarsening.mesh().chart().points.size(), -1);
+    for(std::size_t i = 0; i < remaining.size(); ++i)
+      region[remaining[i]] = static_cast<int>(i);
     while(coarsening.number_of_levels() > 0)
-      coarsening.undo_level([&](int v, int kept) { region[v] = region[kept]; });
+      coarsening.undo_level(region);
     m_members.resize(m_fine_vertex.size());
     for(std::size_t v = 0; v < region.size(); ++v)
       m_members[region[v]].push_back(static_cast<int>(v));

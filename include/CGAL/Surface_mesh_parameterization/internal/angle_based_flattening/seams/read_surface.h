@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/entered_faces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -44,7 +46,9 @@ class Surface_reader
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
 public:
-  Surface_reader(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
+  Surface_reader(const TriangleMesh& mesh, VertexPointMap points)
+      : m_mesh(mesh), m_points(points), m_faces(mesh)
+  {}
 
   const std::vector<Surface_part>& parts() const { return m_parts; }
   double scale() const { return m_scale; } // lengths in the mesh, divided by those of the parts
@@ -64,19 +68,13 @@ public:
     return find_faces(is_cut, is_skipped, report) && read_points(report);
   }
 
-  face_descriptor face_of(int triangle) const { return m_faces[triangle]; }
+  face_descriptor face_of(int triangle) const { return m_faces.face_of(triangle); }
 
-  // The one to a corner of the surface, in its face: corner k of a face is at the target of its halfedge number k.
-  halfedge_descriptor halfedge_to(int corner) const
-  {
-    halfedge_descriptor h = halfedge(m_faces[corner / 3], m_mesh);
-    for(int k = corner % 3; k > 0; --k)
-      h = next(h, m_mesh);
-    return h;
-  }
+  // The one to a corner of the surface, in its face
+  halfedge_descriptor halfedge_to(int corner) const { return m_faces.halfedge_to(corner); }
 
   // The edge that a corner of the surface faces
-  edge_descriptor edge_of(int corner) const { return edge(halfedge_to(previous_corner(corner)), m_mesh); }
+  edge_descriptor edge_of(int corner) const { return edge(m_faces.faced_halfedge(corner), m_mesh); }
 
   // Sets what edges cost: `cost_of(e, length)`, where the length is that in the parts.
   template <typename Cost>
@@ -103,22 +101,25 @@ public:
     return true;
   }
 
-  // The number of connected parts of the whole surface, opened along the edges with `is_cut(e)`
-  template <typename IsCut>
-  std::size_t count_parts(const IsCut& is_cut) const
+  // The number of connected components of the surface that was read, if it were not opened
+  std::size_t count_components() const
   {
-    Disjoint_sets sets(m_faces.size());
-    std::size_t count = m_faces.size();
-    for(std::size_t t = 0; t < m_faces.size(); ++t)
-      for(const halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[t], m_mesh), m_mesh))
-        if(const halfedge_descriptor across = opposite(h, m_mesh);
-           !CGAL::is_border(across, m_mesh) && !is_cut(edge(h, m_mesh))) {
-          const auto other = static_cast<std::size_t>(get(m_ranks, face(across, m_mesh)));
-          if(sets.find_set(t) != sets.find_set(other)) {
-            sets.union_set(t, other);
-            --count;
-          }
+    Disjoint_sets sets(m_parts.size());
+    std::size_t count = m_parts.size();
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      for(int c = 0; c < m_parts[i].chart.number_of_corners(); ++c) {
+        if(m_parts[i].chart.opposite[c] >= 0)
+          continue;
+        const halfedge_descriptor across =
+            opposite(m_faces.faced_halfedge(3 * m_parts[i].first_triangle + c), m_mesh);
+        if(CGAL::is_border(across, m_mesh))
+          continue;
+        const std::size_t j = part_of(m_faces.rank(face(across, m_mesh)));
+        if(sets.find_set(i) != sets.find_set(j)) {
+          sets.union_set(i, j);
+          --count;
         }
+      }
     return count;
   }
 
@@ -133,79 +134,85 @@ private:
   template <typename IsCut, typename IsSkipped>
   bool find_faces(const IsCut& is_cut, const IsSkipped& is_skipped, Report& report)
   {
-    m_ranks = get(CGAL::dynamic_face_property_t<int>(), m_mesh);
-    for(face_descriptor f : faces(m_mesh))
-      put(m_ranks, f, -1);
+    m_faces.begin();
     for(face_descriptor f : faces(m_mesh)) {
-      if(get(m_ranks, f) >= 0 || is_skipped(f))
+      if(m_faces.rank(f) >= 0 || is_skipped(f))
         continue;
-      const std::size_t first = m_faces.size();
-      find(f);
-      for(std::size_t t = first; t < m_faces.size(); ++t) {
-        halfedge_descriptor h = halfedge(m_faces[t], m_mesh);
-        for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
-          if(const halfedge_descriptor across = opposite(h, m_mesh);
-             !CGAL::is_border(across, m_mesh) && !is_cut(edge(h, m_mesh)))
-            find(face(across, m_mesh));
-        if(h != halfedge(m_faces[t], m_mesh)) {
-          const auto p = get(m_points, target(h, m_mesh));
-          fail(report, Report::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
-          return false;
-        }
-        if(m_faces.size() > static_cast<std::size_t>(largest_number_of_triangles)) {
-          fail(report, Report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
-          return false;
-        }
-      }
-      m_parts.push_back(link(static_cast<int>(first), is_cut));
+      m_parts.emplace_back();
+      if(!find_part(halfedge(f, m_mesh), f, is_cut, report))
+        return false;
     }
-    if(m_faces.empty())
+    if(m_faces.size() == 0)
       fail(report, Report::EMPTY_MESH, "the mesh has no faces");
-    return !m_faces.empty();
+    return m_faces.size() > 0;
   }
 
-  void find(face_descriptor f)
-  {
-    if(get(m_ranks, f) >= 0)
-      return;
-    put(m_ranks, f, static_cast<int>(m_faces.size()));
-    m_faces.push_back(f);
-  }
-
-  template <typename Point>
-  static std::string point_text(const Point& p)
-  {
-    Chart chart;
-    chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    return position_text(chart, 0);
-  }
-
+  // Finds the part of face `f`, which `entry` belongs to, and sets its corner table up to the vertices.
   template <typename IsCut>
-  Surface_part link(int first, const IsCut& is_cut)
+  bool find_part(halfedge_descriptor entry, face_descriptor f, const IsCut& is_cut, Report& report)
   {
-    Surface_part part;
-    part.first_triangle = first;
-    Chart& chart = part.chart;
-    chart.opposite.resize(3 * (m_faces.size() - first), -1);
-    for(int t = 0; t < static_cast<int>(chart.opposite.size()) / 3; ++t) {
-      halfedge_descriptor h = halfedge(m_faces[first + t], m_mesh);
-      for(int k : {1, 2, 0}) {
-        if(const int across = corner_across(h, first); across < 0 || !is_cut(edge(h, m_mesh)))
-          chart.opposite[3 * t + k] = across;
-        else
-          set_seam(chart, 3 * t + k, across);
-        h = next(h, m_mesh);
+    Surface_part& part = m_parts.back();
+    const int first = part.first_triangle = m_faces.size();
+    enter(entry, f, -1);
+    link(entry, 1, is_cut);
+    for(int t = first; t < m_faces.size(); ++t) {
+      if(!m_faces.is_triangle(t)) {
+        const auto p = get(m_points, target(m_faces.entry(t), m_mesh));
+        fail(report, Report::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
+        return false;
+      }
+      const int rank = t - first;
+      m_faces.link_others(t, rank, [&](halfedge_descriptor h, int k) { link(h, 3 * rank + k, is_cut); });
+      if(m_faces.size() > largest_number_of_triangles) {
+        fail(report, Report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
+        return false;
       }
     }
-    return part;
+    if(!part.chart.seam.empty())
+      part.chart.seam.resize(part.chart.opposite.size(), -1);
+    return true;
   }
 
-  // The corner in the part that began with triangle `first` which faces the same edge; -1 if there is none
-  int corner_across(halfedge_descriptor h, int first) const
+  // Sets what is across the edge `h` that a corner of the last part faces, and enters the face there if it is new. An edge between
+  // two faces that were found already is linked from the second one.
+  template <typename IsCut>
+  void link(halfedge_descriptor h, int corner, const IsCut& is_cut)
   {
     const halfedge_descriptor across = opposite(h, m_mesh);
-    const bool is_in_part = !CGAL::is_border(across, m_mesh) && get(m_ranks, face(across, m_mesh)) >= first;
-    return is_in_part ? facing_corner(across) - 3 * first : -1;
+    if(CGAL::is_border(across, m_mesh))
+      return;
+    Surface_part& part = m_parts.back();
+    std::vector<int>& opposite_corner = part.chart.opposite;
+    const face_descriptor f = face(across, m_mesh);
+    const bool is_open = is_cut(edge(h, m_mesh));
+    const int t = m_faces.rank(f) - part.first_triangle; // in this part
+    if(m_faces.rank(f) < 0 && !is_open) {
+      opposite_corner[corner] = static_cast<int>(opposite_corner.size()) + 1;
+      enter(across, f, corner);
+    } else if(t >= 0 && t <= corner / 3) {
+      const int other = 3 * t + m_faces.facing_corner(across, m_faces.rank(f));
+      for(const auto& [from, to] : {std::pair(corner, other), std::pair(other, corner)})
+        if(is_open)
+          set_seam(part.chart, from, to);
+        else
+          opposite_corner[from] = to;
+    }
+  }
+
+  // Adds a face to the last part. `from` is the corner that faces its halfedge `entry` from the other side, or -1.
+  void enter(halfedge_descriptor entry, face_descriptor f, int from)
+  {
+    m_faces.enter(entry, f);
+    for(int c : {-1, from, -1})
+      m_parts.back().chart.opposite.push_back(c);
+  }
+
+  std::size_t part_of(int triangle) const
+  {
+    const auto next =
+        std::upper_bound(m_parts.begin(), m_parts.end(), triangle,
+                         [](int t, const Surface_part& part) { return t < part.first_triangle; });
+    return static_cast<std::size_t>(next - m_parts.begin()) - 1;
   }
 
   static void set_seam(Chart& chart, int c, int across)
@@ -214,13 +221,12 @@ private:
     chart.seam[c] = across;
   }
 
-  int facing_corner(halfedge_descriptor h) const
+  template <typename Point>
+  static std::string point_text(const Point& p)
   {
-    const face_descriptor f = face(h, m_mesh);
-    int k = 1;
-    for(halfedge_descriptor g = halfedge(f, m_mesh); g != h; g = next(g, m_mesh))
-      ++k;
-    return 3 * get(m_ranks, f) + k % 3;
+    Chart chart;
+    chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    return position_text(chart, 0);
   }
 
   bool read_points(Report& report)
@@ -253,24 +259,29 @@ private:
   {
     Chart& chart = part.chart;
     chart.vertex.assign(chart.opposite.size(), -1);
-    int corner = 0;
-    for(int t = 0; t < chart.number_of_triangles(); ++t) {
-      halfedge_descriptor h = halfedge(m_faces[part.first_triangle + t], m_mesh);
-      for(int k = 0; k < 3; ++k, ++corner, h = next(h, m_mesh)) {
-        if(chart.vertex[corner] >= 0)
-          continue;
-        const auto& p = get(m_points, target(h, m_mesh));
-        for(int c : corners_around(chart, corner))
-          chart.vertex[c] = chart.number_of_vertices();
-        chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      }
+    for(int corner = 0; corner < chart.number_of_corners(); ++corner) {
+      if(chart.vertex[corner] >= 0)
+        continue;
+      set_vertex_around(corner, chart.number_of_vertices(), chart);
+      const auto& p = get(m_points, target(halfedge_to(3 * part.first_triangle + corner), m_mesh));
+      chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
+  }
+
+  // Clockwise, and counterclockwise as well where the triangles do not close around the vertex
+  static void set_vertex_around(int corner, int v, Chart& chart)
+  {
+    for(int c = corner; c >= 0 && chart.vertex[c] < 0; c = chart.rotate(c))
+      chart.vertex[c] = v;
+    for(int across = chart.opposite[next_corner(corner)];
+        across >= 0 && chart.vertex[next_corner(across)] < 0;
+        across = chart.opposite[next_corner(next_corner(across))])
+      chart.vertex[next_corner(across)] = v;
   }
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_points;
-  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int>>::const_type m_ranks;
-  std::vector<face_descriptor> m_faces;
+  Entered_faces<TriangleMesh> m_faces;
   std::vector<Surface_part> m_parts;
   double m_scale = 1;
 };

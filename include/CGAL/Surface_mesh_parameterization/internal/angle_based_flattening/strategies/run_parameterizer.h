@@ -51,7 +51,7 @@ struct Outcome
     for(int v : vertices)
       offending_vertices.push_back(reader.vertex_descriptors[v]);
     for(int t : triangles)
-      offending_faces.push_back(reader.face_descriptors[t]);
+      offending_faces.push_back(reader.face_of_triangle(t));
   }
 };
 
@@ -137,7 +137,7 @@ private:
     if(!defect)
       defect = diagnose(m_reader.chart, m_options.holes != Flattening_options::REFUSE);
     if(!defect)
-      defect = read_importance(m_reader.face_descriptors, m_prescriptions.importance, m_reader.chart);
+      defect = read_importance(m_reader, m_prescriptions.importance);
     if(!defect && m_prescriptions.seam_sides) {
       m_reader.link_seams([&](halfedge_descriptor h) { return across_seam(h); });
       defect = find_wrong_seam(m_reader.chart);
@@ -150,7 +150,7 @@ private:
       defect =
           read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_mesh, m_reader.chart);
     report.vertices = m_reader.chart.number_of_vertices();
-    report.triangles = static_cast<int>(m_reader.face_descriptors.size());
+    report.triangles = m_reader.number_of_faces();
     report.borders = static_cast<int>(m_reader.chart.borders.size());
     if(!defect)
       return true;
