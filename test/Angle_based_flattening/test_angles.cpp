@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "hard_charts.h"
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
@@ -459,6 +460,25 @@ BOOST_AUTO_TEST_CASE(are_as_exact_as_asked_for)
   }
 }
 
+BOOST_AUTO_TEST_CASE(are_the_same_where_memory_is_saved)
+{
+  const Chart chart = bump(12, 7);
+  const std::vector<double> beta = abf::target_angles(chart);
+  const Vector multipliers = 0.1 * random_vector(2 * chart.number_of_nodes(), 3);
+  for(bool iteratively : {false, true}) {
+    abf::Newton_step steps[2];
+    for(int saves_memory : {0, 1}) {
+      abf::Newton_system system(chart, beta, abf::Angle_energy{0.1}, true, Solver(), iteratively,
+                                saves_memory);
+      BOOST_REQUIRE(system.compute(beta, multipliers, abf::constraint_residuals(chart, beta),
+                                   steps[saves_memory], {1e-2}));
+    }
+    BOOST_TEST(steps[0].angles == steps[1].angles);
+    BOOST_TEST(steps[0].multipliers == steps[1].multipliers);
+    BOOST_TEST(steps[0].predicted_decrease == steps[1].predicted_decrease);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(give_the_step_of_equation_6_for_any_nodes)
 {
   for(const Chart& chart : {bump_with_other_nodes(), torus_of_bump(5), bump_with_handles(4)}) {
@@ -537,6 +557,84 @@ BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
   Vector x;
   BOOST_REQUIRE(preconditioner.solve(b, x));
   BOOST_TEST((product(chain(40, 2.5, 0), x) - b).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+// Flat, but for two neighbours here and there, at different heights
+Chart chart_with_spikes(int n, double height)
+{
+  return patch(n, n, [=](int i, int j) {
+    const double part = j % 10 == 5 ? (i % 10 == 4) + 0.8 * (i % 10 == 5) : 0;
+    return Point_3(i, j, height * part);
+  });
+}
+
+struct First_equation
+{
+  std::vector<double> beta;
+  abf::Newton_system system;
+  Vector right_hand_side;
+
+  explicit First_equation(const Chart& chart)
+      : beta(abf::target_angles(chart)), system(chart, beta, abf::Angle_energy{0.1}, true, Solver())
+  {
+    const abf::Constraint_vector zero = abf::Constraint_vector::Zero(2 * chart.number_of_nodes());
+    right_hand_side = system.assemble(beta, zero, abf::constraint_residuals(chart, beta));
+  }
+};
+
+BOOST_AUTO_TEST_CASE(solves_near_strongly_coupled_blocks)
+{
+  const First_equation first(chart_with_spikes(40, 10));
+  const abf::Block_matrix<2>& matrix = first.system.matrix();
+  const std::vector<char> is_near = abf::strongly_coupled_blocks(matrix);
+  BOOST_TEST(std::count(is_near.begin(), is_near.end(), true) > 0);
+  BOOST_TEST(4 * std::count(is_near.begin(), is_near.end(), true) <= matrix.columns_of_blocks());
+
+  abf::Block_preconditioner scalar{Solver()};
+  scalar.analyze_pattern(matrix);
+  BOOST_REQUIRE(scalar.set_matrix(matrix));
+  Vector x;
+  const abf::Iterative_accuracy accuracy{1e-8};
+  const int without =
+      abf::conjugate_gradients(matrix, first.right_hand_side, scalar, accuracy, 1000, x).steps;
+
+  Vector results[2];
+  for(int threads : {1, 2})
+    abf::with_threads(threads, [&] {
+      abf::Newton_equation equation(Solver(), true);
+      BOOST_REQUIRE(equation.solve(matrix, first.right_hand_side, accuracy, results[threads - 1]));
+      BOOST_TEST(equation.factorizations() == 3);
+      BOOST_TEST(2 * equation.steps() < without);
+    });
+  BOOST_TEST(results[0] == results[1]);
+
+  abf::Newton_equation whole(Solver(), false);
+  BOOST_REQUIRE(whole.solve(matrix, first.right_hand_side, accuracy, x));
+  const Vector error = results[0] - x;
+  BOOST_TEST(error.dot(product(matrix, error)) < 1e-14 * x.dot(product(matrix, x)));
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_strongly_coupled_on_a_smooth_chart)
+{
+  const First_equation first(bump(40, 7));
+  const std::vector<char> is_near = abf::strongly_coupled_blocks(first.system.matrix());
+  BOOST_TEST(std::count(is_near.begin(), is_near.end(), true) == 0);
+  abf::Newton_equation equation(Solver(), true);
+  Vector x;
+  BOOST_REQUIRE(equation.solve(first.system.matrix(), first.right_hand_side, {1e-2}, x));
+  BOOST_TEST(equation.factorizations() == 2);
+}
+
+// Only the strongest are solved as a whole where all are too many.
+BOOST_AUTO_TEST_CASE(at_most_a_quarter_is_strongly_coupled)
+{
+  auto matrix = chain(400, 2.5, 0);
+  for(int j = 0; j < 400; ++j)
+    for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
+      if(matrix.row[e] == j)
+        matrix.block[e](0, 1) = matrix.block[e](1, 0) = 10 + (j >= 200 && j < 250);
+  const std::vector<char> is_near = abf::strongly_coupled_blocks(matrix);
+  BOOST_TEST(std::count(is_near.begin(), is_near.end(), true) <= 100);
 }
 
 // A Laplacian of a chain, plus a multiple of the identity
@@ -829,8 +927,48 @@ BOOST_AUTO_TEST_CASE(converges_quadratically)
 
 BOOST_AUTO_TEST_CASE(stays_inside_the_open_interval)
 {
-  BOOST_TEST(abf::longest_step({1, 0.5}, {-0.5, -0.2}) == 1);
-  BOOST_TEST(abf::longest_step({1, 0.5}, {-3, -0.2}) == 0.3, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(abf::longest_step({1, 0.5}, {-0.5, -0.2}, 1) == 1);
+  BOOST_TEST(abf::longest_step({1, 0.5}, {-3, -0.2}, 1) == 0.3, boost::test_tools::tolerance(1e-15));
+}
+
+// Steps that each leave the same part of the way to the solution
+BOOST_AUTO_TEST_CASE(lengthens_steps_that_converge_linearly)
+{
+  const std::vector<double> beta(30, 0.5);
+  const auto second_length = [&](double rest, double first_length, double residual) {
+    abf::Step_lengths lengths;
+    abf::Newton_step step;
+    step.angles.assign(beta.size(), 1e-3);
+    BOOST_TEST(lengths.next(beta, step, residual) == 1);
+    lengths.remember(step, first_length);
+    step.angles.assign(beta.size(), rest * 1e-3);
+    return lengths.next(beta, step, residual);
+  };
+  for(double rest : {0.4, 0.5, 0.8})
+    BOOST_TEST(second_length(rest, 1, 1e-3) == 1 / (1 - rest), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(second_length(0.1, 1, 1e-3) == 1); // converges fast
+  BOOST_TEST(second_length(-0.5, 1, 1e-3) == 1);
+  BOOST_TEST(second_length(0.5, 0.7, 1e-3) == 1); // the last one was cut short,
+  BOOST_TEST(second_length(0.5, 1.5, 1e-3) == 1); // or lengthened
+  BOOST_TEST(second_length(0.5, 1, 0.1) == 1);
+  BOOST_TEST(abf::longest_step({1, 0.5}, {-0.3, -0.2}, 1.5) == 1.5);
+  BOOST_TEST(abf::longest_step({1, 0.5}, {-0.7, -0.2}, 1.5) == 0.9 / 0.7,
+             boost::test_tools::tolerance(1e-15));
+}
+
+// So rough that the Hessians of some triangles stay lifted
+BOOST_AUTO_TEST_CASE(lengthened_steps_end_at_a_minimum)
+{
+  std::mt19937 random(1);
+  const Chart chart = noisy_terrain(12, 6, random);
+  std::vector<double> alpha;
+  Options options;
+  options.energy_tolerance = 1e-16;
+  const abf::Angle_solution solution = solve(chart, options, alpha);
+  BOOST_TEST(solution.converged);
+  BOOST_TEST(std::any_of(solution.steps.begin(), solution.steps.end(),
+                         [](const SMP::ABF_plus_plus_step& step) { return step.step_length > 1; }));
+  BOOST_TEST(distance_from_stationarity(chart, options.barrier, alpha) < 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(steps_are_reported)

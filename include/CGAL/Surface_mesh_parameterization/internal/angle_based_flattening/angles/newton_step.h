@@ -40,12 +40,14 @@ struct Newton_step
 class Newton_system
 {
 public:
+  // To save memory, the local systems are computed anew after factorizations.
   Newton_system(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy,
-                bool with_constraint_curvature, const Linear_solvers& solvers, bool iteratively = false)
+                bool with_constraint_curvature, const Linear_solvers& solvers, bool iteratively = false,
+                bool saves_memory = false)
       : m_chart(chart), m_beta(beta), m_energy(energy),
-        m_with_constraint_curvature(with_constraint_curvature), m_loops(chart),
+        m_with_constraint_curvature(with_constraint_curvature), m_saves_memory(saves_memory), m_loops(chart),
         m_assembly(chart.vertex, chart.node, chart.number_of_nodes(), m_loops.nodes()),
-        m_local(chart.number_of_triangles()), m_equation(solvers, iteratively, chart.number_of_holes())
+        m_equation(solvers, iteratively, chart.number_of_holes())
   {
     if(chart.number_of_holes() > 0)
       m_binding.emplace(holes_of_bound_nodes(chart), chart.number_of_holes(), m_assembly.matrix());
@@ -67,8 +69,13 @@ public:
       else
         right_hand_side = assemble(alpha, multipliers, residual);
     });
+    const bool needs_memory = m_saves_memory && m_equation.is_to_be_factored();
+    if(needs_memory)
+      std::vector<Local_system>().swap(m_local);
     if(!m_equation.solve(matrix(), right_hand_side, accuracy, step.multipliers))
       return false;
+    if(needs_memory)
+      set_local_systems(alpha, m_binding ? m_binding->expand(multipliers) : multipliers);
     substitute_back(step);
     return true;
   }
@@ -117,14 +124,20 @@ private:
         m_binding->set_position(i++, position);
   }
 
-  // Eq. 16 for the multipliers of all nodes
-  Eigen::VectorXd assemble_nodes(const std::vector<double>& alpha, const Constraint_vector& multipliers,
-                                 const Constraint_vector& residual)
+  void set_local_systems(const std::vector<double>& alpha, const Constraint_vector& multipliers)
   {
+    m_local.resize(m_chart.number_of_triangles());
     parallel_for_blocks(m_chart.number_of_triangles(), [&](int begin, int end) {
       for(int t = begin; t < end; ++t)
         m_local[t] = local_system(t, alpha, multipliers);
     });
+  }
+
+  // Eq. 16 for the multipliers of all nodes
+  Eigen::VectorXd assemble_nodes(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                                 const Constraint_vector& residual)
+  {
+    set_local_systems(alpha, multipliers);
     Eigen::VectorXd right_hand_side = residual;
     m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Local_system& local = m_local[c / 3];
@@ -237,7 +250,7 @@ private:
   const Chart& m_chart;
   const std::vector<double>& m_beta;
   Angle_energy m_energy;
-  bool m_with_constraint_curvature;
+  bool m_with_constraint_curvature, m_saves_memory;
   Loop_equations m_loops;
   Triangle_assembly<2> m_assembly;
   std::vector<Local_system> m_local; // of each triangle

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/newton_step.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/step_lengths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
@@ -49,11 +50,11 @@ struct Angle_iterate
   double merit(double penalty) const { return energy + penalty * violation(); }
 };
 
-// The longest step, at most the full one, that takes no angle further than a fraction 0.9 of its way to zero. As
-// triangles keep their sum, no angle comes near pi then either.
-inline double longest_step(const std::vector<double>& alpha, const std::vector<double>& direction)
+// The longest step up to `length` that takes no angle further than a fraction 0.9 of its way to zero. As triangles keep
+// their sum, no angle comes near pi then either.
+inline double longest_step(const std::vector<double>& alpha, const std::vector<double>& direction,
+                           double length)
 {
-  double length = 1;
   for(std::size_t c = 0; c < alpha.size(); ++c)
     if(-length * direction[c] > 0.9 * alpha[c])
       length = -0.9 * alpha[c] / direction[c];
@@ -67,10 +68,10 @@ inline double sufficient_penalty(const Angle_iterate& iterate, const Newton_step
                                      : 0;
 }
 
-// Goes along the step, less and less far until the merit function decreases in proportion. Returns the part of the
-// step that was taken, or 0 if none would do.
+// Goes `length` times the step, or less and less far until the merit function decreases in proportion. Returns the part of
+// the step that was taken, or 0 if none would do.
 inline double take_step(const Chart& chart, const Angle_energy& energy, const std::vector<double>& beta,
-                        const Newton_step& step, double penalty, Angle_iterate& iterate)
+                        const Newton_step& step, double length, double penalty, Angle_iterate& iterate)
 {
   const double merit = iterate.merit(penalty), rounding = 1e-12 * merit;
   const int corners = chart.number_of_corners();
@@ -84,7 +85,8 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
 
   Angle_iterate next;
   next.alpha.resize(beta.size());
-  for(double length = longest_step(iterate.alpha, step.angles); length > 1e-8; length /= 2) {
+  length = longest_step(iterate.alpha, step.angles, length);
+  for(; length > 1e-8; length = length > 1 ? 1 : length / 2) {
     parallel_for_blocks(corners, [&](int begin, int end) {
       for(int c = begin; c < end; ++c)
         next.alpha[c] = iterate.alpha[c] + length * step.angles[c];
@@ -162,9 +164,11 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
                                    const ABF_plus_plus_options& options, const Linear_solvers& solvers,
                                    std::vector<double> start)
 {
+  constexpr int many_triangles = 500000; // a factor needs most of the memory then
   const Angle_energy energy{options.barrier};
   Newton_system system(chart, beta, energy, options.step == ABF_plus_plus_options::NEWTON, solvers,
-                       options.linear_solver == ABF_plus_plus_options::ITERATIVE);
+                       options.linear_solver == ABF_plus_plus_options::ITERATIVE,
+                       chart.number_of_triangles() >= many_triangles);
   Newton_step step;
   Angle_iterate iterate;
   iterate.alpha = std::move(start);
@@ -173,6 +177,7 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
 
   Angle_solution result;
   Forcing_terms forcing_terms(options.tolerance);
+  Step_lengths step_lengths;
   double penalty = 0;
   while(!result.converged && result.iterations < options.max_iterations) {
     result.is_solved = system.compute(iterate.alpha, iterate.multipliers, iterate.residual, step,
@@ -180,7 +185,8 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
     if(!result.is_solved)
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
-    const double length = take_step(chart, energy, beta, step, penalty, iterate);
+    const double length = take_step(
+        chart, energy, beta, step, step_lengths.next(beta, step, iterate.largest_residual), penalty, iterate);
     if(length == 0 && system.equation().steps() > 0 && forcing_terms.tighten())
       continue; // a more exact step may lower the merit function where this one did not
     result.converged = has_converged(options, iterate, step.predicted_decrease);
@@ -190,6 +196,7 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
                             step.predicted_decrease, length, system.equation().steps(),
                             system.equation().factorizations(), system.equation().repeated_factorizations()});
     visit_step(options.visitor, result.steps.back());
+    step_lengths.remember(step, length);
   }
   result.energy = iterate.energy;
   result.constraint_residual = iterate.largest_residual;

@@ -34,23 +34,22 @@ struct Iterative_solution
   int steps;
 };
 
-// Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, starting at zero, until the
-// preconditioned norm of the residual, sqrt(r' M r), has become a small part of that at the start. (Eigen's own looks at
-// the plain norm, in which large multipliers at slivers hide all others.)
+// Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, until the preconditioned norm of the
+// residual, sqrt(r' M r), has become a small part of that of b. (Eigen's own looks at the plain norm, in which large
+// multipliers at slivers hide all others.) Starts at `x`, the solution within a subspace, whose `residual` is orthogonal to it.
 template <typename Matrix, typename Preconditioner>
 Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b,
                                        Preconditioner& preconditioner, const Iterative_accuracy& accuracy,
-                                       int max_steps, Eigen::VectorXd& x)
+                                       int max_steps, Eigen::VectorXd residual, Eigen::VectorXd& x)
 {
-  x = Eigen::VectorXd::Zero(b.size());
-  Eigen::VectorXd residual = b, correction, direction, product;
+  Eigen::VectorXd correction, direction, product;
   double previous = 0, goal = 0;
   for(int step = 0;; ++step) {
     if(!preconditioner.solve(residual, correction))
       return {Iterative_solution::FAILED, step};
     const double norm = residual.dot(correction);
     if(step == 0)
-      goal = accuracy.relative_error * accuracy.relative_error * norm;
+      goal = accuracy.relative_error * accuracy.relative_error * (b.dot(x) + norm);
     if(norm < 0 || (step == max_steps && norm > goal))
       return {Iterative_solution::NOT_SOLVED, step};
     if(norm <= goal && (step == max_steps || residual.cwiseAbs().maxCoeff() <= accuracy.largest_residual))
@@ -68,6 +67,16 @@ Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b
     x += norm / curvature * direction;
     residual -= norm / curvature * product;
   }
+}
+
+// Starts at zero.
+template <typename Matrix, typename Preconditioner>
+Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b,
+                                       Preconditioner& preconditioner, const Iterative_accuracy& accuracy,
+                                       int max_steps, Eigen::VectorXd& x)
+{
+  x = Eigen::VectorXd::Zero(b.size());
+  return conjugate_gradients(a, b, preconditioner, accuracy, max_steps, b, x);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -31,7 +32,9 @@ class Newton_equation
 public:
   // Of the matrix of a chart with holes, the last blocks belong to them, as `Bound_matrix` has them.
   Newton_equation(const Linear_solvers& solvers, bool iteratively, int holes = 0)
-      : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors), m_holes(holes)
+      : m_solvers(solvers),
+        m_iteratively(iteratively && solvers->keeps_factors && (holes == 0 || solvers->is_independent)),
+        m_holes(holes)
   {}
 
   Newton_equation(const Newton_equation&) = delete; // one preconditioner refers to the other
@@ -42,10 +45,7 @@ public:
   {
     if(m_iteratively && !m_preconditioner && matrix.size() > 0) {
       m_preconditioner.emplace(m_solvers);
-      if(m_holes > 0)
-        m_near_preconditioner.emplace(m_solvers, *m_preconditioner, m_holes, matrix);
-      else
-        m_preconditioner->analyze_pattern(matrix);
+      m_near_preconditioner.emplace(m_solvers, *m_preconditioner, m_holes, matrix);
     }
   }
 
@@ -76,6 +76,9 @@ public:
     return m_whole_system->set_matrix(matrix) && m_whole_system->solve(right_hand_side, solution);
   }
 
+  // Whether the next solution begins by factoring the whole matrix, or both scalar ones
+  bool is_to_be_factored() const { return !m_iteratively || m_preconditioner_is_stale; }
+
   // Of the last solution: steps of conjugate gradients, matrices that were factored, and those of them for which low
   // precision was not enough.
   int steps() const { return m_steps; }
@@ -93,41 +96,41 @@ private:
                                                const Eigen::VectorXd& right_hand_side,
                                                Eigen::VectorXd& solution)
   {
-    if(m_near_preconditioner && !factor_near_preconditioner(matrix))
-      return Iterative_solution::FAILED;
-    const auto solve = [&](auto& preconditioner) {
-      return conjugate_gradients(matrix, right_hand_side, preconditioner, m_accuracy, max_steps, solution);
-    };
     bool fresh = m_preconditioner_is_stale;
-    if(fresh && !factor_preconditioner(matrix))
+    if(!factor_preconditioner(matrix, fresh))
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
+      Eigen::VectorXd residual = right_hand_side;
+      if(!m_near_preconditioner->start(residual, solution))
+        return Iterative_solution::FAILED;
       const Iterative_solution result =
-          m_near_preconditioner ? solve(*m_near_preconditioner) : solve(*m_preconditioner);
+          conjugate_gradients(matrix, right_hand_side, *m_near_preconditioner, m_accuracy, max_steps,
+                              std::move(residual), solution);
       m_steps += result.steps;
       m_preconditioner_is_stale = result.steps > steps_too_many;
       if(result.status != Iterative_solution::NOT_SOLVED || fresh)
         return result.status;
-      if(!factor_preconditioner(matrix))
+      if(!factor_global_matrix(matrix))
         return Iterative_solution::FAILED;
     }
   }
 
-  bool factor_preconditioner(const Block_matrix<2>& matrix)
+  // The near part is small, and changes the most from step to step.
+  bool factor_preconditioner(const Block_matrix<2>& matrix, bool with_global)
   {
-    m_factorizations += 2;
-    const bool done = m_near_preconditioner ? m_near_preconditioner->set_global_matrix(matrix)
-                                            : m_preconditioner->set_matrix(matrix);
-    m_repeated += m_preconditioner->repeated_factorizations();
+    if(with_global && !factor_global_matrix(matrix))
+      return false;
+    const bool done = m_near_preconditioner->set_near_matrix(matrix);
+    m_factorizations += m_near_preconditioner->has_near_part();
+    m_repeated += m_near_preconditioner->is_repeated();
     return done;
   }
 
-  // Its matrix is small, and changes the most from step to step.
-  bool factor_near_preconditioner(const Block_matrix<2>& matrix)
+  bool factor_global_matrix(const Block_matrix<2>& matrix)
   {
-    ++m_factorizations;
-    const bool done = m_near_preconditioner->set_near_matrix(matrix);
-    m_repeated += m_near_preconditioner->is_repeated();
+    const bool done = m_near_preconditioner->set_global_matrix(matrix);
+    m_factorizations += 2;
+    m_repeated += m_preconditioner->repeated_factorizations();
     return done;
   }
 
@@ -135,8 +138,8 @@ private:
   bool m_iteratively;
   int m_holes;
   std::optional<Block_preconditioner> m_preconditioner;
-  std::optional<Near_preconditioner> m_near_preconditioner; // of a chart with holes
-  bool m_preconditioner_is_stale = true;                    // or not there yet
+  std::optional<Near_preconditioner> m_near_preconditioner;
+  bool m_preconditioner_is_stale = true; // or not there yet
   std::unique_ptr<Linear_solver> m_whole_system;
   Iterative_accuracy m_accuracy;
   int m_steps = 0, m_factorizations = 0, m_repeated = 0;

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_PART_OF_BLOCKS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_PART_OF_BLOCKS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Some blocks of unknowns, and what belongs to them in a matrix or a vector
+class Part_of_blocks
+{
+public:
+  Part_of_blocks() = default;
+
+  explicit Part_of_blocks(const std::vector<char>& is_in) : m_rank(is_in.size(), -1)
+  {
+    for(std::size_t j = 0; j < is_in.size(); ++j)
+      if(is_in[j]) {
+        m_rank[j] = static_cast<int>(m_blocks.size());
+        m_blocks.push_back(static_cast<int>(j));
+      }
+  }
+
+  std::size_t size() const { return m_blocks.size(); }
+
+  // A matrix whose pattern is known, but not its blocks
+  Block_matrix<2> pattern_of(const Block_matrix<2>& matrix) const
+  {
+    Block_matrix<2> part;
+    for(int j : m_blocks) {
+      for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
+        if(const int i = m_rank[matrix.row[e]]; i >= 0)
+          part.row.push_back(i);
+      part.begin.push_back(static_cast<int>(part.row.size()));
+    }
+    return part;
+  }
+
+  Block_matrix<2> of(const Block_matrix<2>& matrix) const
+  {
+    Block_matrix<2> part = pattern_of(matrix);
+    part.block.reserve(part.row.size());
+    for(int j : m_blocks)
+      for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
+        if(m_rank[matrix.row[e]] >= 0)
+          part.block.push_back(matrix.block[e]);
+    return part;
+  }
+
+  Eigen::VectorXd of(const Eigen::VectorXd& x) const
+  {
+    Eigen::VectorXd part(2 * m_blocks.size());
+    for(std::size_t i = 0; i < m_blocks.size(); ++i)
+      part.segment<2>(2 * i) = x.segment<2>(2 * m_blocks[i]);
+    return part;
+  }
+
+  void add(const Eigen::VectorXd& part, Eigen::VectorXd& x) const
+  {
+    for(std::size_t i = 0; i < m_blocks.size(); ++i)
+      x.segment<2>(2 * m_blocks[i]) += part.segment<2>(2 * i);
+  }
+
+  // Subtracts from `x` the columns of the part times `part`.
+  void subtract_columns(const Block_matrix<2>& matrix, const Eigen::VectorXd& part, Eigen::VectorXd& x) const
+  {
+    for(std::size_t i = 0; i < m_blocks.size(); ++i)
+      for(int e = matrix.begin[m_blocks[i]]; e < matrix.begin[m_blocks[i] + 1]; ++e)
+        x.segment<2>(2 * matrix.row[e]) -= matrix.block[e] * part.segment<2>(2 * i);
+  }
+
+  // Subtracts from `part` the rows of the part times `x`. They are the columns, for the matrix is symmetric.
+  void subtract_rows(const Block_matrix<2>& matrix, const Eigen::VectorXd& x, Eigen::VectorXd& part) const
+  {
+    for(std::size_t i = 0; i < m_blocks.size(); ++i)
+      for(int e = matrix.begin[m_blocks[i]]; e < matrix.begin[m_blocks[i] + 1]; ++e)
+        part.segment<2>(2 * i) -= matrix.block[e].transpose() * x.segment<2>(2 * matrix.row[e]);
+  }
+
+private:
+  std::vector<int> m_blocks; // ascending
+  std::vector<int> m_rank;   // of each block of the whole: that in `m_blocks`, or -1
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_PART_OF_BLOCKS_H
