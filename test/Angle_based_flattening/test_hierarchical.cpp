@@ -23,6 +23,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -122,27 +123,100 @@ BOOST_AUTO_TEST_CASE(makes_no_extreme_angles)
     BOOST_TEST(abf::surface_angle(coarse.chart, c) > 0.99 * extreme_angle);
 }
 
+// Also where blocks of vertices meet, on the larger chart
 BOOST_AUTO_TEST_CASE(removes_independent_vertices_and_border_vertices_along_the_border)
 {
-  Chart chart = bump(20, 6);
-  abf::Coarsening coarsening(chart);
-  coarsening.coarsen(50, extreme_angle);
-  while(coarsening.number_of_levels() > 0) {
-    std::vector<abf::Edge_collapses::Record> records = coarsening.mesh().records();
-    const std::vector<int> restored = coarsening.undo_level();
-    records.erase(records.begin(), records.end() - restored.size());
-    std::vector<char> inserted(chart.points.size(), false);
-    for(int v : restored)
-      inserted[v] = true;
-    for(abf::Edge_collapses::Record record : records) {
-      const int v = coarsening.mesh().removed_vertex(record), w = coarsening.mesh().kept_vertex(record);
-      BOOST_TEST(inserted[v]);
-      BOOST_TEST((chart.interior[v] >= 0 || chart.interior[w] < 0));
-      coarsening.mesh().for_each_corner(v, [&](int c) {
-        BOOST_TEST(!inserted[chart.vertex[abf::next_corner(c)]]);
-        BOOST_TEST(!inserted[chart.vertex[abf::previous_corner(c)]]);
-      });
+  for(Chart chart : {bump(20, 6), bump(190, 6)}) {
+    abf::Coarsening_stage stage(chart, abf::border_cycles(chart));
+    for(int level = 0; level < 5; ++level)
+      stage.add_level(stage.number_of_vertices() / 4 + 1, extreme_angle);
+    while(stage.number_of_levels() > 0) {
+      std::vector<abf::Edge_collapses::Record> records = stage.mesh().records();
+      const std::vector<int> restored = stage.undo_level([](int, int) {});
+      BOOST_TEST(restored.size() > 0.15 * stage.number_of_vertices());
+      records.erase(records.begin(), records.end() - restored.size());
+      std::vector<char> inserted(chart.points.size(), false);
+      for(int v : restored)
+        inserted[v] = true;
+      for(abf::Edge_collapses::Record record : records) {
+        const int v = stage.mesh().removed_vertex(record), w = stage.mesh().kept_vertex(record);
+        bool is_independent = inserted[v];
+        stage.mesh().for_each_corner(v, [&](int c) {
+          is_independent &= !inserted[chart.vertex[abf::next_corner(c)]] &&
+                            !inserted[chart.vertex[abf::previous_corner(c)]];
+        });
+        BOOST_TEST(is_independent);
+        BOOST_TEST((chart.interior[v] >= 0 || chart.interior[w] < 0));
+      }
     }
+  }
+}
+
+// No part of a large chart becomes coarser than the others.
+BOOST_AUTO_TEST_CASE(removes_as_many_as_wanted_everywhere)
+{
+  Chart chart = bump(200, 6);
+  abf::Coarsening_stage stage(chart, abf::border_cycles(chart));
+  const int all = stage.number_of_vertices(), quota = all / 10;
+  stage.add_level(quota, extreme_angle);
+  BOOST_TEST(stage.number_of_vertices() == all - quota);
+  const auto last_fifth = std::lower_bound(stage.alive().begin(), stage.alive().end(), all - all / 5);
+  const double removed = all / 5 - static_cast<double>(stage.alive().end() - last_fifth);
+  BOOST_TEST(removed > 0.1 * quota);
+  BOOST_TEST(removed < 0.3 * quota);
+}
+
+// Where a chart has been copied into another one with other numbers, values and sums come back to the right vertices.
+BOOST_AUTO_TEST_CASE(follows_vertices_from_stage_to_stage)
+{
+  for(const Chart& original : charts()) {
+    Chart chart = original;
+    abf::Coarsening coarsening(chart);
+    coarsening.coarsen(original.number_of_vertices() / 30, 0);
+    const abf::Coarse_chart coarse = coarsening.coarse_chart();
+    if(original.number_of_vertices() > 10)
+      BOOST_TEST((&coarsening.mesh().chart() != &chart));
+    const std::vector<int> sizes = coarsening.merged(std::vector<int>(original.points.size(), 1));
+    const std::vector<int> fine = coarsening.original(coarse.vertices);
+    for(std::size_t i = 0; i < fine.size(); ++i)
+      BOOST_TEST((original.points[fine[i]] == coarse.chart.points[i]));
+
+    std::vector<int> region(sizes.size(), -1), members(sizes.size(), 0);
+    for(int v : coarse.vertices)
+      region[v] = v;
+    while(coarsening.number_of_levels() > 0)
+      coarsening.undo_level(region);
+    for(int v : region)
+      ++members[v];
+    for(std::size_t i = 0; i < fine.size(); ++i) {
+      BOOST_TEST(region[fine[i]] == coarse.vertices[i]);
+      BOOST_TEST(members[coarse.vertices[i]] == sizes[coarse.vertices[i]]);
+    }
+    BOOST_TEST((chart.vertex == original.vertex));
+    BOOST_TEST((chart.node == original.node));
+    BOOST_TEST(chart.nodes.size() == original.nodes.size());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(keeps_borders_and_their_order)
+{
+  for(const Chart& original : charts()) {
+    Chart chart = original;
+    abf::Coarsening coarsening(chart);
+    coarsening.coarsen(original.number_of_vertices() / 10, 0);
+    const abf::Border_cycles borders = coarsening.borders();
+    BOOST_TEST(borders.size() == original.borders.size());
+    const Chart& coarse = coarsening.mesh().chart();
+    for(const std::vector<int>& cycle : borders)
+      for(std::size_t i = 0; i < cycle.size(); ++i) {
+        const int next = cycle[(i + 1) % cycle.size()];
+        bool is_edge = false;
+        coarsening.mesh().for_each_corner(cycle[i], [&](int c) {
+          is_edge |=
+              coarse.vertex[abf::next_corner(c)] == next && coarse.opposite[abf::previous_corner(c)] < 0;
+        });
+        BOOST_TEST(is_edge);
+      }
   }
 }
 
@@ -180,13 +254,98 @@ abf::Planar_star star_of(const std::vector<Planar_point>& counterclockwise)
 BOOST_AUTO_TEST_CASE(kernel_is_the_last_resort)
 {
   const abf::Planar_star narrow = star_of({{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}});
-  Planar_point position;
+  Planar_point position(10, 1);
   BOOST_TEST(abf::insert_vertex(narrow, position) == abf::INSERTED_IN_KERNEL);
   BOOST_TEST((position - Planar_point(0.5, 0.5)).norm() < 1e-12);
 
   const abf::Planar_star none =
       star_of({{0, 0}, {10, 0}, {10, 10}, {9, 10}, {9, 1}, {1, 1}, {1, 10}, {0, 10}});
   BOOST_TEST(abf::insert_vertex(none, position) == abf::NOT_INSERTED);
+}
+
+// Where weights fail, the centre of the kernel is taken unless there is something better on the way from a vertex of the ring.
+BOOST_AUTO_TEST_CASE(the_best_of_several_positions_is_taken)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0, 1);
+  int centres = 0, better = 0;
+  for(int i = 0; i < 3000; ++i) {
+    std::vector<Planar_point> ring;
+    const int n = 5 + i % 4;
+    for(int k = 0; k < n; ++k) {
+      const double angle = 2 * abf::pi * (k + 0.5 * number(random)) / n,
+                   radius = std::pow(0.02, number(random));
+      ring.push_back(radius * Planar_point(std::cos(angle), std::sin(angle)));
+    }
+    const abf::Planar_star star = star_of(ring);
+    const Planar_point centre = abf::kernel_centre(star);
+    if(!abf::is_valid(star, centre) || abf::is_valid(star, abf::harmonic_position(star)) ||
+       abf::is_valid(star, abf::mean_value_position(star)))
+      continue;
+    Planar_point position = ring.front();
+    if(abf::insert_vertex(star, position) == abf::INSERTED_IN_KERNEL) {
+      ++centres;
+      BOOST_TEST((position == centre));
+    } else {
+      ++better;
+      BOOST_TEST(abf::similarity_energy(star, position) < abf::similarity_energy(star, centre));
+    }
+  }
+  BOOST_TEST(centres > 10);
+  BOOST_TEST(better > 10);
+}
+
+// Sweeps with rings that are kept do what sweeps without do.
+BOOST_AUTO_TEST_CASE(kept_rings_give_the_same_map)
+{
+  for(bool is_weighted : {false, true}) {
+    Chart chart = bump(40, 9, 2);
+    std::mt19937 random(1);
+    for(int t = 0; is_weighted && t < chart.number_of_triangles(); ++t)
+      chart.weight.push_back(std::uniform_real_distribution<double>(0.1, 10)(random));
+    abf::Coarsening coarsening(chart);
+    coarsening.coarsen(300, extreme_angle);
+    const Chart& coarse = coarsening.mesh().chart();
+    std::vector<Planar_point> kept = planar_points(coarse), other = kept, before = kept;
+    abf::Relaxation with_rings(coarsening, kept), without_rings(coarsening, other);
+    abf::relax_level(coarsening, with_rings, 3);
+    for(int sweep = 0; sweep < 3; ++sweep)
+      without_rings.sweep(abf::MIPS_star());
+    double moved = 0;
+    for(int v : coarsening.alive()) {
+      BOOST_TEST((kept[v] - other[v]).norm() < 1e-5);
+      moved = (std::max)(moved, (kept[v] - before[v]).norm());
+    }
+    BOOST_TEST(moved > 1e-3);
+  }
+}
+
+// Also of needles, whose angles must stay positive
+BOOST_AUTO_TEST_CASE(planar_angles_of_triangles)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for(int i = 0; i < 10000; ++i) {
+    const double height = std::pow(10, -12 * std::abs(number(random)));
+    const std::array<Planar_point, 3> x = {Planar_point(number(random), height), Planar_point(-1, 0),
+                                           Planar_point(1, 0)};
+    std::array<double, 3> dots, beta, exact;
+    double sum = 0;
+    const double twice_area = abf::cross(x[1] - x[0], x[2] - x[0]);
+    for(int k = 0; k < 3; ++k) {
+      dots[k] = (x[(k + 1) % 3] - x[k]).dot(x[(k + 2) % 3] - x[k]);
+      exact[k] = std::atan2(twice_area, dots[k]);
+      beta[k] = 1.1 + number(random);
+    }
+    const std::array<double, 3> alpha = abf::planar_angles(twice_area, dots);
+    const abf::Angle_energy energy{0.1};
+    for(int k = 0; k < 3; ++k) {
+      BOOST_TEST(std::abs(alpha[k] - exact[k]) <= 1e-14 * exact[k]);
+      const double t = exact[k] / beta[k];
+      sum += (t - 1) * (t - 1) + energy.barrier * (t - 1 - std::log(t));
+    }
+    BOOST_TEST(std::abs(energy.value(alpha, beta) - sum) < 1e-13 * (1 + sum));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_the_energy_match_finite_differences)

@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(merged_weights_are_means)
   abf::Coarsening coarsening(chart);
   coarsening.coarsen(60, 0.01);
   abf::Coarse_chart coarse(coarsening.mesh(), coarsening.alive());
-  weights.apply(coarsening.mesh(), coarse);
+  weights.apply(coarsening, coarse);
   const Chart& result = coarse.chart;
   BOOST_REQUIRE(static_cast<int>(result.weight.size()) == result.number_of_triangles());
   int low = 0, high = 0;

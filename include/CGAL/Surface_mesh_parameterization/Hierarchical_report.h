@@ -35,11 +35,10 @@ struct Hierarchical_report : Flattening_report
   Start start = COARSE_PARAMETERIZER; ///< Where the refinement started.
   bool holes_filled = false; ///< Whether holes were filled: if asked for, or if they could not be solved.
   int retries = 0;           ///< Coarse charts that could not be flattened.
-  int kernel_insertions =
-      0;         ///< Vertices put into the centre of a kernel: their weights gave an invalid position.
-  int moves = 0; ///< Vertices moved by relaxation.
-  int rejected_moves = 0; ///< Vertices that relaxation did not move.
-  int angle_sweeps = 0;   ///< Final sweeps that were done.
+  int kernel_insertions = 0; ///< Vertices put into the centre of a kernel: other positions were not better.
+  int moves = 0;             ///< Vertices moved by relaxation.
+  int rejected_moves = 0;    ///< Vertices that relaxation did not move.
+  int angle_sweeps = 0;      ///< Final sweeps that were done.
 
   /// Energy of the planar angles, the barrier included. It is NaN without final sweeps or polishing, as it is not needed then.
   double energy = (std::numeric_limits<double>::quiet_NaN)();

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -27,6 +28,19 @@ struct Angle_energy
   {
     const double x = alpha / beta - 1;
     return x * x + (barrier > 0 ? barrier * (x - std::log1p(x)) : 0);
+  }
+
+  // The sum over the corners of a triangle, with one logarithm
+  double value(const std::array<double, 3>& alpha, const std::array<double, 3>& beta) const
+  {
+    double squares = 0, sum = 0, product = 1;
+    for(int k = 0; k < 3; ++k) {
+      const double t = alpha[k] / beta[k];
+      squares += (t - 1) * (t - 1);
+      sum += t - 1;
+      product *= t;
+    }
+    return squares + (barrier > 0 ? barrier * (sum - std::log(product)) : 0);
   }
 
   double first_derivative(double alpha, double beta) const

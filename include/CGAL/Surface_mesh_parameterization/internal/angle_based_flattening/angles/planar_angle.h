@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -24,6 +25,18 @@ template <typename Point>
 bool is_in_upper_half(const Point& p, const Point& origin)
 {
   return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
+}
+
+// The angles of a triangle in the plane, from twice its area, which is positive, and the dot products of the edges at its corners. The
+// largest one, which is what the others leave of pi, needs no arc tangent.
+inline std::array<double, 3> planar_angles(double twice_area, const std::array<double, 3>& dots)
+{
+  const int k = static_cast<int>(std::min_element(dots.begin(), dots.end()) - dots.begin());
+  std::array<double, 3> alpha;
+  alpha[(k + 1) % 3] = std::atan2(twice_area, dots[(k + 1) % 3]);
+  alpha[(k + 2) % 3] = std::atan2(twice_area, dots[(k + 2) % 3]);
+  alpha[k] = pi - alpha[(k + 1) % 3] - alpha[(k + 2) % 3];
+  return alpha;
 }
 
 // Sine and cosine of the angle at corner `c` in the plane, regardless of orientation, times the lengths of its edges

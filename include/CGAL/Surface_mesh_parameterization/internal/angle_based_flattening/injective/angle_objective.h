@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/definite_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
@@ -16,7 +17,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -34,10 +34,8 @@ public:
   double triangle_energy(int t, const std::array<Planar_point, 3>& x) const
   {
     const std::array<double, 3> alpha = angles(x);
-    double sum = 0;
-    for(int k = 0; k < 3; ++k)
-      sum += m_energy.value(alpha[k], m_beta[3 * t + k]);
-    return m_chart.weight_of_triangle(t) * sum;
+    return m_chart.weight_of_triangle(t) *
+           m_energy.value(alpha, {m_beta[3 * t], m_beta[3 * t + 1], m_beta[3 * t + 2]});
   }
 
   Triangle_derivatives triangle_derivatives(int t, const std::array<Planar_point, 3>& x) const
@@ -74,10 +72,10 @@ private:
   static std::array<double, 3> angles(const std::array<Planar_point, 3>& x)
   {
     const double twice_area = cross(x[1] - x[0], x[2] - x[0]);
-    std::array<double, 3> alpha;
+    std::array<double, 3> dots;
     for(int k = 0; k < 3; ++k)
-      alpha[k] = std::atan2(twice_area, (x[(k + 1) % 3] - x[k]).dot(x[(k + 2) % 3] - x[k]));
-    return alpha;
+      dots[k] = (x[(k + 1) % 3] - x[k]).dot(x[(k + 2) % 3] - x[k]);
+    return planar_angles(twice_area, dots);
   }
 
   const Chart& m_chart;

@@ -46,8 +46,8 @@ struct Area_star : Planar_star_base
   {
     triangles.clear();
     gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
-      const double twice_area = (std::max)(e.twice_area(), 1e-6 * (e.pp + e.qq) + 1e-300);
-      triangles.push_back({uv[p], uv[q], e.pq, e.pp - e.pq, e.qq - e.pq,
+      const double twice_area = (std::max)(e.twice_area(), 1e-6 * e.sum_of_squares() + 1e-300);
+      triangles.push_back({uv[p], uv[q], e.dot_v(), e.dot_p(), e.dot_q(),
                            mesh.chart().weight_of_triangle(c / 3), 1 / twice_area});
     });
   }

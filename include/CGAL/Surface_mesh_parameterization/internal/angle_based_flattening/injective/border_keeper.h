@@ -10,12 +10,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -41,24 +39,15 @@ struct Repelled_star
 class Border_keeper
 {
 public:
-  // `cycles` are those before all collapses. Collapses keep the order of the border vertices that remain.
-  Border_keeper(Border_cycles cycles, double clearance) : m_cycles(std::move(cycles)), m_clearance(clearance)
-  {}
+  explicit Border_keeper(double clearance) : m_clearance(clearance) {}
 
   int rejections() const { return m_rejections; }
   Border_contact contact() const { return measure_contact(*m_border, m_clearance); }
 
   // Takes the border vertices that are there now, and all positions.
-  void take(const Edge_collapses& mesh, const std::vector<Planar_point>& uv)
+  void take(const Border_cycles& cycles, const std::vector<Planar_point>& uv)
   {
-    Border_cycles alive;
-    for(const std::vector<int>& cycle : m_cycles) {
-      alive.emplace_back();
-      for(int v : cycle)
-        if(mesh.is_alive(v))
-          alive.back().push_back(v);
-    }
-    m_border.emplace(alive, uv);
+    m_border.emplace(cycles, uv);
   }
 
   bool touches_at(int v) const { return m_border->touches_at(m_border->number(v)); }
@@ -89,7 +78,6 @@ public:
   }
 
 private:
-  Border_cycles m_cycles;
   double m_clearance;
   std::optional<Planar_border> m_border;
   Vertex_barrier m_barrier;

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
@@ -40,10 +41,9 @@ class Injective_flattening
 {
 public:
   Injective_flattening(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
-      : m_weights(chart), m_coarsening(chart), m_keeper(border_cycles(chart), options.clearance),
-        m_options(options), m_solvers(solvers), m_most_newton_vertices(most_newton_vertices(chart)),
-        m_report(report_of<Hierarchical_report>(chart)), m_uv(chart.points.size(), Planar_point(0, 0)),
-        m_relaxation(m_coarsening.mesh(), m_coarsening.alive(), m_uv, &m_keeper)
+      : m_weights(chart), m_coarsening(chart), m_keeper(options.clearance), m_options(options),
+        m_solvers(solvers), m_most_newton_vertices(most_newton_vertices(chart)),
+        m_report(report_of<Hierarchical_report>(chart)), m_relaxation(m_coarsening, m_uv, &m_keeper)
   {}
 
   Flattening<Hierarchical_report> run()
@@ -110,6 +110,7 @@ private:
     for(double area_weight : area_weights)
       descend(coarse.chart, area_weight, {1e-2, 200}, *uv);
     descend(coarse.chart, m_options.area_weight, {1e-3, 200}, *uv);
+    m_uv.resize(m_coarsening.mesh().chart().points.size());
     put_back(coarse, *uv);
     return succeeded();
   }
@@ -117,7 +118,7 @@ private:
   Coarse_chart coarse_chart() const
   {
     Coarse_chart coarse = m_coarsening.coarse_chart();
-    m_weights.apply(m_coarsening.mesh(), coarse);
+    m_weights.apply(m_coarsening, coarse);
     return coarse;
   }
 
@@ -204,11 +205,10 @@ private:
     const bool is_fine = m_coarsening.number_of_levels() < 3;
     const int sweeps =
         !is_large || (is_fine && !is_isometric()) ? (std::min)(m_options.sweeps, 1) : m_options.sweeps;
+    if(is_large && !is_isometric())
+      return relax_level(m_coarsening, m_relaxation, sweeps);
     for(int i = 0; i < sweeps; ++i)
-      if(is_large && !is_isometric())
-        m_relaxation.sweep(MIPS_star());
-      else
-        m_relaxation.sweep(Area_star(m_options.area_weight));
+      m_relaxation.sweep(Area_star(m_options.area_weight));
   }
 
   void finish()
@@ -267,7 +267,7 @@ private:
   const Linear_solvers& m_solvers;
   int m_most_newton_vertices;
   Hierarchical_report m_report;
-  std::vector<Planar_point> m_uv; // of each vertex that is there
+  std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
   Relaxation m_relaxation;
 };
 

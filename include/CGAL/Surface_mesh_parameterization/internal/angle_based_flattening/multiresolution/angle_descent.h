@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -111,13 +111,16 @@ private:
     Model result;
     result.is_valid = twice_area > 1e-12 * (std::max)({edge[0].squaredNorm(), edge[1].squaredNorm(),
                                                        edge[2].squaredNorm()});
+    if(!(twice_area > 0))
+      return result;
+    const std::array<double, 3> alpha =
+        planar_angles(twice_area, {-edge[1].dot(edge[2]), -edge[2].dot(edge[0]), -edge[0].dot(edge[1])});
+    const std::array<double, 3> beta = {m_beta[3 * t], m_beta[3 * t + 1], m_beta[3 * t + 2]};
+    result.energy = weight * m_energy.value(alpha, beta);
     for(int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const double alpha = std::atan2(twice_area, -edge[i].dot(edge[j])), beta = m_beta[3 * t + k];
-      const Eigen::Vector2d row = turn[i] - turn[j];
-      result.energy += weight * m_energy.value(alpha, beta);
-      result.gradient += weight * m_energy.first_derivative(alpha, beta) * row;
-      result.hessian += weight * m_energy.second_derivative(alpha, beta) * row * row.transpose();
+      const Eigen::Vector2d row = turn[(k + 1) % 3] - turn[(k + 2) % 3];
+      result.gradient += weight * m_energy.first_derivative(alpha[k], beta[k]) * row;
+      result.hessian += weight * m_energy.second_derivative(alpha[k], beta[k]) * row * row.transpose();
     }
     return result;
   }

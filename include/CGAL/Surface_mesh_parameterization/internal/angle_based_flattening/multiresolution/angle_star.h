@@ -9,12 +9,13 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct Angle_star : Planar_star_base
   struct Triangle
   {
     Planar_point p, q;
-    double beta_v, beta_p, beta_q;
+    std::array<double, 3> beta; // of the corners at v, p, q
     double weight;
   };
 
@@ -45,7 +46,9 @@ struct Angle_star : Planar_star_base
   {
     triangles.clear();
     gather_ring(mesh, uv, v, [&](int c, int p, int q) {
-      triangles.push_back({uv[p], uv[q], beta[c], beta[next_corner(c)], beta[previous_corner(c)],
+      triangles.push_back({uv[p],
+                           uv[q],
+                           {beta[c], beta[next_corner(c)], beta[previous_corner(c)]},
                            mesh.chart().weight_of_triangle(c / 3)});
     });
   }
@@ -78,19 +81,17 @@ public:
         value = (std::numeric_limits<double>::infinity)();
         return;
       }
-      const double alpha_p = std::atan2(twice_area, -to_p.dot(pq));
-      const double alpha_q = std::atan2(twice_area, to_q.dot(pq));
-      const double alpha_v = std::atan2(twice_area, to_p.dot(to_q));
-      value += t.weight * (star.energy.value(alpha_v, t.beta_v) + star.energy.value(alpha_p, t.beta_p) +
-                           star.energy.value(alpha_q, t.beta_q));
+      const std::array<double, 3> alpha =
+          planar_angles(twice_area, {to_p.dot(to_q), -to_p.dot(pq), to_q.dot(pq)});
+      value += t.weight * star.energy.value(alpha, t.beta);
       if(!with_derivatives)
         continue;
       // The angle at p changes if x moves across the edge to p, but not if it moves along the edge.
       const Planar_point along_p = Planar_point(to_p.y(), -to_p.x()) / to_p.squaredNorm();
       const Planar_point along_q = Planar_point(-to_q.y(), to_q.x()) / to_q.squaredNorm();
-      add(star.energy, t.weight, alpha_p, t.beta_p, along_p);
-      add(star.energy, t.weight, alpha_q, t.beta_q, along_q);
-      add(star.energy, t.weight, alpha_v, t.beta_v, -along_p - along_q);
+      add(star.energy, t.weight, alpha[1], t.beta[1], along_p);
+      add(star.energy, t.weight, alpha[2], t.beta[2], along_q);
+      add(star.energy, t.weight, alpha[0], t.beta[0], -along_p - along_q);
     }
   }
 

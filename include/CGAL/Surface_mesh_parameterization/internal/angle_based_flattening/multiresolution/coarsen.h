@@ -10,42 +10,77 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsening_stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Makes a chart coarser level by level. No two vertices that a level removes are neighbours, so they can be inserted
-// again in any order.
+// Makes a chart coarser level by level.
+//
+// The vertices of coarse levels would lie all over the memory. So when half of the vertices are gone, the others are copied into a
+// chart of their own, which has numbers of its own: the next stage. All numbers of vertices here are those of the last stage.
 class Coarsening
 {
 public:
-  explicit Coarsening(Chart& chart) : m_mesh(chart), m_level_begin{0}
+  explicit Coarsening(Chart& chart) : m_chart(chart)
   {
-    for(int v = 0; v < chart.number_of_vertices(); ++v)
-      m_alive.push_back(v);
-    if(chart.borders.size() > 1)
-      for(int c : chart.borders.front())
-        m_outer_border.push_back(chart.edge_source(c));
-    std::sort(m_outer_border.begin(), m_outer_border.end());
+    m_stages.push_back({nullptr, {chart, border_cycles(chart)}});
   }
 
   // What is left of the chart, with the same outer border
-  Coarse_chart coarse_chart() const { return Coarse_chart(m_mesh, m_alive, m_outer_border); }
+  Coarse_chart coarse_chart() const
+  {
+    const Border_cycles cycles = borders();
+    return Coarse_chart(mesh(), alive(), cycles.size() > 1 ? cycles.front() : std::vector<int>());
+  }
 
-  const Edge_collapses& mesh() const { return m_mesh; }
-  Edge_collapses& mesh() { return m_mesh; }
-  int number_of_levels() const { return static_cast<int>(m_level_begin.size()) - 1; }
-  int number_of_vertices() const { return static_cast<int>(m_alive.size()); }
-  const std::vector<int>& alive() const { return m_alive; }
+  const Edge_collapses& mesh() const { return stage().mesh(); }
+  const std::vector<int>& alive() const { return stage().alive(); }
+  int number_of_vertices() const { return stage().number_of_vertices(); }
+
+  // The vertices of each border cycle
+  Border_cycles borders() const { return stage().borders(); }
+
+  int number_of_levels() const
+  {
+    int levels = 0;
+    for(const Stage& s : m_stages)
+      levels += s.coarsening.number_of_levels();
+    return levels;
+  }
+
+  // The numbers of vertices in the whole chart
+  std::vector<int> original(std::vector<int> vertices) const
+  {
+    for(auto s = m_stages.rbegin(); s->chart; ++s)
+      for(int& v : vertices)
+        v = s->chart->vertices[v];
+    return vertices;
+  }
+
+  // The values at the vertices that are left: the sums of those at the vertices of the whole chart that were merged there
+  template <typename Value>
+  std::vector<Value> merged(std::vector<Value> values) const
+  {
+    for(const Stage& s : m_stages) {
+      if(s.chart) {
+        for(std::size_t i = 0; i < s.chart->vertices.size(); ++i)
+          values[i] = values[s.chart->vertices[i]];
+        values.resize(s.chart->vertices.size());
+      }
+      const Edge_collapses& collapses = s.coarsening.mesh();
+      for(const Edge_collapses::Record record : collapses.records())
+        values[collapses.kept_vertex(record)] += values[collapses.removed_vertex(record)];
+    }
+    return values;
+  }
 
   // Adds levels until at most `target` vertices are left or hardly any vertex can be removed. See `Collapse_cost` for
   // `extreme_angle`.
@@ -53,94 +88,93 @@ public:
   {
     while(number_of_vertices() > target) {
       const int before = number_of_vertices();
-      add_level((std::min)(before - target, before / 4 + 1), extreme_angle);
-      visit_level(visitor, number_of_vertices(), m_mesh.chart().number_of_vertices());
+      if(2 * before <= mesh().chart().number_of_vertices())
+        add_stage();
+      stage().add_level((std::min)(before - target, before / 4 + 1), extreme_angle);
+      visit_level(visitor, number_of_vertices(), m_chart.number_of_vertices());
       if(before - number_of_vertices() < 0.01 * before)
         break;
     }
   }
 
-  // Undoes the coarsest level. Returns the vertices that this level had removed. Calls `visit` with each of them and
-  // the vertex into which it had been merged.
-  template <typename Visitor>
-  std::vector<int> undo_level(const Visitor& visit)
+  // Undoes the coarsest level. Returns the vertices that this level had removed. Each gets the value of the vertex into which it
+  // had been merged; the values of the others follow their numbers.
+  template <typename Value>
+  std::vector<int> undo_level(std::vector<Value>& values)
   {
-    m_level_begin.pop_back();
-    std::vector<int> restored;
-    while(static_cast<int>(m_mesh.records().size()) > m_level_begin.back()) {
-      const int kept = m_mesh.kept_vertex(m_mesh.records().back());
-      restored.push_back(m_mesh.undo());
-      visit(restored.back(), kept);
-    }
-    // sorted by number, neighbours are close in memory
-    std::sort(restored.begin(), restored.end());
-    const auto middle = m_alive.insert(m_alive.end(), restored.begin(), restored.end());
-    std::inplace_merge(m_alive.begin(), middle, m_alive.end());
-    return restored;
+    if(stage().number_of_levels() == 0)
+      values = drop_stage(values);
+    return stage().undo_level([&](int v, int kept) { values[v] = values[kept]; });
   }
 
   std::vector<int> undo_level()
   {
-    return undo_level([](int, int) {});
+    std::vector<char> nothing(mesh().chart().points.size());
+    return undo_level(nothing);
   }
 
 private:
-  void add_level(int quota, double extreme_angle)
+  struct Stage
   {
-    const std::vector<Collapse_candidate> candidates = cheapest_collapses(extreme_angle);
-    Collapse_cost cost(m_mesh, extreme_angle);
-    const Chart& chart = m_mesh.chart();
-    std::vector<char> locked(chart.points.size(), false);
-    for(int i : ranked(candidates)) {
-      if(quota == 0)
-        break;
-      const int v = m_alive[i];
-      if(locked[v])
-        continue;
-      // nothing to check if neither star has changed
-      if(locked[m_mesh.kept_vertex(candidates[i].record)] && !cost.is_still_allowed(v, candidates[i].record))
-        continue;
-      m_mesh.for_each_corner(v, [&](int c) {
-        locked[chart.vertex[next_corner(c)]] = locked[chart.vertex[previous_corner(c)]] = true;
-      });
-      m_mesh.collapse(candidates[i].record);
-      --quota;
-    }
-    m_alive.erase(std::remove_if(m_alive.begin(), m_alive.end(), [&](int v) { return !m_mesh.is_alive(v); }),
-                  m_alive.end());
-    m_level_begin.push_back(static_cast<int>(m_mesh.records().size()));
+    std::unique_ptr<Remaining_chart> chart; // of all but the first stage
+    Coarsening_stage coarsening;
+  };
+
+  const Coarsening_stage& stage() const { return m_stages.back().coarsening; }
+  Coarsening_stage& stage() { return m_stages.back().coarsening; }
+
+  void add_stage()
+  {
+    if(m_stages.size() == 1)
+      release_nodes();
+    stage().shrink();
+    auto chart = std::make_unique<Remaining_chart>(mesh(), alive());
+    Border_cycles cycles = borders();
+    for(std::vector<int>& cycle : cycles)
+      for(int& v : cycle) // `vertices` is sorted
+        v = static_cast<int>(std::lower_bound(chart->vertices.begin(), chart->vertices.end(), v) -
+                             chart->vertices.begin());
+    Chart& remaining = chart->chart;
+    m_stages.push_back({std::move(chart), {remaining, std::move(cycles)}});
   }
 
-  // The cheapest collapse of each remaining vertex
-  std::vector<Collapse_candidate> cheapest_collapses(double extreme_angle) const
+  // Returns to the stage before, which has all vertices of the last one. Returns the values of its vertices.
+  template <typename Value>
+  std::vector<Value> drop_stage(const std::vector<Value>& values)
   {
-    std::vector<Collapse_candidate> candidates(m_alive.size());
-    parallel_for_blocks(number_of_vertices(), [&](int begin, int end) {
-      Collapse_cost cost(m_mesh, extreme_angle);
-      for(int i = begin; i < end; ++i)
-        candidates[i] = cost.best(m_alive[i]);
-    });
-    return candidates;
-  }
-
-  // The numbers of all allowed collapses, the cheapest first. Those whose costs differ by less than a factor of two
-  // stay in the order of the vertices, because jumps in memory would take most of the time.
-  static std::vector<int> ranked(const std::vector<Collapse_candidate>& candidates)
-  {
-    std::map<int, std::vector<int>> of_exponent;
-    for(std::size_t i = 0; i < candidates.size(); ++i)
-      if(candidates[i])
-        of_exponent[std::ilogb(candidates[i].cost)].push_back(static_cast<int>(i));
-    std::vector<int> result;
-    for(const auto& [exponent, numbers] : of_exponent)
-      result.insert(result.end(), numbers.begin(), numbers.end());
+    const std::vector<int> vertices = std::move(m_stages.back().chart->vertices);
+    m_stages.pop_back();
+    if(m_stages.size() == 1)
+      restore_nodes();
+    std::vector<Value> result(mesh().chart().points.size());
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      result[vertices[i]] = values[i];
     return result;
   }
 
-  Edge_collapses m_mesh;
-  std::vector<int> m_level_begin;  // first record of each level
-  std::vector<int> m_alive;        // the remaining vertices, sorted
-  std::vector<int> m_outer_border; // its vertices before all collapses, sorted, if there are other borders
+  // The constraints of the whole chart would wait in memory while the coarse one is solved. Those at interior vertices, which are all
+  // alike, can be made again.
+  void release_nodes()
+  {
+    m_has_released_nodes =
+        !m_chart.node.empty() && m_chart.number_of_nodes() == m_chart.number_of_interior_vertices;
+    if(m_has_released_nodes) {
+      m_chart.node = std::vector<int>();
+      m_chart.nodes = std::vector<Constraint_node>();
+    }
+  }
+
+  void restore_nodes()
+  {
+    if(m_has_released_nodes) {
+      m_chart.node = m_chart.interior;
+      m_chart.nodes.assign(m_chart.number_of_interior_vertices, Constraint_node());
+    }
+  }
+
+  Chart& m_chart;
+  bool m_has_released_nodes = false;
+  std::vector<Stage> m_stages;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

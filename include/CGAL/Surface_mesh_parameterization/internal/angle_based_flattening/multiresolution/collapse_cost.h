@@ -66,12 +66,9 @@ public:
       return {};
     const double shape = 1e-2 * m_quadric.trace();
     m_candidates.clear();
-    for(std::size_t i = 0; i < m_ring.size(); ++i) {
-      if(!is_collapsible(i))
-        continue;
-      const Vector d = m_points[i] - m_centre;
-      m_candidates.push_back({m_quadric(d) + shape * d.squaredNorm(), static_cast<int>(i)});
-    }
+    for(std::size_t i = 0; i < m_ring.size(); ++i)
+      if(is_collapsible(i))
+        m_candidates.push_back({m_quadric(m_edges[i]) + shape * m_squares[i], static_cast<int>(i)});
     for(std::size_t looked_at = 0; looked_at < max_candidates && !m_candidates.empty(); ++looked_at) {
       const auto next = std::min_element(m_candidates.begin(), m_candidates.end(), is_cheaper);
       if((m_any_shape || keeps_shape(next->record)) && fulfils_link_condition(next->record))
@@ -126,28 +123,30 @@ private:
   void gather_star(int v)
   {
     gather_ring(v);
-    m_centre = point(v);
-    Quadric quadric;
-    m_points.clear();
+    const Vector centre = point(v);
+    m_edges.clear();
+    m_squares.clear();
     m_normals.clear();
-    for(int w : m_ring)
-      m_points.push_back(point(w));
+    for(int w : m_ring) {
+      m_edges.push_back(point(w) - centre);
+      m_squares.push_back(m_edges.back().squaredNorm());
+    }
+    Quadric quadric;
     m_worst_cotangent = CGAL::square(m_least_cotangent);
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
-      const Vector a = m_points[after(i)] - m_centre, b = m_points[i] - m_centre;
-      const Vector normal = a.cross(b);
+      const std::size_t j = after(i);
+      const Vector normal = m_edges[j].cross(m_edges[i]);
+      const double squared_norm = normal.squaredNorm();
       m_normals.push_back(normal);
       quadric.add(normal, 1);
-      const double dot = largest_dot_product(a, b);
-      if(dot * dot > m_worst_cotangent * normal.squaredNorm())
-        m_worst_cotangent = dot * dot / normal.squaredNorm();
+      const double dot = largest_dot_product(m_edges[j].dot(m_edges[i]), m_squares[j], m_squares[i]);
+      if(dot * dot > m_worst_cotangent * squared_norm)
+        m_worst_cotangent = dot * dot / squared_norm;
     }
     if(m_on_border)
-      for(const Vector& end : {m_points.front(), m_points.back()}) {
-        const Vector e = end - m_centre;
-        const double square = e.squaredNorm();
-        quadric.add(e, -square);
-        quadric.add_identity(square * square);
+      for(std::size_t end : {std::size_t(0), m_ring.size() - 1}) {
+        quadric.add(m_edges[end], -m_squares[end]);
+        quadric.add_identity(CGAL::square(m_squares[end]));
       }
     m_quadric = quadric;
   }
@@ -157,17 +156,16 @@ private:
   {
     double turn = 0;
     for(std::size_t i = 0; i < m_corners.size(); ++i)
-      turn += std::atan2(m_normals[i].norm(), (m_points[after(i)] - m_centre).dot(m_points[i] - m_centre));
+      turn += std::atan2(m_normals[i].norm(), m_edges[after(i)].dot(m_edges[i]));
     return turn;
   }
 
   // The index of the ring vertex before vertex i in counterclockwise order.
   std::size_t after(std::size_t i) const { return i + 1 < m_ring.size() ? i + 1 : 0; }
 
-  // For the triangle with edges `a` and `b`: its largest absolute cotangent times twice its area.
-  static double largest_dot_product(const Vector& a, const Vector& b)
+  // For the triangle with edges a and b: its largest absolute cotangent times twice its area.
+  static double largest_dot_product(double ab, double aa, double bb)
   {
-    const double ab = a.dot(b), aa = a.squaredNorm(), bb = b.squaredNorm();
     return (std::max)({std::abs(ab), std::abs(aa - ab), std::abs(bb - ab)});
   }
 
@@ -189,15 +187,15 @@ private:
   // i.
   bool keeps_shape(std::size_t i) const
   {
-    const Vector& target = m_points[i];
     for(std::size_t t = 0; t < m_corners.size(); ++t) {
       if(t == i || after(t) == i)
         continue;
-      const Vector a = m_points[after(t)] - target, b = m_points[t] - target;
+      const Vector a = m_edges[after(t)] - m_edges[i], b = m_edges[t] - m_edges[i];
       const Vector normal = a.cross(b);
       const double turn = normal.dot(m_normals[t]), squared_norm = normal.squaredNorm();
       if(!(turn > 0 && turn * turn > 0.04 * squared_norm * m_normals[t].squaredNorm()) ||
-         CGAL::square(largest_dot_product(a, b)) > m_worst_cotangent * squared_norm)
+         CGAL::square(largest_dot_product(a.dot(b), a.squaredNorm(), b.squaredNorm())) >
+             m_worst_cotangent * squared_norm)
         return false;
     }
     return true;
@@ -244,11 +242,11 @@ private:
   double m_least_cotangent;
 
   std::vector<int> m_corners, m_ring, m_sorted_ring;
-  std::vector<Vector> m_points;  // of the ring
+  std::vector<Vector> m_edges;   // from the vertex to those of the ring
+  std::vector<double> m_squares; // of their lengths
   std::vector<Vector> m_normals; // of the triangles, as long as twice their areas
   std::vector<Collapse_candidate> m_candidates;
   Quadric m_quadric;
-  Vector m_centre;
   double m_worst_cotangent = 0;  // squared
   std::uint64_t m_ring_bits = 0; // one bit for each ring vertex: its number modulo 64
   bool m_on_border = false;

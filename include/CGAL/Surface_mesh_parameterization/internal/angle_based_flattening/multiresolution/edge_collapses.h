@@ -41,6 +41,21 @@ public:
     return m_chart.vertex[record < 0 ? previous_corner(~record) : next_corner(record)];
   }
 
+  // The triangles that have not vanished, sorted
+  std::vector<int> remaining_triangles() const
+  {
+    std::vector<char> is_there(m_chart.number_of_triangles(), true);
+    for(Record record : m_records)
+      for_each_vanishing(record,
+                         [&](const Vanishing& triangle) { is_there[triangle.removed_corner / 3] = false; });
+    std::vector<int> triangles;
+    triangles.reserve(is_there.size());
+    for(int t = 0; t < m_chart.number_of_triangles(); ++t)
+      if(is_there[t])
+        triangles.push_back(t);
+    return triangles;
+  }
+
   // The next corner counterclockwise around the vertex of `c`, or -1 after the last triangle.
   int rotate_back(int c) const
   {

@@ -95,17 +95,48 @@ enum Insertion
   NOT_INSERTED
 };
 
-// Finds a position for a vertex in its star.
+// The energy that relaxation lowers, up to a factor; infinite where the star is not valid.
+inline double similarity_energy(const Planar_star& star, const Planar_point& x)
+{
+  if(!is_valid(star, x))
+    return (std::numeric_limits<double>::infinity)();
+  double sum = 0;
+  for(const Planar_star::Triangle& t : star.triangles)
+    sum += t.area *
+           (t.cot_q * (x - t.p).squaredNorm() + t.cot_p * (x - t.q).squaredNorm() +
+            t.cot_v * (t.p - t.q).squaredNorm()) /
+           cross(t.p - x, t.q - x);
+  return sum;
+}
+
+// Where weights give no valid position: the best one of the centre of the kernel and some on the way from the vertex into which the
+// vertex had been merged, at `merged`, to the position by mean value weights
+inline Insertion insert_elsewhere(const Planar_star& star, const Planar_point& merged,
+                                  const Planar_point& mean_value, Planar_point& position)
+{
+  position = kernel_centre(star);
+  double least = similarity_energy(star, position);
+  Insertion insertion = std::isfinite(least) ? INSERTED_IN_KERNEL : NOT_INSERTED;
+  for(double part : {0.75, 0.5, 0.25}) {
+    const Planar_point x = merged + part * (mean_value - merged);
+    if(const double energy = similarity_energy(star, x); energy < least) {
+      position = x;
+      least = energy;
+      insertion = INSERTED;
+    }
+  }
+  return insertion;
+}
+
+// Finds a position for a vertex in its star. `position` is that of the vertex into which it had been merged, or near to it.
 inline Insertion insert_vertex(const Planar_star& star, Planar_point& position)
 {
+  const Planar_point merged = position;
   position = harmonic_position(star);
   if(is_valid(star, position))
     return INSERTED;
-  position = mean_value_position(star);
-  if(is_valid(star, position))
-    return INSERTED;
-  position = kernel_centre(star);
-  return is_valid(star, position) ? INSERTED_IN_KERNEL : NOT_INSERTED;
+  const Planar_point mean_value = position = mean_value_position(star);
+  return is_valid(star, position) ? INSERTED : insert_elsewhere(star, merged, mean_value, position);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

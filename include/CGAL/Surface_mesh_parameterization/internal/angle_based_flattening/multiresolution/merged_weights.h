@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 
 #include <cstddef>
 #include <vector>
@@ -35,14 +35,12 @@ public:
     }
   }
 
-  // Sets the weights of a coarse chart, which is what `mesh` has become.
-  void apply(const Edge_collapses& mesh, Coarse_chart& coarse) const
+  // Sets the weights of a coarse chart, which is what is left.
+  void apply(const Coarsening& coarsening, Coarse_chart& coarse) const
   {
     if(m_owned.empty())
       return;
-    std::vector<Owned> owned = m_owned;
-    for(const Edge_collapses::Record record : mesh.records())
-      owned[mesh.kept_vertex(record)] += owned[mesh.removed_vertex(record)];
+    const std::vector<Owned> owned = coarsening.merged(m_owned);
     Chart& chart = coarse.chart;
     chart.weight.assign(chart.number_of_triangles(), 0.);
     for(int c = 0; c < chart.number_of_corners(); ++c)

@@ -28,6 +28,51 @@ inline double cross(const Planar_point& a, const Planar_point& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
+// Calls `visit` with the corner at `v` of each triangle, clockwise, and its two other vertices.
+template <typename Visitor>
+void for_each_ring_triangle(const Edge_collapses& mesh, int v, const Visitor& visit)
+{
+  const Chart& chart = mesh.chart();
+  int q = -1; // each triangle starts where the previous one ended
+  mesh.for_each_corner(v, [&](int c) {
+    if(q < 0)
+      q = chart.vertex[previous_corner(c)];
+    const int p = chart.vertex[next_corner(c)];
+    visit(c, p, q);
+    q = p;
+  });
+}
+
+// The edges of a triangle (v, p, q) on the surface from `v`, and their products
+class Surface_edges
+{
+public:
+  Surface_edges(const Chart& chart, int v) : m_points(chart.points), m_v(v) {}
+
+  // Goes to the next triangle around `v`. Its q is the p of the one before.
+  void turn(int p, int q)
+  {
+    m_q = m_qq < 0 ? m_points[q] - m_points[m_v] : m_p;
+    m_qq = m_qq < 0 ? m_q.squared_length() : m_pp;
+    m_p = m_points[p] - m_points[m_v];
+    m_pp = m_p.squared_length();
+    m_pq = m_p * m_q;
+  }
+
+  // The dot products of the edges at the three corners: twice the area times their cotangents
+  double dot_v() const { return m_pq; }
+  double dot_p() const { return m_pp - m_pq; }
+  double dot_q() const { return m_qq - m_pq; }
+  double sum_of_squares() const { return m_pp + m_qq; }
+  double twice_area() const { return std::sqrt(CGAL::cross_product(m_p, m_q).squared_length()); }
+
+private:
+  const std::vector<Chart::Point_3>& m_points;
+  int m_v;
+  Chart::Kernel::Vector_3 m_p, m_q;
+  double m_pp = 0, m_pq = 0, m_qq = -1; // negative before the first triangle
+};
+
 // What all kinds of stars know about their ring.
 struct Planar_star_base
 {
@@ -40,49 +85,42 @@ struct Planar_star_base
   void gather_ring(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v,
                    const Visitor& visit)
   {
-    const Chart& chart = mesh.chart();
-    on_border = chart.interior[v] < 0;
-    first_neighbour = last_neighbour = v;
-    double longest = 0;
-    int q = -1; // each triangle starts where the previous one ended
-    mesh.for_each_corner(v, [&](int c) {
-      if(q < 0)
-        meet(q = chart.vertex[previous_corner(c)]);
-      const int p = chart.vertex[next_corner(c)];
-      meet(p);
-      longest = (std::max)(longest, (uv[p] - uv[q]).squaredNorm());
+    begin_ring(v, mesh.chart().interior[v] < 0);
+    bool is_first = true;
+    for_each_ring_triangle(mesh, v, [&](int c, int p, int q) {
+      if(is_first)
+        meet(q);
+      is_first = false;
+      take_ring_edge(uv, p, q);
       visit(c, p, q);
-      q = p;
     });
-    least_area = 1e-12 * longest; // far above the rounding errors of areas
   }
-
-  // The edges from a vertex to `p` and `q` on the surface, and their products
-  struct Surface_edges
-  {
-    Chart::Kernel::Vector_3 p, q;
-    double pp, pq, qq;
-
-    double twice_area() const { return std::sqrt(CGAL::cross_product(p, q).squared_length()); }
-  };
 
   // Calls `visit` also with the edges of each triangle from `v`.
   template <typename Visitor>
   void gather_surface_ring(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v,
                            const Visitor& visit)
   {
-    const std::vector<Chart::Point_3>& points = mesh.chart().points;
-    Surface_edges edges{};
-    bool is_first = true;
+    Surface_edges edges(mesh.chart(), v);
     gather_ring(mesh, uv, v, [&](int c, int p, int q) {
-      edges.q = is_first ? points[q] - points[v] : edges.p;
-      edges.qq = is_first ? edges.q.squared_length() : edges.pp;
-      edges.p = points[p] - points[v];
-      edges.pp = edges.p.squared_length();
-      edges.pq = edges.p * edges.q;
-      is_first = false;
+      edges.turn(p, q);
       visit(c, p, q, edges);
     });
+  }
+
+protected:
+  void begin_ring(int v, bool is_on_border)
+  {
+    on_border = is_on_border;
+    first_neighbour = last_neighbour = v;
+    least_area = 0;
+  }
+
+  void take_ring_edge(const std::vector<Planar_point>& uv, int p, int q)
+  {
+    meet(p);
+    least_area = (std::max)(least_area,
+                            1e-12 * (uv[p] - uv[q]).squaredNorm()); // far above the rounding errors of areas
   }
 
 private:

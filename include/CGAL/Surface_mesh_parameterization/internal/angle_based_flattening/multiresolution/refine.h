@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -36,13 +37,14 @@ public:
   // star.
   bool run(int sweeps, Flattening_visitor* visitor)
   {
-    sweep(sweeps);
+    relax_level(m_coarsening, m_relaxation, sweeps);
     while(m_coarsening.number_of_levels() > 0) {
       if(!undo_level(visitor))
         return false;
       // Coarse levels smooth errors of long wavelength. On the finest levels, sweeps cost most.
       const int large_levels = 3;
-      sweep(m_coarsening.number_of_levels() < large_levels ? (std::min)(sweeps, 1) : sweeps);
+      const bool is_large = m_coarsening.number_of_levels() < large_levels;
+      relax_level(m_coarsening, m_relaxation, is_large ? (std::min)(sweeps, 1) : sweeps);
     }
     return true;
   }
@@ -50,19 +52,13 @@ public:
   // Inserts the vertices of the coarsest level. Returns `false` if a vertex has no valid position in its star.
   bool undo_level(Flattening_visitor* visitor)
   {
-    if(!insert(m_coarsening.undo_level([&](int v, int kept) { m_uv[v] = m_uv[kept]; })))
+    if(!insert(m_coarsening.undo_level(m_uv)))
       return false;
     visit_level(visitor, m_coarsening.number_of_vertices(), m_coarsening.mesh().chart().number_of_vertices());
     return true;
   }
 
 private:
-  void sweep(int times)
-  {
-    for(int i = 0; i < times; ++i)
-      m_relaxation.sweep(MIPS_star());
-  }
-
   // What happened to the vertices of a block
   struct Block_result
   {

@@ -42,7 +42,7 @@ struct MIPS_star : Planar_star_base
     triangles.clear();
     gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
       const double weight = mesh.chart().weight_of_triangle(c / 3);
-      triangles.push_back({uv[p], uv[q], weight * e.pq, weight * (e.pp - e.pq), weight * (e.qq - e.pq)});
+      triangles.push_back({uv[p], uv[q], weight * e.dot_v(), weight * e.dot_p(), weight * e.dot_q()});
     });
   }
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -38,9 +38,8 @@ class Relaxation
 {
 public:
   // With a `keeper`, the border stays simple. Otherwise it stays simple around each border vertex if it was.
-  Relaxation(const Edge_collapses& mesh, const std::vector<int>& vertices, std::vector<Planar_point>& uv,
-             Border_keeper* keeper = nullptr)
-      : m_mesh(mesh), m_vertices(vertices), m_uv(uv), m_keeper(keeper)
+  Relaxation(const Coarsening& coarsening, std::vector<Planar_point>& uv, Border_keeper* keeper = nullptr)
+      : m_coarsening(coarsening), m_uv(uv), m_keeper(keeper)
   {}
 
   int moves() const { return m_moves; }
@@ -53,26 +52,27 @@ public:
   void sweep(const Star& empty)
   {
     take_border();
-    const int n = static_cast<int>(m_vertices.size());
+    const std::vector<int>& vertices = m_coarsening.alive();
+    const int n = static_cast<int>(vertices.size());
     const int blocks = number_of_vertex_blocks(n);
     std::vector<Block> results(blocks);
     parallel_for(blocks, [&](int b) {
       const int begin = begin_of_vertex_block(b, blocks, n), end = begin_of_vertex_block(b + 1, blocks, n);
       Star star = empty;
       for(int i = begin; i < end; ++i) {
-        const bool on_border = m_mesh.chart().interior[m_vertices[i]] < 0;
+        const bool on_border = mesh().chart().interior[vertices[i]] < 0;
         if(!on_border)
-          star.gather(m_mesh, m_uv, m_vertices[i]);
-        if(on_border || star.first_neighbour < m_vertices[begin] || star.last_neighbour > m_vertices[end - 1])
-          results[b].deferred.push_back(m_vertices[i]);
+          star.gather(mesh(), m_uv, vertices[i]);
+        if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
+          results[b].deferred.push_back(vertices[i]);
         else
-          relax(star, m_vertices[i], results[b]);
+          relax(star, vertices[i], results[b]);
       }
     });
     Star star = empty;
     for(Block& result : results) {
       for(int v : result.deferred) {
-        star.gather(m_mesh, m_uv, v);
+        star.gather(mesh(), m_uv, v);
         relax(star, v, result);
       }
       m_moves += result.moves;
@@ -84,7 +84,7 @@ public:
   void take_border()
   {
     if(m_keeper != nullptr)
-      m_keeper->take(m_mesh, m_uv);
+      m_keeper->take(m_coarsening.borders(), m_uv);
   }
 
   // Whether the border touches itself at a border vertex, if there is someone who keeps it simple.
@@ -102,6 +102,8 @@ public:
   }
 
 private:
+  const Edge_collapses& mesh() const { return m_coarsening.mesh(); }
+
   struct Block
   {
     int moves = 0, rejected_moves = 0;
@@ -144,8 +146,8 @@ private:
   // One bit for border vertex `v` and one for each of its neighbours on the border
   unsigned wide_angles(int v, double limit) const
   {
-    const Chart& chart = m_mesh.chart();
-    const int first = m_mesh.first_corner(v);
+    const Chart& chart = mesh().chart();
+    const int first = mesh().first_corner(v);
     int last = first;
     for(int c = first; c >= 0; c = chart.rotate(c))
       last = c;
@@ -159,8 +161,8 @@ private:
   double turn(int v) const
   {
     double result = 0;
-    const Chart& chart = m_mesh.chart();
-    m_mesh.for_each_corner(v, [&](int c) {
+    const Chart& chart = mesh().chart();
+    mesh().for_each_corner(v, [&](int c) {
       const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
                          b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
       result += std::atan2(cross(a, b), a.dot(b));
@@ -168,8 +170,7 @@ private:
     return result;
   }
 
-  const Edge_collapses& m_mesh;
-  const std::vector<int>& m_vertices;
+  const Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
   Border_keeper* m_keeper;
   int m_moves = 0, m_rejected_moves = 0;

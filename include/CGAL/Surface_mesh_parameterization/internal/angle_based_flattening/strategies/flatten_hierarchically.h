@@ -40,7 +40,7 @@ class Hierarchical_flattening
 public:
   Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
       : m_weights(chart), m_coarsening(chart), m_options(options), m_solve(solve),
-        m_report(report_of<Hierarchical_report>(chart)), m_uv(chart.points.size(), Planar_point(0, 0))
+        m_report(report_of<Hierarchical_report>(chart))
   {}
 
   Flattening<Hierarchical_report> run()
@@ -85,7 +85,7 @@ private:
 
   bool undo_all_levels()
   {
-    Relaxation relaxation(m_coarsening.mesh(), m_coarsening.alive(), m_uv);
+    Relaxation relaxation(m_coarsening, m_uv);
     Refinement refinement(m_coarsening, m_uv, relaxation);
     const bool is_refined = refinement.run(m_options.sweeps, m_options.visitor);
     if(is_refined && m_options.angle_sweeps > 0)
@@ -118,7 +118,7 @@ private:
     const Stage stage(m_options.visitor, Flattening_visitor::COARSE_CHART, m_report.seconds.coarse_chart);
     for(int attempt = 0;; ++attempt) {
       Coarse_chart coarse = m_coarsening.coarse_chart();
-      m_weights.apply(m_coarsening.mesh(), coarse);
+      m_weights.apply(m_coarsening, coarse);
       m_report.levels = m_coarsening.number_of_levels();
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
       m_report.coarse_triangles = coarse.chart.number_of_triangles();
@@ -163,6 +163,7 @@ private:
   {
     const auto box = CGAL::bounding_box(uv.begin(), uv.end());
     const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    m_uv.resize(m_coarsening.mesh().chart().points.size());
     for(std::size_t v = 0; v < uv.size(); ++v)
       m_uv[coarse.vertices[v]] =
           Planar_point((uv[v].x() - box.xmin()) / size, (uv[v].y() - box.ymin()) / size);
@@ -173,7 +174,7 @@ private:
   const Hierarchical_options& m_options;
   const Coarse_flattening& m_solve;
   Hierarchical_report m_report;
-  std::vector<Planar_point> m_uv; // of each vertex that is there
+  std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
 };
 
 // Flattens a chart that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a valid
