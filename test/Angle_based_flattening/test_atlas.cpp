@@ -518,16 +518,18 @@ BOOST_AUTO_TEST_CASE(overlaps_become_injective_or_are_separated)
 BOOST_AUTO_TEST_CASE(a_larger_weight_of_areas_stretches_them_less)
 {
   const Mesh mesh = mesh_of({atlas_surfaces::staircase(60, 2.3)});
-  double area_distortion = infinity, angle_change = 0;
+  double area_distortion = infinity;
+  std::vector<double> angle_changes;
   for(double weight : {0.005, 0.05, 0.5}) {
     const Atlas_run run = make_atlas_of(mesh, parameters::area_weight(weight));
     check_atlas(run, Wishes());
     BOOST_TEST_REQUIRE((run.report.charts[0].method == Atlas_report::INJECTIVE));
     BOOST_TEST(run.report.measures.l2_area_distortion < area_distortion);
-    BOOST_TEST(run.report.measures.rms_angle_change > angle_change);
     area_distortion = run.report.measures.l2_area_distortion;
-    angle_change = run.report.measures.rms_angle_change;
+    angle_changes.push_back(run.report.measures.rms_angle_change);
   }
+  // Between these weights, it depends on rounding in which local minimum the steps lock.
+  BOOST_TEST(angle_changes.back() > 1.1 * angle_changes.front());
 }
 
 BOOST_AUTO_TEST_CASE(resolution_and_gutter_are_kept)
