@@ -26,12 +26,12 @@ struct ABF_plus_plus_step
   double energy = 0;              ///< Energy after the step.
   double constraint_residual = 0; ///< Largest violation of a constraint after the step, in radians.
   double predicted_decrease = 0;  ///< Decrease of the energy that the step's quadratic model promised.
-  double step_length =
-      0; ///< Fraction of the full step that was taken. It is above 1 where full steps converge slowly.
+  /// Fraction of the full step that was taken. It is above 1 where full steps converge slowly.
+  double step_length = 0;
   int linear_iterations = 0; ///< Steps of conjugate gradients.
-  int factorizations =
-      0; ///< Matrices factored: one by the direct solver, two by the iterative one at first. Where slivers, steep cones or
-  ///< holes are, the iterative solver factors another one, which is small, in each step.
+  /// Matrices factored: one by the direct solver, two by the iterative one at first. Where slivers, steep cones or
+  /// holes are, the iterative solver factors another one, which is small, in each step.
+  int factorizations = 0;
   int repeated_factorizations = 0; ///< Of these, those that the counterpart of lower precision
   ///< (`Low_precision_solver_traits`) refused, and that the solver traits themselves repeated.
 };

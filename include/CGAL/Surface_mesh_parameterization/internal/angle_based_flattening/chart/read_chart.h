@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/entered_faces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_ranks.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -20,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -63,6 +63,30 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
     const typename Mesh::TM_halfedge_descriptor h = v;
     return target(h, mesh.mesh());
   }
+};
+
+// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in a hash table.
+template <typename Index>
+class Vertex_ranks
+{
+public:
+  explicit Vertex_ranks(std::size_t limit) : m_limit(limit) {}
+
+  // The rank of an index, -1 if it has not been set; valid until the next call
+  int& operator[](const Index& index)
+  {
+    if(index < Index(0) || !(static_cast<std::size_t>(index) < m_limit))
+      return m_others.emplace(index, -1).first->second;
+    const std::size_t i = static_cast<std::size_t>(index);
+    if(i >= m_ranks.size())
+      m_ranks.resize((std::min)((std::max)(i + 1, 2 * m_ranks.size()), m_limit), -1);
+    return m_ranks[i];
+  }
+
+private:
+  std::size_t m_limit;
+  std::vector<int> m_ranks;
+  std::unordered_map<Index, int> m_others;
 };
 
 // Reads the connected component of a border halfedge into a chart. Any model of `FaceGraph` will do; the mesh is not
