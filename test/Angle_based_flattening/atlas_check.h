@@ -232,9 +232,12 @@ inline void check_parts(const Atlas_run& run)
     BOOST_TEST(known.count(skipped.diagnosis) == 1u, skipped.diagnosis);
     BOOST_TEST(skipped.message != "");
   }
-  BOOST_TEST((report.diagnosis ==
-              (report.skipped.empty() ? Atlas_report::NOTHING_WRONG : Atlas_report::SOMETHING_SKIPPED)));
-  BOOST_TEST((report.message == "") == report.skipped.empty());
+  const bool are_good = std::all_of(report.charts.begin(), report.charts.end(),
+                                    [](const Atlas_report::Chart& chart) { return chart.is_good; });
+  BOOST_TEST((report.diagnosis == (!report.skipped.empty() ? Atlas_report::SOMETHING_SKIPPED
+                                   : are_good              ? Atlas_report::NOTHING_WRONG
+                                                           : Atlas_report::STRETCH_BOUND_MISSED)));
+  BOOST_TEST((report.message == "") == (report.diagnosis == Atlas_report::NOTHING_WRONG));
   bool are_named = true, are_unchanged = run.are_borders_untouched;
   for(std::size_t f = 0; f < run.number_of_faces(); ++f) {
     are_named = are_named && (is_skipped[part[f]] ? run.chart[f] == -1 : run.chart[f] >= 0);
@@ -421,6 +424,7 @@ struct Chart_sums
 {
   double surface = 0, weighted = 0, plane = 0, scale = 0, stretch = 0;
   double extent = 0; // squared lengths of edges
+  std::size_t crushed = 0, nearly_crushed = 0;
 
   // Whether rounding changes the area of the surface by less than the tolerance
   bool has_area() const { return surface > 1e-9 * extent; }
@@ -448,6 +452,12 @@ inline std::vector<Chart_sums> chart_sums(const Atlas_run& run, const std::vecto
     const auto a = run.uv[c + 1] - run.uv[c], b = run.uv[c + 2] - run.uv[c];
     const auto d = b.x() * p - a.x() * q, e = b.y() * p - a.y() * q;
     sum.stretch += surface * (d * d + e * e) / (8 * plane * plane);
+    // of a map, the sum of the quasi-conformal ratio and its inverse
+    const double of_map = (d * d + e * e) / (4 * plane * surface);
+    const double of_shape =
+        (p.squared_length() + q.squared_length() + (q - p).squared_length()) / (2 * std::sqrt(3.) * surface);
+    sum.crushed += of_map > 1.01 * (std::max)(1000., of_shape);
+    sum.nearly_crushed += of_map > 0.99 * (std::max)(1000., of_shape);
   }
   return sums;
 }
@@ -489,6 +499,10 @@ inline void check_stretch(const Atlas_run& run, const std::vector<Chart_sums>& s
       BOOST_TEST(chart.l2_stretch == l2_stretch, tolerance);
     }
     BOOST_TEST(chart.bound_reached == (chart.scale_stretch <= 1.03 * bound));
+    BOOST_TEST(sum.crushed <= chart.crushed_faces);
+    BOOST_TEST(chart.crushed_faces <= sum.nearly_crushed);
+    BOOST_TEST(chart.is_good == (std::isinf(bound) ||
+                                 (chart.l2_stretch <= (std::max)(2., bound) && chart.crushed_faces == 0)));
     surface += sum.surface;
     stretch += sum.surface * chart.l2_stretch * chart.l2_stretch;
   }

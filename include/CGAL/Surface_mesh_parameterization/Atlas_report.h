@@ -28,15 +28,16 @@ struct Atlas_report
   /// What is wrong with the whole mesh, or with a part of it.
   enum Diagnosis
   {
-    NOTHING_WRONG,     ///< Each face has a chart.
-    SOMETHING_SKIPPED, ///< Some parts have no charts (`skipped`); all others do.
-    EMPTY_MESH,        ///< The mesh has no faces.
-    WRONG_OPTION,      ///< A named parameter is out of its range.
-    WRONG_WEIGHT,      ///< An edge or face has a negative weight, or one that is not a number.
-    TOO_LARGE,         ///< The surface has more triangles than 32-bit numbers allow.
-    NOTHING_FLATTENED, ///< All parts were skipped.
-    PACKING_FAILED,    ///< The charts do not fit into the square at this resolution.
-    CANCELLED          ///< A visitor stopped the computation.
+    NOTHING_WRONG,        ///< Each face has a chart, and each chart is good (`Chart::is_good`).
+    STRETCH_BOUND_MISSED, ///< Each face has a chart, and some chart is not good, whatever was tried.
+    SOMETHING_SKIPPED,    ///< Some parts have no charts (`skipped`); all others do.
+    EMPTY_MESH,           ///< The mesh has no faces.
+    WRONG_OPTION,         ///< A named parameter is out of its range.
+    WRONG_WEIGHT,         ///< An edge or face has a negative weight, or one that is not a number.
+    TOO_LARGE,            ///< The surface has more triangles than 32-bit numbers allow.
+    NOTHING_FLATTENED,    ///< All parts were skipped.
+    PACKING_FAILED,       ///< The charts do not fit into the square at this resolution.
+    CANCELLED             ///< A visitor stopped the computation.
   };
 
   /// How the map of a chart was made.
@@ -46,6 +47,14 @@ struct Atlas_report
     HIERARCHICAL, ///< By hierarchical ABF++, whose map does not overlap itself. Charts of more than 20,000 triangles begin with it.
     INJECTIVE, ///< As injective map (`Flattening_options::injective`), as that of ABF++ overlaps itself, or has too few digits.
     SEPARATED  ///< A piece of a map of ABF++ that overlapped itself, cut out as `split_overlaps()` does.
+  };
+
+  /// What it took to make a chart that is good (`Chart::is_good`).
+  enum Strategy
+  {
+    USUAL,              ///< The options as they are.
+    LARGER_AREA_WEIGHT, ///< As there was no good map, one that is as isometric as possible.
+    MORE_CHARTS ///< The part was divided, as there was no good map of it in one piece, or it would have left most of the square empty.
   };
 
   /// Whether both sides of the seams within a chart have equal lengths in the plane (`parameters::equal_seam_lengths()`), and if not why.
@@ -67,6 +76,7 @@ struct Atlas_report
     std::size_t part = 0;            ///< The part of the surface that it is of.
     std::size_t number_of_faces = 0; ///< The number of its faces.
     Method method = ABF_PLUS_PLUS;   ///< How its map was made.
+    Strategy strategy = USUAL;       ///< What it took.
     double area = 0;                 ///< Its area on the surface.
     double border_length = 0;        ///< The length of its border on the surface.
 
@@ -75,8 +85,16 @@ struct Atlas_report
     double scale_stretch = 1;
     bool bound_reached = true; ///< Whether `scale_stretch` is at most that.
     double l2_stretch = 1;     ///< As `Flattening_measures::l2_stretch`.
-    double contact = 0;        ///< As `Flattening_report::contact`.
-    int rounds = 0;            ///< How often seams were added because the map stretched too much.
+
+    /// The number of faces whose quasi-conformal ratio is above 1000, and above what their shape explains: the ratio of the map from an
+    /// equilateral triangle to them.
+    std::size_t crushed_faces = 0;
+
+    /// Whether `l2_stretch` is at most 2, or at most `parameters::stretch_bound()` if that is larger, and no face is crushed. With an
+    /// infinite bound, every chart is good.
+    bool is_good = true;
+    double contact = 0; ///< As `Flattening_report::contact`.
+    int rounds = 0;     ///< How often seams were added because the map stretched too much.
 
     bool has_equal_seams = false;         ///< Whether `seam_lengths` is `EQUAL_LENGTHS`.
     Seam_lengths seam_lengths = NO_SEAMS; ///< Whether both sides of seams have equal lengths, and if not why.
@@ -138,11 +156,14 @@ struct Atlas_report
 
   Seconds seconds; ///< Time of each stage.
 
-  /// returns whether each face has a chart.
+  /// returns whether each face has a chart, and each chart is good.
   explicit operator bool() const { return diagnosis == NOTHING_WRONG; }
 
   /// returns whether there is an atlas, of the whole surface or of a part.
-  bool has_atlas() const { return diagnosis == NOTHING_WRONG || diagnosis == SOMETHING_SKIPPED; }
+  bool has_atlas() const
+  {
+    return diagnosis == NOTHING_WRONG || diagnosis == STRETCH_BOUND_MISSED || diagnosis == SOMETHING_SKIPPED;
+  }
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -155,6 +176,8 @@ inline std::string to_string(Atlas_report::Diagnosis diagnosis)
   switch(diagnosis) {
   case Atlas_report::NOTHING_WRONG:
     return "NOTHING_WRONG";
+  case Atlas_report::STRETCH_BOUND_MISSED:
+    return "STRETCH_BOUND_MISSED";
   case Atlas_report::SOMETHING_SKIPPED:
     return "SOMETHING_SKIPPED";
   case Atlas_report::EMPTY_MESH:
@@ -191,6 +214,24 @@ inline std::string to_string(Atlas_report::Method method)
     return "injective";
   case Atlas_report::SEPARATED:
     return "separated";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a name, such as `"MORE_CHARTS"`.
+///
+/// \relates Atlas_report
+inline std::string to_string(Atlas_report::Strategy strategy)
+{
+  switch(strategy) {
+  case Atlas_report::USUAL:
+    return "USUAL";
+  case Atlas_report::LARGER_AREA_WEIGHT:
+    return "LARGER_AREA_WEIGHT";
+  case Atlas_report::MORE_CHARTS:
+    return "MORE_CHARTS";
   }
   return "unknown";
 }

@@ -44,10 +44,10 @@ struct Atlas_record
 
 inline std::string status_name(const Atlas_record& record)
 {
-  if(!record.report.has_atlas()) {
-    return to_string(record.report.diagnosis);
+  if(record.report.has_atlas() && !record.skipped.empty()) {
+    return to_string(SMP::Atlas_report::SOMETHING_SKIPPED);
   }
-  return record.skipped.empty() ? "OK" : to_string(SMP::Atlas_report::SOMETHING_SKIPPED);
+  return record.report ? "OK" : to_string(record.report.diagnosis);
 }
 
 inline Exit_status exit_status(const Atlas_record& record)

@@ -25,9 +25,12 @@ inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const doubl
   json.add("triangles", json_number(chart.number_of_faces));
   json.add("share_of_area", json_number(share));
   json.add("method", json_text(to_string(chart.method)));
+  json.add("strategy", json_text(to_string(chart.strategy)));
   json.add("scale_stretch", json_number(chart.scale_stretch));
   json.add("l2_stretch", json_number(chart.l2_stretch));
+  json.add("crushed_faces", json_number(chart.crushed_faces));
   json.add("bound_reached", json_bool(chart.bound_reached));
+  json.add("is_good", json_bool(chart.is_good));
   json.add("contact", json_number(chart.contact));
   json.add("border_length", json_number(chart.border_length));
   json.add("rounds", json_number(chart.rounds));

@@ -19,6 +19,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -36,6 +37,24 @@ inline std::string methods_text(const SMP::Atlas_report& report)
   for(const auto& [method, count] : counts) {
     text += (text.empty() ? "" : "; ") + (counts.size() > 1 ? std::to_string(count) + " " : std::string()) +
             to_string(method);
+  }
+  return text;
+}
+
+// How many charts were made otherwise than the options say, to be good
+inline std::string strategies_text(const SMP::Atlas_report& report)
+{
+  std::map<SMP::Atlas_report::Strategy, std::size_t> counts;
+  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+    ++counts[chart.strategy];
+  }
+  std::string text;
+  for(const auto& [strategy, what] :
+      {std::pair(SMP::Atlas_report::LARGER_AREA_WEIGHT, " with a larger area weight"),
+       std::pair(SMP::Atlas_report::MORE_CHARTS, " of divided parts")}) {
+    if(counts[strategy] > 0) {
+      text += "; " + std::to_string(counts[strategy]) + what;
+    }
   }
   return text;
 }
@@ -78,7 +97,8 @@ inline Report_rows chart_rows(const Atlas_record& record)
   for(const Skipped_part& part : record.skipped) {
     skipped += part.faces;
   }
-  Report_rows rows = {{"charts", std::to_string(report.charts.size()), methods_text(report)}};
+  Report_rows rows = {
+      {"charts", std::to_string(report.charts.size()), methods_text(report) + strategies_text(report)}};
   if(skipped > 0) {
     rows.push_back({"skipped", count_text(skipped, "face"),
                     "without chart, in " + count_text(record.skipped.size(), "part")});

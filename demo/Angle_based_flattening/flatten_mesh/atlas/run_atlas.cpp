@@ -140,6 +140,15 @@ void tell_skipped_parts(const Command_line& command, const Atlas_record& record)
   }
 }
 
+// What is wrong with the atlas as a whole, if anything
+void tell_message(const Command_line& command, const Atlas_record& record)
+{
+  if(record.skipped.empty() && !record.report) {
+    std::cerr << "flatten_mesh: " << command.title << ": " << status_name(record) << ": "
+              << record.report.message << std::endl;
+  }
+}
+
 std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 {
   std::ostringstream text;
@@ -282,11 +291,9 @@ Exit_status run_atlas(const Command_line& command)
   write_files(command, input, atlas, baked, record, files);
   progress.end();
   tell_skipped_parts(command, record);
+  tell_message(command, record);
   if(record.report.has_atlas()) {
     tell_report(command, report_text(record));
-  } else if(record.skipped.empty()) {
-    std::cerr << "flatten_mesh: " << command.title << ": " << status_name(record) << ": "
-              << record.report.message << std::endl;
   }
   files.publish();
   return exit_status(record);

@@ -293,7 +293,7 @@ private:
     report.number_of_parts = parts.size();
     for(typename Report::Chart& chart : report.charts)
       chart.part = numbers[chart.part];
-    if(!report.skipped.empty() && report.diagnosis == Report::NOTHING_WRONG) {
+    if(!report.skipped.empty() && report.has_atlas()) {
       report.diagnosis = Report::SOMETHING_SKIPPED;
       report.message = std::to_string(report.skipped.size()) + " of " + std::to_string(parts.size()) +
                        " parts of the surface have no charts; the first: " + report.skipped.front().message;

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 
+#include <limits>
 #include <string>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -25,8 +26,10 @@ struct Atlas_options
 {
   Seam_options seams;
   Packing_options packing;
-  double area_weight = 0.02;   // of injective maps
-  bool separates = false;      // maps that overlap become several charts
+  double area_weight = 0.02;                                      // of injective maps
+  bool separates = false;                                         // maps that overlap become several charts
+  double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
+  bool is_isometric = false;   // maps that would overlap keep areas: conformal ones were bad
   bool keeps_distance = false; // all maps are injective ones, between whose borders there is some clearance
   bool cuts_necks = false;     // branches become charts of their own
   bool equal_seam_lengths = true; // in maps of ABF++
@@ -34,6 +37,9 @@ struct Atlas_options
   int threads = 0;
   Atlas_visitor* visitor = nullptr;
 };
+
+// The weight of areas for maps that are as isometric as possible
+inline constexpr double isometric_weight = 1;
 
 // Charts of more triangles are flattened hierarchically.
 inline constexpr int largest_direct_chart = 20000;

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/certify_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas_maker.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/divided_part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,14 @@ public:
   Atlas_builder(const std::vector<Surface_part>& parts, const std::vector<double>& weight,
                 const Atlas_options& options, const Linear_solvers& solvers, Rounding round)
       : m_parts(parts), m_weight(weight), m_options(options), m_solvers(solvers), m_round(round)
-  {}
+  {
+    double area = 0;
+    for(const Surface_part& part : parts)
+      for(int t = 0; t < part.chart.number_of_triangles(); ++t)
+        area += surface_area(part.chart, t) * part.chart.scale * part.chart.scale;
+    if(options.packs && std::isfinite(options.seams.stretch_bound))
+      m_options.longest_chart = largest_aspect * std::sqrt(area);
+  }
 
   Atlas run()
   {
@@ -51,6 +59,9 @@ public:
   }
 
 private:
+  // A chart so many times as long as the square root of the area of all would leave most of the page empty.
+  static constexpr double largest_aspect = 4;
+
   // Charts are packed and certified again without those that are not certified, which visitors are not told.
   Atlas_visitor* visitor_of(Atlas_visitor::Stage stage)
   {
@@ -77,7 +88,7 @@ private:
     const auto make = [&](int i) {
       Part_progress part_progress(progress, static_cast<std::size_t>(i));
       m_atlas.parts[i] =
-          Part_atlas_maker(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();
+          Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();
       part_progress.set_stage(1, 1);
     };
     const int n = static_cast<int>(order.size());
@@ -99,13 +110,16 @@ private:
       m_atlas.first_chart.push_back(first);
       if(!part.succeeded())
         continue;
-      Atlas_report::Chart chart;
-      chart.part = i;
-      chart.method = part.method;
-      chart.seam_lengths = part.seam_lengths;
-      chart.contact = part.contact;
-      chart.rounds = part.rounds;
-      m_atlas.report.charts.resize(first + static_cast<std::size_t>(part.number_of_pieces), chart);
+      for(const Atlas_piece& piece : part.pieces) {
+        Atlas_report::Chart chart;
+        chart.part = i;
+        chart.method = piece.method;
+        chart.strategy = piece.strategy;
+        chart.seam_lengths = piece.seam_lengths;
+        chart.contact = piece.contact;
+        chart.rounds = piece.rounds;
+        m_atlas.report.charts.push_back(chart);
+      }
       for(int piece : part.piece)
         ++m_atlas.report.charts[first + static_cast<std::size_t>(piece)].number_of_faces;
     }
@@ -146,7 +160,7 @@ private:
   void scale_charts()
   {
     for(Part_atlas& part : m_atlas.parts)
-      if(part.succeeded() && part.number_of_pieces > 1)
+      if(part.succeeded() && part.pieces.size() > 1)
         scale_pieces(part);
   }
 
@@ -157,7 +171,7 @@ private:
       Bbox_2 box;
       double surface = 0, plane = 0;
     };
-    std::vector<Piece> pieces(part.number_of_pieces);
+    std::vector<Piece> pieces(part.pieces.size());
     std::vector<int> piece_of_vertex(part.uv.size());
     for(int c = 0; c < part.chart.number_of_corners(); ++c) {
       const int v = part.chart.vertex[c];
@@ -238,7 +252,7 @@ private:
   }
 
   // Returns whether all charts are injective with their final coordinates. Parts for which these have too few digits get maps whose
-  // borders keep a distance, and are skipped if these have too few digits for that as well.
+  // borders keep a distance, then several charts, and are skipped if the digits are too few for these as well.
   bool certify()
   {
     const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
@@ -259,16 +273,15 @@ private:
 
   void remake(std::size_t i, const std::string& wrong)
   {
-    m_is_remade.resize(m_parts.size(), false);
+    m_remakes.resize(m_parts.size(), 0);
     m_uv_as_made[i].clear();
-    if(!m_is_remade[i]) {
-      m_is_remade[i] = true;
-      Atlas_options options = m_options;
-      options.keeps_distance = true;
-      Atlas_progress progress(nullptr, {1});
-      Part_progress part_progress(progress, 0);
-      m_atlas.parts[i] =
-          Part_atlas_maker(m_parts[i].chart, m_parts[i].cost, options, m_solvers, part_progress).run();
+    Atlas_options options = m_options;
+    options.keeps_distance = true;
+    Atlas_progress progress(nullptr, {1});
+    Divided_part_atlas maker(m_parts[i].chart, m_parts[i].cost, options, m_solvers,
+                             Part_progress(progress, 0));
+    while(m_remakes[i] < 2) {
+      m_atlas.parts[i] = ++m_remakes[i] == 1 ? maker.run() : maker.divided(Divided_part_atlas::Division());
       if(m_atlas.parts[i].succeeded())
         return;
     }
@@ -313,6 +326,21 @@ private:
       }
     report.measures = measurement.measures();
     report.measures.border_is_simple = true; // certify() saw to that
+    look_at_stretch();
+  }
+
+  void look_at_stretch()
+  {
+    const std::vector<Atlas_report::Chart>& charts = m_atlas.report.charts;
+    const auto is_bad = [](const Atlas_report::Chart& chart) { return !chart.is_good; };
+    const auto first = std::find_if(charts.begin(), charts.end(), is_bad);
+    if(first == charts.end())
+      return;
+    std::ostringstream text;
+    text << std::count_if(first, charts.end(), is_bad) << " of " << charts.size()
+         << " charts stretch the surface badly: chart " << first - charts.begin() << " has an L2 stretch of "
+         << first->l2_stretch << " and " << first->crushed_faces << " crushed faces";
+    fail(Atlas_report::STRETCH_BOUND_MISSED, text.str());
   }
 
   std::string describe(const Packing& packing) const
@@ -338,11 +366,11 @@ private:
 
   const std::vector<Surface_part>& m_parts;
   const std::vector<double>& m_weight;
-  const Atlas_options& m_options;
+  Atlas_options m_options;
   const Linear_solvers& m_solvers;
   Rounding m_round;
   Atlas_visitor::Stage m_stage = Atlas_visitor::READ;    // the last one that began
-  std::vector<char> m_is_remade;                         // of each part
+  std::vector<char> m_remakes;                           // of each part: how often it was made anew
   std::vector<std::vector<Chart::Point_2>> m_uv_as_made; // of each part, before it was placed
   Atlas m_atlas;
 };

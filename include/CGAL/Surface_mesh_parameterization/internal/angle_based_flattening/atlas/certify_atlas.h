@@ -22,7 +22,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // The border edges of each chart of a part
 inline std::vector<std::vector<Border_edge>> borders_of_pieces(const Part_atlas& part)
 {
-  std::vector<std::vector<Border_edge>> borders(part.number_of_pieces);
+  std::vector<std::vector<Border_edge>> borders(part.pieces.size());
   for(const std::vector<int>& border : part.chart.borders)
     for(int c : border)
       borders[part.piece[c / 3]].push_back({part.chart.edge_source(c), part.chart.edge_target(c)});

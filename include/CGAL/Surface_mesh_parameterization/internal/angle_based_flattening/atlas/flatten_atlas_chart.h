@@ -10,11 +10,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,7 +30,9 @@ struct Chart_map
 {
   std::vector<Chart::Point_2> uv; // of each vertex; empty if there is none
   Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
-  bool overlaps = false; // parts of the disk in the plane
+  bool overlaps = false;     // parts of the disk in the plane
+  bool is_isometric = false; // as far as possible, rather than conformal
+  bool is_hopeless = false;  // no map is worth the time: the surface should be divided
   Atlas_report::Seam_lengths seam_lengths = Atlas_report::OTHER_METHOD;
   double contact = 0;
   Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
@@ -59,7 +64,10 @@ public:
     Chart_map map = abf_plus_plus(chart, m_options.separates);
     if(map.is_valid() && (!map.overlaps || m_options.separates))
       return map;
-    Chart_map injective = injective_map(chart);
+    const bool is_locked = is_hopeless(chart);
+    if(is_locked && chart.number_of_triangles() > largest_isometric_chart)
+      return hopeless_map();
+    Chart_map injective = is_locked || m_options.is_isometric ? isometric_map(chart) : injective_map(chart);
     if(injective.is_valid())
       return injective;
     if(!map.is_valid() && map.overlaps)
@@ -76,7 +84,59 @@ public:
                                         : direct_map(chart, Atlas_report::NOT_WANTED);
   }
 
+  Chart_map injective_map(const Chart& chart) const { return injective_map(chart, m_options.area_weight); }
+
+  // Injective, and as isometric as possible
+  Chart_map isometric_map(const Chart& chart) const
+  {
+    Chart_map map = injective_map(chart, isometric_weight);
+    map.is_isometric = true;
+    return map;
+  }
+
+  bool keeps_areas() const { return m_options.is_isometric || m_options.area_weight >= isometric_weight; }
+
 private:
+  // Several charts take less time than a larger one with so many bends in its border, and fill a page better.
+  static constexpr int largest_isometric_chart = 100000;
+
+  Chart_map injective_map(const Chart& chart, double area_weight) const
+  {
+    Hierarchical_options options = hierarchical_options(m_options, true);
+    options.area_weight = area_weight;
+    options.visitor = m_visitor;
+    const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
+    Chart copy = chart;
+    return result(flatten_chart_hierarchically(copy, options, no_solver, m_solvers, &leave_as_it_is),
+                  Atlas_report::INJECTIVE, other_lengths());
+  }
+
+  // Whether the injective map of a coarse copy of a large chart is bad already. The borders of surfaces with many handles lock
+  // everywhere.
+  bool is_hopeless(const Chart& chart) const
+  {
+    const int least_triangles = 20000, vertices_of_copy = chart.number_of_vertices() / 15;
+    const double bound = m_options.seams.stretch_bound;
+    if(chart.number_of_triangles() < least_triangles || m_options.separates || keeps_areas() ||
+       !std::isfinite(bound))
+      return false;
+    Chart fine = chart;
+    Coarsening coarsening(fine);
+    coarsening.coarsen(vertices_of_copy, Hierarchical_options().extreme_angle, m_visitor);
+    const Chart coarse = coarsening.coarse_chart().chart;
+    const Chart_map map = injective_map(coarse);
+    return !map.is_valid() || map_stretch(coarse, map.uv).is_bad(bound);
+  }
+
+  static Chart_map hopeless_map()
+  {
+    Chart_map map;
+    map.is_hopeless = true;
+    map.diagnosis = Flattening_report::OVERLAPPING;
+    map.message = "the map overlaps itself, and the border is too winding for an injective one";
+    return map;
+  }
+
   // Without them if they cannot be reached
   Chart_map direct_map_with_equal_seams(const Chart& chart) const
   {
@@ -134,16 +194,6 @@ private:
       map.overlaps = true;
       return map;
     }
-  }
-
-  Chart_map injective_map(const Chart& chart) const
-  {
-    Hierarchical_options options = hierarchical_options(m_options, true);
-    options.visitor = m_visitor;
-    const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-    Chart copy = chart;
-    return result(flatten_chart_hierarchically(copy, options, no_solver, m_solvers, &leave_as_it_is),
-                  Atlas_report::INJECTIVE, other_lengths());
   }
 
   Atlas_report::Seam_lengths other_lengths() const

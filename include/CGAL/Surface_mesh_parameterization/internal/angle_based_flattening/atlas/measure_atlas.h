@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
@@ -27,28 +28,25 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Measures the distortion of the charts, one by one and all together.
 class Atlas_measurement
 {
-  struct Sums // over a chart
-  {
-    double surface = 0, plane = 0, scale = 0, stretch = 0;
-  };
-
 public:
   Atlas_measurement(int triangles, double surface, double stretch_bound)
-      : m_totals(triangles, surface), m_bound(stretch_tolerance * stretch_bound)
+      : m_totals(triangles, surface), m_bound(stretch_bound)
   {}
 
   // Adds the charts of a part, which are in the report from number `first` on.
   void add(const Part_atlas& part, Atlas_report& report, std::size_t first)
   {
-    std::vector<Sums> sums = sums_of_areas(part);
+    const std::vector<Stretch_sums> sums = stretch_of_pieces(part);
     measure_triangles(part, sums);
     for(std::size_t i = 0; i < sums.size(); ++i) {
       Atlas_report::Chart& chart = report.charts[first + i];
-      const Sums& sum = sums[i];
-      chart.area = sum.surface * part.chart.scale * part.chart.scale;
-      chart.scale_stretch = sum.surface > 0 ? std::sqrt(sum.scale * sum.plane) / sum.surface : 1;
-      chart.bound_reached = !(chart.scale_stretch > m_bound);
-      chart.l2_stretch = sum.surface > 0 ? std::sqrt(sum.stretch / sum.surface) : 1;
+      const Map_stretch stretch = sums[i].stretch();
+      chart.area = sums[i].surface() * part.chart.scale * part.chart.scale;
+      chart.scale_stretch = stretch.scale;
+      chart.bound_reached = !(chart.scale_stretch > stretch_tolerance * m_bound);
+      chart.l2_stretch = stretch.l2;
+      chart.crushed_faces = static_cast<std::size_t>(stretch.crushed_triangles);
+      chart.is_good = !stretch.is_bad(m_bound);
     }
     for(const std::vector<int>& border : part.chart.borders)
       for(int c : border)
@@ -60,23 +58,9 @@ public:
   Flattening_measures measures() { return m_totals.measures(); }
 
 private:
-  static std::vector<Sums> sums_of_areas(const Part_atlas& part)
-  {
-    std::vector<Sums> sums(part.number_of_pieces);
-    for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
-      Sums& sum = sums[part.piece[t]];
-      const double surface = surface_area(part.chart, t),
-                   plane = std::abs(planar_area(part.chart, part.uv, t));
-      sum.surface += surface;
-      sum.plane += plane;
-      sum.scale += surface > 0 ? surface * surface / plane : 0;
-    }
-    return sums;
-  }
-
   static void measure_seams(const Part_atlas& part, Atlas_report& report, std::size_t first)
   {
-    std::vector<char> has_seams(part.number_of_pieces, false);
+    std::vector<char> has_seams(part.pieces.size(), false);
     for(const std::vector<int>& border : part.chart.borders)
       for(int c : border) {
         const int piece = part.piece[c / 3], across = part.chart.seam[c];
@@ -88,7 +72,7 @@ private:
       }
     for(std::size_t i = 0; i < has_seams.size(); ++i) {
       Atlas_report::Chart& chart = report.charts[first + i];
-      chart.seam_lengths = has_seams[i] ? part.seam_lengths : Atlas_report::NO_SEAMS;
+      chart.seam_lengths = has_seams[i] ? part.pieces[i].seam_lengths : Atlas_report::NO_SEAMS;
       chart.has_equal_seams = chart.seam_lengths == Atlas_report::EQUAL_LENGTHS;
       if(chart.has_equal_seams)
         report.largest_equal_seam_jump = (std::max)(report.largest_equal_seam_jump, chart.largest_seam_jump);
@@ -96,7 +80,7 @@ private:
   }
 
   // Each relative to the scale of its chart
-  void measure_triangles(const Part_atlas& part, std::vector<Sums>& sums)
+  void measure_triangles(const Part_atlas& part, const std::vector<Stretch_sums>& sums)
   {
     const std::vector<double> beta = target_angles(part.chart);
     const int triangles = part.chart.number_of_triangles(), batch = 64 * block_size;
@@ -105,16 +89,13 @@ private:
       const int size = (std::min)(batch, triangles - first);
       parallel_for_blocks(size, [&](int begin, int end) {
         for(int i = begin; i < end; ++i) {
-          const Sums& sum = sums[part.piece[first + i]];
+          const Stretch_sums& sum = sums[part.piece[first + i]];
           faces[i] =
-              measure_triangle(part.chart, beta, part.uv, std::sqrt(sum.surface / sum.plane), first + i);
+              measure_triangle(part.chart, beta, part.uv, std::sqrt(sum.surface() / sum.plane()), first + i);
         }
       });
-      for(int i = 0; i < size; ++i) {
+      for(int i = 0; i < size; ++i)
         m_totals.add(faces[i]);
-        if(faces[i].area > 0) // infinity times 0 would be NaN
-          sums[part.piece[first + i]].stretch += faces[i].area * faces[i].l2_stretch * faces[i].l2_stretch;
-      }
     }
   }
 

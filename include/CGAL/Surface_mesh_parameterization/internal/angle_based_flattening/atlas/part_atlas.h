@@ -9,30 +9,60 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// How a chart of the atlas was made
+struct Atlas_piece
+{
+  Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
+  Atlas_report::Strategy strategy = Atlas_report::USUAL;
+  Atlas_report::Seam_lengths seam_lengths = Atlas_report::NO_SEAMS;
+  double contact = 0;
+  int rounds = 0; // in which seams were added
+};
 
 // The charts of one connected part of a surface
 struct Part_atlas
 {
   std::string diagnosis, message; // empty, or why there are no charts
   Chart chart; // the part, opened along the seams; its triangles and corners are those of the part
-  std::vector<Chart::Point_2> uv; // of each vertex of the chart, in the units of the surface
-  std::vector<int> piece;         // of each triangle: the chart of the atlas that it is in
-  int number_of_pieces = 1;
-  Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
-  Atlas_report::Seam_lengths seam_lengths = Atlas_report::NO_SEAMS;
-  double contact = 0;
-  int rounds = 0; // in which seams were added
+  std::vector<Chart::Point_2> uv;  // of each vertex of the chart, in the units of the surface
+  std::vector<int> piece;          // of each triangle: the chart of the atlas that it is in
+  std::vector<Atlas_piece> pieces; // by their numbers
   std::size_t number_of_terminals = 0;
 
   bool succeeded() const { return diagnosis.empty(); }
 };
+
+// Numbers the pieces anew after the chart was opened along further seams. Each is made as the one that it was cut out of.
+inline void renumber_pieces(Part_atlas& atlas)
+{
+  const std::vector<int> before =
+      std::exchange(atlas.piece, connected_triangles(atlas.chart, [](int) { return true; }));
+  std::vector<Atlas_piece> pieces;
+  for(std::size_t t = 0; t < before.size(); ++t)
+    if(atlas.piece[t] == static_cast<int>(pieces.size())) // they are numbered by their first triangles
+      pieces.push_back(atlas.pieces[before[t]]);
+  atlas.pieces = std::move(pieces);
+}
+
+// The stretch of each piece
+inline std::vector<Stretch_sums> stretch_of_pieces(const Part_atlas& atlas)
+{
+  std::vector<Stretch_sums> sums(atlas.pieces.size());
+  for(int t = 0; t < atlas.chart.number_of_triangles(); ++t)
+    sums[atlas.piece[t]].add(atlas.chart, atlas.uv, t);
+  return sums;
+}
 
 // How much more than the bound of `select_seams()` a map may stretch, as that predicts for another surface: the smooth one
 inline constexpr double stretch_tolerance = 1.03;

@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/cut_necks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/flatten_atlas_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
@@ -30,15 +30,28 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Cuts a connected surface open and flattens it, with more seams as long as it stretches too much.
+// Whether a part has no charts because a computation failed, rather than because it cannot be cut to a disk
+inline bool is_failure_of_computation(const std::string& diagnosis)
+{
+  for(Flattening_report::Diagnosis failure :
+      {Flattening_report::LINEAR_SYSTEM_FAILED, Flattening_report::NO_CONVERGENCE,
+       Flattening_report::FLIPPED_TRIANGLES, Flattening_report::OVERLAPPING,
+       Flattening_report::SCALE_TOO_LARGE, Flattening_report::PRECISION_EXCEEDED})
+    if(diagnosis == to_string(failure))
+      return true;
+  return false;
+}
+
+// Cuts a connected surface open and flattens it, with more seams as long as it stretches too much. If there is no map, or one that
+// nobody would call good, areas get a larger weight.
 class Part_atlas_maker
 {
 public:
   // `cost` is that of the edge that each corner of the surface faces.
   Part_atlas_maker(const Chart& surface, const std::vector<double>& cost, const Atlas_options& options,
-                   const Linear_solvers& solvers, Part_progress& progress)
+                   const Linear_solvers& solvers, const Part_progress& progress)
       : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
-        m_flattener(options, solvers, &progress)
+        m_flattener(options, solvers, &m_progress)
   {}
 
   Part_atlas run()
@@ -54,10 +67,12 @@ public:
     m_terminals = seams.terminals.size();
     m_progress.set_stage(0.1, 0.5);
     flatten(m_best);
+    keep_areas();
     if(!m_best.map.is_valid())
       return failure(to_string(m_best.map.diagnosis), m_best.map.message);
     m_progress.set_stage(0.5, 0.9);
-    add_seams();
+    if(!m_best.map.is_isometric)
+      add_seams();
     avoid_stretch();
     m_progress.set_stage(0.9, 1);
     Part_atlas atlas = m_best.map.overlaps ? separated() : result();
@@ -72,7 +87,7 @@ private:
     std::vector<char> is_seam; // of each corner of the surface: whether the edge that it faces is a seam
     Dual_patch patch;          // the surface, opened there
     Chart_map map;
-    double stretch = 0;
+    Map_stretch stretch;
   };
 
   bool has_no_area() const
@@ -95,9 +110,28 @@ private:
       attempt.map.message = defect.message;
       return;
     }
-    attempt.map = m_flattener.run(chart);
+    take(m_flattener.run(chart), attempt);
+  }
+
+  static void take(Chart_map map, Attempt& attempt)
+  {
+    attempt.map = std::move(map);
     if(attempt.map.is_valid())
-      attempt.stretch = scale_stretch(chart, attempt.map.uv);
+      attempt.stretch = map_stretch(attempt.patch.chart, attempt.map.uv);
+  }
+
+  // Where nothing else is good, areas count as much as angles. Pieces of maps of ABF++ keep their angles.
+  void keep_areas()
+  {
+    const bool has_map = m_best.map.is_valid();
+    if(m_options.separates || m_flattener.keeps_areas() || m_best.map.is_isometric ||
+       m_best.map.is_hopeless ||
+       (has_map ? !m_best.stretch.is_bad(m_options.seams.stretch_bound)
+                : !is_failure_of_computation(to_string(m_best.map.diagnosis))))
+      return;
+    Chart_map map = m_flattener.isometric_map(m_best.patch.chart);
+    if(map.is_valid() && (!has_map || map_stretch(m_best.patch.chart, map.uv).l2 < m_best.stretch.l2))
+      take(std::move(map), m_best);
   }
 
   bool misses_bound(double stretch) const
@@ -109,19 +143,19 @@ private:
   {
     const int max_rounds = 5;
     int weak_rounds = 0;
-    for(int round = 0; misses_bound(m_best.stretch) && weak_rounds < 2 && round < max_rounds; ++round) {
-      const double before = m_best.stretch;
+    for(int round = 0; misses_bound(m_best.stretch.scale) && weak_rounds < 2 && round < max_rounds; ++round) {
+      const double before = m_best.stretch.scale;
       add_seams_in_round(std::size_t(3) << round);
-      m_rounds += m_best.stretch < before;
-      weak_rounds = m_best.stretch > (1 - least_gain) * before ? weak_rounds + 1 : 0;
+      m_rounds += m_best.stretch.scale < before;
+      weak_rounds = m_best.stretch.scale > (1 - least_gain) * before ? weak_rounds + 1 : 0;
     }
   }
 
   void add_seams_in_round(std::size_t count)
   {
-    const double before = m_best.stretch;
+    const double before = m_best.stretch.scale;
     for(Stretch_criterion criterion : {Stretch_criterion::LOG_SCALE, Stretch_criterion::AREA})
-      if(m_best.stretch > (1 - least_gain) * before)
+      if(m_best.stretch.scale > (1 - least_gain) * before)
         improve(criterion, count);
   }
 
@@ -139,7 +173,7 @@ private:
     Attempt next;
     next.is_seam = adder.seams();
     flatten(next);
-    if(!next.map.is_valid() || next.stretch >= m_best.stretch)
+    if(!next.map.is_valid() || next.stretch.scale >= m_best.stretch.scale)
       return;
     m_best = std::move(next);
     m_terminals += static_cast<std::size_t>(added);
@@ -148,10 +182,14 @@ private:
   // Injective maps whose branches get stuck between one another shrink them, where that of ABF++ does not. It is separated then.
   void avoid_stretch()
   {
-    if(m_best.map.method != Atlas_report::INJECTIVE || !misses_bound(m_best.stretch))
+    const double bound = m_options.seams.stretch_bound;
+    const auto is_wanted = [&](const Map_stretch& stretch) {
+      return !stretch.is_bad(bound) && (m_best.map.is_isometric || !misses_bound(stretch.scale));
+    };
+    if(m_best.map.method != Atlas_report::INJECTIVE || is_wanted(m_best.stretch))
       return;
     Chart_map map = m_flattener.abf_plus_plus(m_best.patch.chart, true);
-    if(!map.is_valid() || misses_bound(scale_stretch(m_best.patch.chart, map.uv)))
+    if(!map.is_valid() || !is_wanted(map_stretch(m_best.patch.chart, map.uv)))
       return;
     m_injective = std::move(m_best.map);
     m_best.map = std::move(map);
@@ -163,10 +201,9 @@ private:
     atlas.piece.assign(m_surface.number_of_triangles(), 0);
     atlas.chart = std::move(m_best.patch.chart);
     atlas.uv = std::move(m_best.map.uv);
-    atlas.method = m_best.map.method;
-    atlas.seam_lengths = m_best.map.seam_lengths;
-    atlas.contact = m_best.map.contact;
-    atlas.rounds = m_rounds;
+    atlas.pieces = {{m_best.map.method,
+                     m_best.map.is_isometric ? Atlas_report::LARGER_AREA_WEIGHT : Atlas_report::USUAL,
+                     m_best.map.seam_lengths, m_best.map.contact, m_rounds}};
     atlas.number_of_terminals = m_terminals;
     return atlas;
   }
@@ -187,7 +224,7 @@ private:
                          " overlaps itself, and could not be separated");
     Part_atlas atlas = result();
     if(separation.number_of_pieces > 1) {
-      atlas.method = Atlas_report::SEPARATED;
+      atlas.pieces.front().method = Atlas_report::SEPARATED;
       open_along(separation.is_seam, atlas);
     }
     return atlas;
@@ -204,8 +241,7 @@ private:
       uv.push_back(atlas.uv[v]);
     atlas.chart = std::move(patch.chart);
     atlas.uv = std::move(uv);
-    atlas.piece = connected_triangles(atlas.chart, [](int) { return true; });
-    atlas.number_of_pieces = *std::max_element(atlas.piece.begin(), atlas.piece.end()) + 1;
+    renumber_pieces(atlas);
   }
 
   static Part_atlas failure(const std::string& diagnosis, const std::string& message)
@@ -232,7 +268,7 @@ private:
   const std::vector<double>& m_cost;
   const Atlas_options& m_options;
   const Linear_solvers& m_solvers;
-  Part_progress& m_progress;
+  Part_progress m_progress;
   Atlas_chart_flattener m_flattener;
   Attempt m_best;
   Chart_map m_injective; // of `m_best`, if it stretches too much

@@ -81,6 +81,32 @@ private:
   double m_conformal = 0, m_anticonformal = 0;
 };
 
+// Whether a map makes a triangle far longer and thinner than its shape explains: its quasi-conformal ratio is above 1000, and above
+// that of the map from an equilateral triangle to it. Triangles without area on the surface are not.
+inline bool is_crushed(const Chart& chart, const std::vector<Chart::Point_2>& uv, int t)
+{
+  const double largest_ratio = 1000, area = surface_area(chart, t);
+  if(!std::isnormal(area))
+    return false;
+  const Triangle_differential map(chart, uv, t);
+  if(!map.has_area())
+    return true;
+  double squares = 0; // of the lengths of the edges
+  for(int c = 3 * t; c < 3 * t + 3; ++c)
+    squares += CGAL::square(edge_length(chart, c));
+  const double ratio_of_shape = squares / (2 * std::sqrt(3.) * area); // plus its inverse
+  return map.largest_stretch() / map.smallest_stretch() > (std::max)(largest_ratio, ratio_of_shape);
+}
+
+inline std::vector<int> crushed_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  std::vector<int> result;
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    if(is_crushed(chart, uv, t))
+      result.push_back(t);
+  return result;
+}
+
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/angle_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
@@ -59,8 +60,7 @@ public:
       fail(m_report, Flattening_report::PRECISION_EXCEEDED,
            "no injective map was found in double precision; a larger area weight may help");
     Flattening<Hierarchical_report> result;
-    for(const Planar_point& p : m_uv)
-      result.uv.emplace_back(p.x(), p.y());
+    result.uv = positions();
     result.report = std::move(m_report);
     return result;
   }
@@ -216,6 +216,7 @@ private:
     lower_energy();
     if(m_options.polish)
       polish();
+    widen_crushed_triangles();
     m_relaxation.take_border();
     const Border_contact contact = m_keeper.contact();
     m_report.contact = contact.share;
@@ -258,6 +259,34 @@ private:
       ++m_report.polish_iterations;
     }
     m_report.energy = sweeps.energy();
+  }
+
+  std::vector<Chart::Point_2> positions() const
+  {
+    std::vector<Chart::Point_2> result;
+    for(const Planar_point& p : m_uv)
+      result.emplace_back(p.x(), p.y());
+    return result;
+  }
+
+  // Small triangles have little energy where areas count, and can be crushed between large ones. Energies of angles do not know sizes.
+  void widen_crushed_triangles()
+  {
+    const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
+    const Chart& chart = m_coarsening.mesh().chart();
+    const int most_rounds = 20;
+    std::vector<int> crushed = crushed_triangles(chart, positions());
+    if(crushed.empty())
+      return;
+    const std::vector<double> beta = target_angles(chart);
+    const Angle_star star(beta, Angle_energy{m_options.barrier});
+    for(int round = 0; round < most_rounds && !crushed.empty(); ++round) {
+      std::vector<int> vertices;
+      for(int t : crushed)
+        vertices.insert(vertices.end(), &chart.vertex[3 * t], &chart.vertex[3 * t] + 3);
+      m_relaxation.move(star, vertices);
+      crushed = crushed_triangles(chart, positions());
+    }
   }
 
   Merged_weights m_weights;

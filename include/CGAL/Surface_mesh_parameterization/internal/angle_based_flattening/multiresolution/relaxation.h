@@ -80,6 +80,18 @@ public:
     }
   }
 
+  // Moves only these vertices, one after the other.
+  template <typename Star>
+  void move(const Star& empty, const std::vector<int>& vertices)
+  {
+    take_border();
+    Star star = empty;
+    for(int v : vertices) {
+      star.gather(mesh(), m_uv, v);
+      ++(is_relaxed(star, v) ? m_moves : m_rejected_moves);
+    }
+  }
+
   // Tells the keeper of the border about vertices that were inserted, or moved by others.
   void take_border()
   {

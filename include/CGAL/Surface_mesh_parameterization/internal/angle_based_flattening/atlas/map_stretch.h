@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// How much a map stretches a chart, or a piece of one
+struct Map_stretch
+{
+  double scale =
+      1; // due to its scale. Unlike the L2 stretch, seams can lower it wherever long thin triangles are.
+  double l2 = 1;
+  int crushed_triangles = 0;
+  double length = 0; // of the diagonal of its box, in the units of the surface
+
+  // Whether nobody would call it good. An infinite bound takes any stretch.
+  bool is_bad(double bound) const
+  {
+    return l2 > (std::max)(2., bound) || (crushed_triangles > 0 && std::isfinite(bound));
+  }
+};
+
+// The sums over triangles that the stretch is made of
+class Stretch_sums
+{
+public:
+  void add(const Chart& chart, const std::vector<Chart::Point_2>& uv, int t)
+  {
+    const double surface = surface_area(chart, t), plane = std::abs(planar_area(chart, uv, t));
+    m_surface += surface;
+    m_plane += plane;
+    for(int c = 3 * t; c < 3 * t + 3; ++c)
+      m_box += uv[chart.vertex[c]].bbox();
+    if(!(surface > 0))
+      return; // infinity times 0 would be NaN
+    m_scale += surface * surface / plane;
+    const Triangle_differential map(chart, uv, t);
+    if(map.has_area())
+      m_squares += surface * (CGAL::square(map.largest_stretch()) + CGAL::square(map.smallest_stretch())) / 2;
+    else if(std::isnormal(surface))
+      m_squares = std::numeric_limits<double>::infinity();
+    m_crushed += is_crushed(chart, uv, t);
+  }
+
+  double surface() const { return m_surface; }
+  double plane() const { return m_plane; }
+
+  Map_stretch stretch() const
+  {
+    Map_stretch result;
+    if(m_surface > 0) {
+      result.scale = std::sqrt(m_scale * m_plane) / m_surface;
+      result.l2 = std::sqrt(m_squares / m_surface * (m_plane / m_surface));
+      result.length = std::hypot(m_box.x_span(), m_box.y_span()) * std::sqrt(m_surface / m_plane);
+    }
+    result.crushed_triangles = m_crushed;
+    return result;
+  }
+
+private:
+  double m_surface = 0, m_plane = 0, m_scale = 0, m_squares = 0;
+  int m_crushed = 0;
+  Bbox_2 m_box;
+};
+
+inline Map_stretch map_stretch(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+{
+  Stretch_sums sums;
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    sums.add(chart, uv, t);
+  return sums.stretch();
+}
+
+// The scale of a map around a vertex
+struct Vertex_scale
+{
+  double area = 0;      // of the triangles around it, on the surface
+  double log_scale = 0; // logarithm of the factor of lengths, relative to the mean
+
+  // How much less the stretch would be at this vertex without it. It is large where large triangles hide a moderate scale.
+  double stretch_by_area() const { return area * (std::cosh(2 * log_scale) - 1); }
+};
+
+// Of each vertex of the surface that was cut open to the chart; `origin` tells whose copies those of the chart are.
+inline std::vector<Vertex_scale> vertex_scales(const Chart& chart, const std::vector<Chart::Point_2>& uv,
+                                               const std::vector<int>& origin, int number_of_vertices)
+{
+  std::vector<Vertex_scale> scales(number_of_vertices);
+  std::vector<double> plane(number_of_vertices, 0.);
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    for(int k = 0; k < 3; ++k) {
+      const int v = origin[chart.vertex[3 * t + k]];
+      scales[v].area += surface_area(chart, t);
+      plane[v] += std::abs(planar_area(chart, uv, t));
+    }
+  double mean = 0, total = 0;
+  for(int v = 0; v < number_of_vertices; ++v)
+    if(scales[v].area > 0 && plane[v] > 0) {
+      scales[v].log_scale = std::log(plane[v] / scales[v].area) / 2;
+      mean += scales[v].area * scales[v].log_scale;
+      total += scales[v].area;
+    }
+  for(int v = 0; v < number_of_vertices; ++v)
+    if(scales[v].area > 0 && plane[v] > 0)
+      scales[v].log_scale -= mean / total;
+  return scales;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
