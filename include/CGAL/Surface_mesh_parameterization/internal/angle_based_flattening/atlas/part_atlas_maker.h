@@ -150,7 +150,8 @@ private:
   {
     if(m_best.map.method != Atlas_report::INJECTIVE || !misses_bound(m_best.stretch))
       return;
-    Chart_map map = m_flattener.abf_plus_plus(m_best.patch.chart, true);
+    Chart_map map = m_best.map.overlapping ? *m_best.map.overlapping
+                                           : m_flattener.abf_plus_plus(m_best.patch.chart, true);
     if(!map.is_valid() || misses_bound(scale_stretch(m_best.patch.chart, map.uv)))
       return;
     m_injective = std::move(m_best.map);
