@@ -47,7 +47,7 @@ public:
       else if(bracket())
         try_all_rules();
       if(!m_places.empty() && cell != m_charts.texels_of_cells().back())
-        keep_best_rules(cell == m_charts.texels_of_cells().front() ? 4 : 2);
+        keep_best_rules(cell == m_charts.texels_of_cells().front() ? 8 : 4);
     }
     if(m_places.empty())
       return false;
