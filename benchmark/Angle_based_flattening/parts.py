@@ -98,7 +98,7 @@ def measure_file(options: argparse.Namespace, file: Path, resolution: int) -> ru
     seconds, triangles = usage.ru_utime + usage.ru_stime, result["triangles"]
     return run.Measurement(seconds=seconds, cpu=seconds, triangles=triangles, rate=1e5 * seconds / triangles, parts=result["components"],
                            charts=len(result["atlas"]["charts"]), each=1e3 * seconds / result["components"],
-                           covered=result["atlas"]["packing"]["covered_share"], memory=usage.ru_maxrss / 1024)
+                           covered=result["atlas"]["packing"]["covered_share"], memory=result["peak_memory_mb"])
 
 
 def main() -> None:
