@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(an_infinite_bound_takes_any_stretch)
 BOOST_AUTO_TEST_CASE(a_bad_chart_is_not_called_good)
 {
   const auto all = boost::make_function_property_map<Mesh::Edge_index>([](Mesh::Edge_index) { return true; });
-  const Mesh finger = mesh_of(overlapping_charts::finger(24, 24, 40));
+  const Mesh finger = mesh_of(test_charts::finger(24, 24, 40));
   const Atlas_run run = make_atlas_of(finger, parameters::edge_is_constrained_map(all));
   check_atlas(run, Wishes());
   BOOST_TEST((run.report.diagnosis == Atlas_report::STRETCH_BOUND_MISSED));

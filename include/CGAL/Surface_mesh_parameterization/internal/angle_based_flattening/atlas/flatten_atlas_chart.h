@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,11 +39,16 @@ struct Chart_map
   Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
   std::string message;
 
+  std::shared_ptr<const Chart_map> overlapping; // that of ABF++, if this one is injective instead
+
   bool is_valid() const { return !uv.empty(); }
 };
 
 // Around handles, equal lengths can cost much. A map has them if its energy is so many times that of free lengths at most.
 inline constexpr double largest_price_of_equal_seams = 1.1;
+
+// Around more handles, equal lengths take most of the time. A map that overlaps itself without them hardly ever stops doing so with them.
+inline constexpr int many_loops = 32;
 
 // Flattens disks in the way that is best for an atlas.
 class Atlas_chart_flattener
@@ -68,8 +74,11 @@ public:
     if(is_locked && chart.number_of_triangles() > largest_isometric_chart)
       return hopeless_map();
     Chart_map injective = is_locked || m_options.is_isometric ? isometric_map(chart) : injective_map(chart);
-    if(injective.is_valid())
+    if(injective.is_valid()) {
+      if(map.is_valid())
+        injective.overlapping = std::make_shared<const Chart_map>(std::move(map));
       return injective;
+    }
     if(!map.is_valid() && map.overlaps)
       map = abf_plus_plus(chart, true);
     return map.is_valid() ? map : injective;
@@ -145,17 +154,24 @@ private:
       return direct_map(chart, Atlas_report::NO_EQUATIONS);
     if(!equal.has_equal_seams)
       return direct_map(chart, Atlas_report::NO_SEAMS);
+    std::optional<Flattening<ABF_plus_plus_report>> free;
+    if(equal.number_of_loops > many_loops && !m_options.separates) {
+      free = direct_flattening(chart);
+      if(!free->succeeded() || !free->report.border_is_simple)
+        return result(*std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::OTHER_METHOD);
+    }
     ABF_plus_plus_options options = direct_options(m_options);
     options.visitor = m_visitor;
     options.fallbacks = false; // they are for charts without any other map
     Flattening<ABF_plus_plus_report> map = flatten_chart(equal, options, m_solvers, &leave_as_it_is);
-    if(!map.succeeded() || !map.report.converged)
-      return direct_map(chart, Atlas_report::NOT_CONVERGED);
-    if(equal.number_of_loops > 0) { // without them, equal lengths change the energy little
-      Flattening<ABF_plus_plus_report> free = direct_flattening(chart);
-      if(free.succeeded() && map.report.energy > largest_price_of_equal_seams * free.report.energy)
-        return result(std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::TOO_MUCH_DISTORTION);
-    }
+    const bool is_found = map.succeeded() && map.report.converged;
+    if(!free &&
+       (!is_found || equal.number_of_loops > 0)) // without loops, equal lengths change the energy little
+      free = direct_flattening(chart);
+    if(!is_found)
+      return result(*std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::NOT_CONVERGED);
+    if(free && free->succeeded() && map.report.energy > largest_price_of_equal_seams * free->report.energy)
+      return result(*std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::TOO_MUCH_DISTORTION);
     return result(std::move(map), Atlas_report::ABF_PLUS_PLUS, Atlas_report::EQUAL_LENGTHS);
   }
 

@@ -130,6 +130,7 @@ private:
                 : !is_failure_of_computation(to_string(m_best.map.diagnosis))))
       return;
     Chart_map map = m_flattener.isometric_map(m_best.patch.chart);
+    map.overlapping = m_best.map.overlapping;
     if(map.is_valid() && (!has_map || map_stretch(m_best.patch.chart, map.uv).l2 < m_best.stretch.l2))
       take(std::move(map), m_best);
   }
@@ -188,7 +189,8 @@ private:
     };
     if(m_best.map.method != Atlas_report::INJECTIVE || is_wanted(m_best.stretch))
       return;
-    Chart_map map = m_flattener.abf_plus_plus(m_best.patch.chart, true);
+    Chart_map map = m_best.map.overlapping ? *m_best.map.overlapping
+                                           : m_flattener.abf_plus_plus(m_best.patch.chart, true);
     if(!map.is_valid() || !is_wanted(map_stretch(m_best.patch.chart, map.uv)))
       return;
     m_injective = std::move(m_best.map);

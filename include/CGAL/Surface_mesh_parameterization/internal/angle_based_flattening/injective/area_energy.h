@@ -98,6 +98,16 @@ public:
 
   double value() const { return m_triangle.area * m_density; }
 
+  // The same, without what only derivatives need
+  static double value(const Flat_triangle& triangle, const std::array<Planar_point, 3>& x, double theta)
+  {
+    Eigen::Matrix2d differential = Eigen::Matrix2d::Zero();
+    for(int k = 0; k < 3; ++k)
+      differential += x[k] * triangle.gradient[k].transpose();
+    const double d = differential.determinant();
+    return triangle.area * differential.squaredNorm() / (2 * d) * std::exp(theta * Area_term(d).value);
+  }
+
   // By the coordinates of the three corners
   Gradient gradient() const
   {

@@ -37,7 +37,7 @@ public:
 
   double triangle_energy(int t, const std::array<Planar_point, 3>& x) const
   {
-    return m_chart.weight_of_triangle(t) * Area_energy(m_triangles[t], x, m_theta).value();
+    return m_chart.weight_of_triangle(t) * Area_energy::value(m_triangles[t], x, m_theta);
   }
 
   Triangle_derivatives triangle_derivatives(int t, const std::array<Planar_point, 3>& x) const

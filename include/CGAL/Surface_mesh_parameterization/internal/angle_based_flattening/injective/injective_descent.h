@@ -49,7 +49,8 @@ public:
   Injective_descent(const Chart& chart, const Objective& objective, double clearance,
                     const Linear_solvers& solvers)
       : m_chart(chart), m_objective(objective), m_clearance(clearance), m_solvers(solvers),
-        m_cycles(border_cycles(chart)), m_barrier_weight(chart.points.size(), 0.)
+        m_factors(solvers, solvers->low_precision()), m_cycles(border_cycles(chart)),
+        m_barrier_weight(chart.points.size(), 0.)
   {
     std::vector<int> triangles(chart.points.size(), 0);
     for(int c = 0; c < chart.number_of_corners(); ++c)
@@ -154,12 +155,11 @@ private:
   {
     const Block_matrix<2> undamped = hessian.matrix(), matrix = damped(undamped, 1e-8);
     const Eigen::VectorXd right_hand_side = -hessian.gradient();
-    Preconditioning_system factors(m_solvers, m_solvers->low_precision());
     const Iterative_accuracy accuracy = {1e-2};
     const int max_steps = 50;
     bool done =
-        m_solvers->keeps_factors && factors.set_matrix(damped(undamped, 1e-6)) &&
-        conjugate_gradients(matrix, right_hand_side, factors, accuracy, max_steps, m_direction).status ==
+        m_solvers->keeps_factors && m_factors.set_matrix(damped(undamped, 1e-6)) &&
+        conjugate_gradients(matrix, right_hand_side, m_factors, accuracy, max_steps, m_direction).status ==
             Iterative_solution::SOLVED;
     if(!done) {
       const std::unique_ptr<Linear_solver> full = m_solvers->full_precision();
@@ -221,6 +221,7 @@ private:
   const Objective& m_objective;
   double m_clearance;
   Linear_solvers m_solvers;
+  Preconditioning_system m_factors; // It knows the pattern as long as no other parts of the border come near.
   Border_cycles m_cycles;
   std::vector<double> m_barrier_weight; // of each vertex
   Eigen::VectorXd m_direction;

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -48,18 +49,23 @@ public:
 
   bool fits(int resolution) const { return m_width <= resolution && m_height <= resolution; }
 
-  // The cells of `side`^2 texels that the chart touches
-  Texel_mask cells(int side) const
+  // The cells of `side`^2 texels that the chart touches, or comes nearer to than `gutter` texels, in a mask that is larger by `margin`
+  // cells on all sides
+  Texel_mask cells(int side, int gutter = 0, int margin = 0) const
   {
-    Texel_mask mask((m_width + side - 1) / side, (m_height + side - 1) / side);
+    Texel_mask mask((m_width + side - 1) / side + 2 * margin, (m_height + side - 1) / side + 2 * margin);
     std::vector<Crossing> crossings;
+    const auto cell = [&](const Planar_point& p) -> Planar_point {
+      return (turned(p) + m_shift) / side + Planar_point(margin, margin);
+    };
+    const double tolerance = placement_tolerance / side, neighbours = double(gutter) / side;
     for(const Planar_segment& edge : m_outline->edges) {
-      const Planar_point p = (turned(edge[0]) + m_shift) / side, q = (turned(edge[1]) + m_shift) / side;
-      draw_segment(p, q, side, mask);
+      const Planar_point p = cell(edge[0]), q = cell(edge[1]);
+      draw_segment(p, q, tolerance, neighbours, mask);
       cross_rows(p, q, crossings);
     }
     for(const Planar_segment& needle : m_outline->needles)
-      draw_segment((turned(needle[0]) + m_shift) / side, (turned(needle[1]) + m_shift) / side, side, mask);
+      draw_segment(cell(needle[0]), cell(needle[1]), tolerance, neighbours, mask);
     fill(crossings, mask);
     return mask;
   }
@@ -70,8 +76,6 @@ private:
     int y;
     double x;
     int turn;
-
-    bool operator<(const Crossing& other) const { return y < other.y || (y == other.y && x < other.x); }
   };
 
   static constexpr int too_many_texels = 1 << 30;
@@ -87,10 +91,12 @@ private:
     return {m_cosine * p.x() - m_sine * p.y(), m_sine * p.x() + m_cosine * p.y()};
   }
 
-  static void draw_segment(const Planar_point& p, const Planar_point& q, int side, Texel_mask& mask)
+  static void draw_segment(const Planar_point& p, const Planar_point& q, double tolerance, double neighbours,
+                           Texel_mask& mask)
   {
-    visit_texels(std::array<Planar_point, 2>{p, q}, placement_tolerance / side,
-                 [&](int y, int first, int last) { mask.add(first, last + 1, y); });
+    visit_texels(
+        std::array<Planar_point, 2>{p, q}, tolerance,
+        [&](int y, int first, int last) { mask.add(first, last + 1, y); }, neighbours);
   }
 
   static void cross_rows(const Planar_point& p, const Planar_point& q, std::vector<Crossing>& crossings)
@@ -102,16 +108,27 @@ private:
           {y, lower.x() + (y + 0.5 - lower.y()) / (upper.y() - lower.y()) * (upper.x() - lower.x()), turn});
   }
 
-  // A cell that no edge touches is inside if its centre is.
-  static void fill(std::vector<Crossing>& crossings, Texel_mask& mask)
+  // A cell that no edge touches is inside if its centre is. Crossings are sorted by rows first: most rows have few.
+  static void fill(const std::vector<Crossing>& crossings, Texel_mask& mask)
   {
-    std::sort(crossings.begin(), crossings.end());
-    int winding = 0;
-    for(std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-      winding += crossings[i].turn;
-      if(winding != 0)
-        mask.add(static_cast<int>(std::ceil(crossings[i].x - 0.5)),
-                 static_cast<int>(std::ceil(crossings[i + 1].x - 0.5)), crossings[i].y);
+    std::vector<int> end(mask.height() + 1, 0);
+    for(const Crossing& crossing : crossings)
+      ++end[crossing.y + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Crossing> sorted(crossings.size());
+    for(const Crossing& crossing : crossings)
+      sorted[end[crossing.y]++] = crossing;
+    auto begin = sorted.begin();
+    for(int y = 0; y < mask.height(); ++y) {
+      const auto stop = sorted.begin() + end[y];
+      std::sort(begin, stop, [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+      int winding = 0;
+      for(; begin != stop; ++begin) {
+        winding += begin->turn;
+        if(winding != 0)
+          mask.add(static_cast<int>(std::ceil(begin->x - 0.5)),
+                   static_cast<int>(std::ceil((begin + 1)->x - 0.5)), y);
+      }
     }
   }
 

@@ -10,8 +10,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
 
-#include <boost/integer/integer_log2.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -83,7 +81,7 @@ private:
     int y, length;
   };
 
-  static constexpr int least_width = 32; // of masks for which it pays to look at free runs
+  static constexpr int least_width = 64; // of masks for which it pays to look at free runs
 
   // Of some rows of a mask
   static std::vector<Row_run> longest_runs(const Texel_mask& mask)
@@ -120,13 +118,11 @@ private:
     return left != 0;
   }
 
-  static int lowest_bit(Word word) { return static_cast<int>(boost::integer_log2(word & (~word + 1))); }
-
   static int first_of(const std::vector<Word>& words)
   {
     for(std::size_t i = 0; i < words.size(); ++i)
       if(words[i] != 0)
-        return static_cast<int>(i) * word_size + lowest_bit(words[i]);
+        return static_cast<int>(i) * word_size + Texel_mask::lowest_bit(words[i]);
     return -1;
   }
 
@@ -137,7 +133,7 @@ private:
       for(int i = 0; i < mask.words_of_row(); ++i)
         if(const Word both = mask.row(j)[i] & Texel_mask::word_from(row, x + m_margin + i * word_size);
            both != 0)
-          return Texel{i * word_size + lowest_bit(both), j};
+          return Texel{i * word_size + Texel_mask::lowest_bit(both), j};
     }
     return std::nullopt;
   }

@@ -39,7 +39,7 @@ class Chart_placer
 public:
   Chart_placer(const Scaled_charts& scaled, const Placement_rule& rule)
       : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().gutter),
-        m_border((m_gutter + 1) / 2), m_cell(scaled.charts().texels_of_cell()),
+        m_border((m_gutter + 1) / 2), m_cell(scaled.texels_of_cell()),
         m_margin((m_gutter + m_cell - 1) / m_cell),
         m_occupied((std::max)(0, scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),
         m_places(static_cast<std::size_t>(scaled.charts().number_of_charts()))
@@ -76,7 +76,7 @@ private:
     if(best.direction < 0)
       return false;
     m_first_row = best.place.y;
-    occupy(m_scaled.shape(c, best.direction)->texels, best.place, m_places[c]);
+    occupy(*m_scaled.shape(c, best.direction), best.place, m_places[c]);
     return true;
   }
 
@@ -93,10 +93,11 @@ private:
   }
 
   // With the gutter
-  void occupy(const Chart_shape& shape, const Texel& at, Chart_place& result)
+  void occupy(const Scaled_charts::Shape& scaled, const Texel& at, Chart_place& result)
   {
-    const int offset = m_margin * m_cell - m_gutter;
-    m_occupied.add(cells_of(dilated(shape.cells(1), m_gutter), offset, offset, m_cell), at.x, at.y);
+    const Chart_shape& shape = scaled.texels;
+    m_occupied.add(m_cell == 1 ? dilated(scaled.cells, m_gutter) : shape.cells(m_cell, m_gutter, m_margin),
+                   at.x, at.y);
     result.cosine = shape.cosine();
     result.sine = shape.sine();
     result.shift = shape.shift() + Planar_point(m_border + m_cell * at.x, m_border + m_cell * at.y);

@@ -40,8 +40,11 @@ public:
       : m_outlines(outlines), m_options(options)
   {
     const double texels_of_chart = options.resolution / std::sqrt(static_cast<double>(outlines.size()));
-    m_cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(options.resolution / most_cells),
-                                                       texels_of_chart / least_cells_of_chart)));
+    for(const auto& [cells, cells_of_chart] : finenesses)
+      if(const int cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(options.resolution / cells),
+                                                                    texels_of_chart / cells_of_chart)));
+         m_cells.empty() || cell < m_cells.back())
+        m_cells.push_back(cell);
     for(std::size_t c = 0; c < outlines.size(); ++c)
       m_angles.push_back(angles(static_cast<int>(c)));
   }
@@ -51,8 +54,9 @@ public:
   const std::vector<double>& directions(int c) const { return m_angles[c]; }
   const Packing_options& options() const { return m_options; }
 
-  // Where there are many texels, charts are placed by cells of several of them.
-  int texels_of_cell() const { return m_cell; }
+  // Charts are placed by cells of so many texels along a side: by large ones first. Where there are many texels, the last ones have several
+  // of them, too.
+  const std::vector<int>& texels_of_cells() const { return m_cells; }
 
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
   bool is_turned(int c) const { return share(c) >= least_turned_share; }
@@ -73,7 +77,8 @@ public:
   }
 
 private:
-  static constexpr double most_cells = 1024, least_cells_of_chart = 24; // along a side
+  // The most cells along a side of the square, and the least along a side of a chart
+  static constexpr std::pair<double, double> finenesses[] = {{256, 12}, {512, 18}, {1024, 24}};
 
   // That of the smallest square first, if the chart is one of few
   std::vector<double> angles(int c) const
@@ -92,10 +97,10 @@ private:
   const std::vector<Chart_outline>& m_outlines;
   const Packing_options& m_options;
   std::vector<std::vector<double>> m_angles;
-  int m_cell = 1;
+  std::vector<int> m_cells;
 };
 
-// The charts at one scale, in all directions, the largest first
+// The charts at one scale, in all directions, the largest first, and the cells of `cell`^2 texels that they touch
 class Scaled_charts
 {
 public:
@@ -105,25 +110,36 @@ public:
     Texel_mask cells;
   };
 
-  Scaled_charts(const Charts_to_pack& charts, double scale) : m_charts(charts), m_scale(scale)
+  Scaled_charts(const Charts_to_pack& charts, double scale, int cell)
+      : m_charts(charts), m_scale(scale), m_cell(cell)
   {
     sort();
-    std::vector<std::pair<int, int>> all;
     m_shapes.resize(m_order.size());
-    for(int c : m_order) {
+    for(int c : m_order)
       m_shapes[c].resize(charts.directions(c).size());
+  }
+
+  // Makes the shapes that are not there yet: of the largest chart those in the directions that are wanted, of others all.
+  void make_shapes(const std::vector<char>& is_wanted)
+  {
+    std::vector<std::pair<int, int>> missing;
+    for(int c : m_order)
       for(std::size_t i = 0; i < m_shapes[c].size(); ++i)
-        all.emplace_back(c, static_cast<int>(i));
-    }
-    parallel_for(static_cast<int>(all.size()), [&](int i) {
-      const auto [c, direction] = all[i];
-      const Chart_shape shape(charts.outline(c), charts.directions(c)[direction], charts.scale_of(c, scale));
-      if(shape.fits(charts.options().resolution))
-        m_shapes[c][direction].emplace(Shape{shape, shape.cells(charts.texels_of_cell())});
+        if(!m_shapes[c][i] && (c == m_order.front() ? is_wanted[i] : !m_is_made))
+          missing.emplace_back(c, static_cast<int>(i));
+    parallel_for(static_cast<int>(missing.size()), [&](int i) {
+      const auto [c, direction] = missing[i];
+      const Chart_shape shape(m_charts.outline(c), m_charts.directions(c)[direction],
+                              m_charts.scale_of(c, m_scale));
+      if(shape.fits(m_charts.options().resolution))
+        m_shapes[c][direction].emplace(Shape{shape, shape.cells(m_cell)});
     });
+    m_is_made = true;
   }
 
   const Charts_to_pack& charts() const { return m_charts; }
+  double scale() const { return m_scale; }
+  int texels_of_cell() const { return m_cell; }
   const std::vector<int>& largest_first() const { return m_order; }
   double needed_texels(int c) const { return m_charts.needed_texels(c, m_scale); }
   int number_of_directions(int c) const { return static_cast<int>(m_shapes[c].size()); }
@@ -147,6 +163,8 @@ private:
 
   const Charts_to_pack& m_charts;
   double m_scale;
+  int m_cell;
+  bool m_is_made = false; // of the charts but the largest one
   std::vector<int> m_order;
   std::vector<std::vector<std::optional<Shape>>> m_shapes; // of each chart, in each direction
 };

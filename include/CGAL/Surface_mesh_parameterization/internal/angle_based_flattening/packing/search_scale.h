@@ -38,17 +38,19 @@ public:
   bool run()
   {
     const double room = m_resolution + m_charts.options().gutter, least = 1. + m_charts.options().gutter;
-    if(m_charts.number_of_charts() * least * least > room * room || !bracket())
+    if(m_charts.number_of_charts() * least * least > room * room)
       return false;
-    const std::size_t first = (std::min)(rules_of_bisection, m_rules.size());
-    while(m_above > precision * m_scale)
-      if(const double middle = std::sqrt(m_above * m_scale); !attempt(middle, 0, first))
-        m_above = middle;
-    for(std::size_t i = first; i < m_rules.size(); i += rules_at_once) {
-      const std::size_t end = (std::min)(i + rules_at_once, m_rules.size());
-      for(double step = precision - 1; attempt(m_scale * (1 + step), i, end);)
-        step *= 2;
+    for(int cell : m_charts.texels_of_cells()) {
+      m_cell = cell;
+      if(!m_places.empty())
+        climb();
+      else if(bracket())
+        try_all_rules();
+      if(!m_places.empty() && cell != m_charts.texels_of_cells().back())
+        keep_best_rules(cell == m_charts.texels_of_cells().front() ? 8 : 4);
     }
+    if(m_places.empty())
+      return false;
     for(double step = (precision - 1) / 2; step > last_step; step /= 2)
       attempt(m_scale * (1 + step), m_best_rule, m_best_rule + 1);
     return true;
@@ -62,6 +64,9 @@ private:
   static constexpr double precision = 1.003, first_step = 0.06, last_step = 0.0004;
   static constexpr std::size_t rules_of_bisection = 2, rules_at_once = 8;
 
+  // With large cells, all rules are tried, and with smaller ones those that were best or nearly so.
+  static constexpr double nearly = 0.99;
+
   // The more charts, the fewer rules
   static std::vector<Placement_rule> rules(const Charts_to_pack& charts)
   {
@@ -70,7 +75,9 @@ private:
     for(int c = 0; c < charts.number_of_charts(); ++c)
       directions += static_cast<int>(charts.directions(c).size());
     std::vector<Placement_rule> result;
-    const int number = charts.number_of_charts() == 1 ? 1 : std::clamp(8192 / directions, 10, 130);
+    const int many_directions = 8192, least = directions > many_directions ? 4 : 10;
+    const int number =
+        charts.number_of_charts() == 1 ? 1 : std::clamp(many_directions / directions, least, 130);
     for(int i = 0; i < number; ++i)
       result.push_back({height_weights[i % 4], i / 4 - 1});
     return result;
@@ -99,14 +106,48 @@ private:
     return false;
   }
 
+  void try_all_rules()
+  {
+    const std::size_t first = (std::min)(rules_of_bisection, m_rules.size());
+    bisect(first);
+    for(std::size_t i = first; i < m_rules.size(); i += rules_at_once) {
+      const std::size_t end = (std::min)(i + rules_at_once, m_rules.size());
+      for(double step = precision - 1; attempt(m_scale * (1 + step), i, end);)
+        step *= 2;
+    }
+  }
+
+  void bisect(std::size_t rules)
+  {
+    while(m_above > precision * m_scale)
+      if(const double middle = std::sqrt(m_above * m_scale); !attempt(middle, 0, rules))
+        m_above = middle;
+  }
+
+  // From the scale for which there are places already
+  void climb()
+  {
+    double step = precision - 1;
+    for(m_above = (1 + step) * m_scale; attempt(m_above, 0, m_rules.size()); m_above = (1 + step) * m_scale)
+      step *= 2;
+    bisect(m_rules.size());
+  }
+
+  void keep_best_rules(std::size_t most)
+  {
+    const auto places = try_rules(nearly * m_scale, 0, m_rules.size());
+    std::vector<Placement_rule> best = {m_rules[m_best_rule]};
+    for(std::size_t i = 0; i < m_rules.size() && best.size() < most; ++i)
+      if(i != m_best_rule && places[i])
+        best.push_back(m_rules[i]);
+    m_rules = std::move(best);
+    m_best_rule = 0;
+  }
+
   // Whether all fit by one of the rules: the first of those counts, whatever the order in time.
   bool attempt(double scale, std::size_t begin, std::size_t end)
   {
-    ++m_attempts;
-    const Scaled_charts scaled(m_charts, scale);
-    std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
-    parallel_for(static_cast<int>(end - begin),
-                 [&](int i) { places[i] = Chart_placer(scaled, m_rules[begin + i]).run(); });
+    std::vector<std::optional<std::vector<Chart_place>>> places = try_rules(scale, begin, end);
     for(std::size_t i = 0; i < places.size(); ++i)
       if(places[i]) {
         m_places = std::move(*places[i]);
@@ -115,6 +156,33 @@ private:
         return true;
       }
     return false;
+  }
+
+  // The places by each of the rules, if all charts fit
+  std::vector<std::optional<std::vector<Chart_place>>> try_rules(double scale, std::size_t begin,
+                                                                 std::size_t end)
+  {
+    ++m_attempts;
+    if(!m_scaled || m_scaled->scale() != scale || m_scaled->texels_of_cell() != m_cell)
+      m_scaled.emplace(m_charts, scale, m_cell);
+    m_scaled->make_shapes(directions_of_largest(begin, end));
+    std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
+    parallel_for(static_cast<int>(places.size()),
+                 [&](int i) { places[i] = Chart_placer(*m_scaled, m_rules[begin + i]).run(); });
+    return places;
+  }
+
+  // Whether the rules allow them for the largest chart
+  std::vector<char> directions_of_largest(std::size_t begin, std::size_t end) const
+  {
+    const std::size_t directions = m_charts.directions(m_scaled->largest_first().front()).size();
+    std::vector<char> is_wanted(directions, false);
+    for(std::size_t i = begin; i < end; ++i)
+      if(const int direction = m_rules[i].first_direction; direction < 0)
+        is_wanted.assign(directions, true);
+      else if(static_cast<std::size_t>(direction) < directions)
+        is_wanted[direction] = true;
+    return is_wanted;
   }
 
   // The scale of which the charts need about that share of the texels; near to 0 if they always need more
@@ -133,11 +201,13 @@ private:
 
   const Charts_to_pack& m_charts;
   const double m_resolution;
-  const std::vector<Placement_rule> m_rules;
+  std::vector<Placement_rule> m_rules;
+  int m_cell = 1;     // texels along the side of a cell
   double m_least = 0; // of which no chart is larger than the least extent
   double m_scale = 0, m_above = 0;
   std::size_t m_best_rule = 0;
   int m_attempts = 0;
+  std::optional<Scaled_charts> m_scaled; // of the last attempt: the next one may have the same scale
   std::vector<Chart_place> m_places;
 };
 

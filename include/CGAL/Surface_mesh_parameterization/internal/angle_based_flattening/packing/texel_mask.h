@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <boost/integer/integer_log2.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -86,19 +88,30 @@ public:
     int longest = 0, run = 0;
     for(int first = 0; first < m_width; first += word_size) {
       const int size = (std::min)(word_size, m_width - first);
-      const Word word = is_free ? ~row(y)[first / word_size] : row(y)[first / word_size];
-      if(word == ~Word(0))
-        longest = (std::max)(longest, run += size);
-      else
-        for(int i = 0; i < size; ++i) {
-          run = word >> i & 1 ? run + 1 : 0;
-          longest = (std::max)(longest, run);
-        }
+      const Word word =
+          (is_free ? ~row(y)[first / word_size] : row(y)[first / word_size]) & ~Word(0) >> (word_size - size);
+      if(word == ~Word(0)) {
+        run += word_size;
+        continue;
+      }
+      longest = (std::max)({longest, run + lowest_bit(~word), longest_run_of(word)});
+      run = word_size - 1 - static_cast<int>(boost::integer_log2(~word));
     }
-    return longest;
+    return (std::max)(longest, run);
   }
 
+  static int lowest_bit(Word word) { return static_cast<int>(boost::integer_log2(word & (~word + 1))); }
+
 private:
+  // Of the bits of a word: each shift shortens all runs by one.
+  static int longest_run_of(Word word)
+  {
+    int length = 0;
+    for(; word != 0; word &= word << 1)
+      ++length;
+    return length;
+  }
+
   // Calls `visit(i, bits)` for the words with the texels x, ..., end - 1.
   template <typename Visit>
   static void visit_words(int x, int end, const Visit& visit)
@@ -140,24 +153,6 @@ inline Texel_mask dilated(const Texel_mask& mask, int distance)
       for(int i = 0; i < words; ++i)
         result.row(y)[i] |= result.row(y - step)[i];
   return result;
-}
-
-// The cells of `side`^2 texels that have one of the mask, whose lower left corner is at (x, y) with 0 <= x, y < side
-inline Texel_mask cells_of(const Texel_mask& mask, int x, int y, int side)
-{
-  if(side == 1)
-    return mask;
-  Texel_mask cells((x + mask.width() + side - 1) / side, (y + mask.height() + side - 1) / side);
-  const Texel_mask::Word full = ~Texel_mask::Word(0) >> (Texel_mask::word_size - side);
-  for(int j = 0; j < mask.height(); ++j)
-    for(int cell = 0; cell < cells.width(); ++cell) {
-      const int first = cell * side - x;
-      const Texel_mask::Word word =
-          first < 0 ? mask.row(j)[0] << -first : Texel_mask::word_from(mask.row(j), first);
-      if((word & full) != 0)
-        cells.add(cell, cell + 1, (y + j) / side);
-    }
-  return cells;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

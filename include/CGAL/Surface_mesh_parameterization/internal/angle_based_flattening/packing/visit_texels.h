@@ -23,19 +23,22 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 inline constexpr double rounding_tolerance = 1. / (1 << 24);
 
 // Calls `visit(y, first, last)` for each row with texels that a triangle or a segment touches, or comes nearer to than `tolerance`, which
-// is at least the one above: an interval of each row, which may be longer by up to two tolerances at the ends.
+// is at least the one above: an interval of each row, which may be longer by up to two tolerances at the ends. Whole `neighbours` in all
+// directions count as well.
 template <std::size_t N, typename Visit>
-void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, const Visit& visit)
+void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, const Visit& visit,
+                  double neighbours = 0)
 {
+  const double reach = neighbours + tolerance;
   double bottom = corners[0].y(), top = bottom;
   for(const Planar_point& p : corners) {
     bottom = (std::min)(bottom, p.y());
     top = (std::max)(top, p.y());
   }
-  const int first_row = static_cast<int>(std::floor(bottom - tolerance)),
-            last_row = static_cast<int>(std::floor(top + tolerance));
+  const int first_row = static_cast<int>(std::floor(bottom - reach)),
+            last_row = static_cast<int>(std::floor(top + reach));
   for(int y = first_row; y <= last_row; ++y) {
-    const double lower = y - tolerance, upper = y + 1 + tolerance;
+    const double lower = y - reach, upper = y + 1 + reach;
     double left = std::numeric_limits<double>::infinity(), right = -left;
     for(std::size_t i = 0; i < (N == 2 ? 1 : N); ++i) {
       const Planar_point *p = &corners[i], *q = &corners[(i + 1) % N];
@@ -51,8 +54,8 @@ void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, 
       right = (std::max)(right, (std::max)(a, b));
     }
     if(left <= right)
-      visit(y, static_cast<int>(std::floor(left - 2 * tolerance)),
-            static_cast<int>(std::floor(right + 2 * tolerance)));
+      visit(y, static_cast<int>(std::floor(left - reach - tolerance)),
+            static_cast<int>(std::floor(right + reach + tolerance)));
   }
 }
 

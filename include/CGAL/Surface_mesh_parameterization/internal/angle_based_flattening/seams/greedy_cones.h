@@ -21,7 +21,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Searches of key-path exchange visit each node so many times at most. Genus 133 took over 200 s without a limit.
+// The first searches of key-path exchange visit each node so many times at most, and later ones half as often each time. Genus 133 took
+// over 200 s without a limit.
 inline constexpr int most_visits = 100;
 
 // So many times at most, terminals are added after seams were shortened.
@@ -53,7 +54,7 @@ public:
         return status;
       if(round == most_rounds || (round > 0 && m_terminals.size() == before))
         return Seams::DONE;
-      Path_shortening(m_surface, m_cost, m_terminals).run(most_visits);
+      Path_shortening(m_surface, m_cost, m_terminals).run(most_visits >> round);
     }
   }
 
