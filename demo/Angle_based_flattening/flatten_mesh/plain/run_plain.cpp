@@ -16,6 +16,7 @@
 #include "flatten_mesh/plain/Seamed_component.h"
 #include "flatten_mesh/plain/area.h"
 #include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/plain/choose_cones.h"
 #include "flatten_mesh/plain/choose_seams.h"
 #include "flatten_mesh/model/components.h"
@@ -43,6 +44,7 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -98,28 +100,57 @@ Surface read_surface(const Command_line& command, Notes& notes)
   return surface;
 }
 
-// OBJ contains the repaired surface, the other formats the model in the file.
-void write_surface(Output_file& file, const std::string& name, Surface& surface, const Flattening& flattening)
+// The polygons of the soup that other programs would draw with triangles that overlap. GLB files have none.
+std::vector<bool> polygons_to_divide(const Command_line& command, const Surface& surface,
+                                     const Flattening& flattening, Notes& notes)
 {
-  if(is_obj_output(name)) {
-    write_obj(file, with_split_sides(surface.soup, surface.input, surface.chart), surface.mesh(),
-              surface.chart, flattening);
-  } else {
-    write_model(file, name, surface.model,
-                texture_of_chart(surface.model, surface.input, surface.origins, surface.soup, surface.mesh(),
-                                 surface.chart, flattening));
+  if(command.output.empty() || file_format(command.output) == "glb" || !flattening.succeeded()) {
+    return std::vector<bool>(surface.soup.polygons.size(), false);
   }
+  const std::vector<bool> is_divided =
+      concave_polygons(with_split_sides(surface.soup, surface.input, surface.chart), surface.mesh(),
+                       surface.chart, flattening);
+  if(std::find(is_divided.begin(), is_divided.end(), true) != is_divided.end()) {
+    notes.add(divided_text(is_divided));
+  }
+  return is_divided;
+}
+
+// OBJ contains the repaired surface, the other formats the model in the file.
+void write_surface(Output_file& file, const std::string& name, Surface& surface, const Flattening& flattening,
+                   const std::vector<bool>& is_divided)
+{
+  const bool divides = std::find(is_divided.begin(), is_divided.end(), true) != is_divided.end();
+  if(is_obj_output(name)) {
+    Polygon_soup soup = with_split_sides(surface.soup, surface.input, surface.chart);
+    if(divides) {
+      divide_polygons(soup, surface.input, surface.polygons, is_divided);
+    }
+    write_obj(file, soup, surface.mesh(), surface.chart, flattening);
+    return;
+  }
+  if(divides) {
+    std::vector<bool> is_divided_in_model(surface.model.number_of_polygons(), false);
+    for(std::size_t p = 0; p < is_divided.size(); ++p) {
+      is_divided_in_model[surface.soup.origins[p]] = is_divided[p];
+    }
+    divide_polygons(surface.model, surface.input, surface.origins, is_divided_in_model);
+  }
+  write_model(file, name, surface.model,
+              texture_of_chart(surface.model, surface.input, surface.origins, surface.mesh(), surface.chart,
+                               flattening));
 }
 
 // Writes the requested files under temporary names.
-Output_files write_files(const Command_line& command, Surface& surface, Run_record& record)
+Output_files write_files(const Command_line& command, Surface& surface, const std::vector<bool>& is_divided,
+                         Run_record& record)
 {
   Output_files files;
   const auto open = [&files](const std::string& name) -> Output_file& { return files.open(name); };
   CGAL::Real_timer timer;
   timer.start();
   if(!command.output.empty() && record.flattening.succeeded()) {
-    write_surface(open(command.output), command.output, surface, record.flattening);
+    write_surface(open(command.output), command.output, surface, record.flattening, is_divided);
   }
   if(!command.svg.empty() && record.flattening.succeeded()) {
     write_svg(open(command.svg), surface.mesh(), surface.chart, record.flattening);
@@ -377,12 +408,13 @@ Exit_status run_plain(const Command_line& command)
   if(command.split_overlaps && record.flattening.succeeded()) {
     split_surface(surface, record, progress);
   }
+  const std::vector<bool> is_divided = polygons_to_divide(command, surface, record.flattening, notes);
   record.notes = notes.texts();
   if(!record.flattening.succeeded()) {
     record.flattening.place += remedy(surface, record.flattening.report);
   }
   tell_stages(record, progress);
-  Output_files files = write_files(command, surface, record);
+  Output_files files = write_files(command, surface, is_divided, record);
   progress.stage("write", record.write_seconds);
   if(record.flattening.succeeded()) {
     tell_report(command, report_text(record));
