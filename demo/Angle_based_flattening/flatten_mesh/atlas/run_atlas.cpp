@@ -166,10 +166,10 @@ Model_texture texture_of(const Model& model, const Mesh& mesh, const Corner_orig
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
 std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
-                                     const Atlas& atlas, Notes& notes)
+                                     const Atlas& atlas)
 {
   if(command.output.empty() || file_format(command.output) == "glb") {
-    return std::vector<bool>(input.model.number_of_polygons(), false);
+    return {};
   }
   std::vector<bool> is_divided =
       concave_polygons(input.model, texture_of(input.model, input.mesh, input.origins, atlas));
@@ -178,9 +178,6 @@ std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_in
       [&atlas](const Face f) { return chart_number(atlas, f); });
   std::transform(is_divided.begin(), is_divided.end(), is_torn.begin(), is_divided.begin(),
                  std::logical_or<bool>());
-  if(std::find(is_divided.begin(), is_divided.end(), true) != is_divided.end()) {
-    notes.add(divided_text(is_divided));
-  }
   return is_divided;
 }
 
@@ -319,7 +316,11 @@ Exit_status run_atlas(const Command_line& command)
     baked = bake_textures(command, input, atlas, notes);
     record.baking = baked.record;
   }
-  const std::vector<bool> is_divided = polygons_to_divide(command, input, atlas, notes);
+  const std::vector<bool> is_divided = polygons_to_divide(command, input, atlas);
+  if(const std::string text = polygons_text(record.report.number_of_mended_polygons, is_divided);
+     !text.empty()) {
+    notes.add(text);
+  }
   record.notes = notes.texts();
   progress.stage("writing");
   Output_files files;

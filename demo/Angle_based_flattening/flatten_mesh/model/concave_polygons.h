@@ -10,7 +10,7 @@
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/convex_polygon.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,33 +19,11 @@
 
 namespace flatten_mesh {
 
-// Whether a polygon is strictly convex, by exact predicates: it turns left at each corner, and goes around only once.
-inline bool is_strictly_convex(const std::vector<Kernel::Point_2>& polygon)
+// Whether all triangles of all fans are positively oriented, also with coordinates in `float`
+inline bool has_good_fans(const std::vector<Kernel::Point_2>& polygon)
 {
-  std::size_t leftmost = 0; // corners, as seen from their neighbours
-  for(std::size_t i = 0; i < polygon.size(); ++i) {
-    const Kernel::Point_2 &before = polygon[(i + polygon.size() - 1) % polygon.size()],
-                          &after = polygon[(i + 1) % polygon.size()];
-    if(CGAL::orientation(before, polygon[i], after) != CGAL::LEFT_TURN) {
-      return false;
-    }
-    leftmost += polygon[i] < before && polygon[i] < after;
-  }
-  return leftmost == 1;
-}
-
-// Readers draw a polygon as a fan of triangles from any of its corners. Returns whether all of them are positively oriented, with
-// coordinates as they are and rounded to `float`, as in PLY files and most readers.
-inline bool has_good_fans(std::vector<Kernel::Point_2> polygon)
-{
-  if(polygon.size() == 3) {
-    return true;
-  }
-  const bool is_convex = is_strictly_convex(polygon);
-  for(Kernel::Point_2& p : polygon) {
-    p = Kernel::Point_2(static_cast<float>(p.x()), static_cast<float>(p.y()));
-  }
-  return is_convex && is_strictly_convex(polygon);
+  return polygon.size() == 3 ||
+         CGAL::Surface_mesh_parameterization::internal::ABF::is_strictly_convex(polygon);
 }
 
 // Of each polygon of a model: whether it has coordinates, and a fan that must not be drawn
@@ -68,13 +46,18 @@ inline std::vector<bool> concave_polygons(const Model& model, const Model_textur
   return is_concave;
 }
 
-// The note on polygons that are divided in the output
-inline std::string divided_text(const std::vector<bool>& is_divided)
+// The note on polygons that vertices were moved for, and those that are divided in the output. Empty if there are none.
+inline std::string polygons_text(const std::size_t mended, const std::vector<bool>& is_divided)
 {
-  const auto count = static_cast<std::size_t>(std::count(is_divided.begin(), is_divided.end(), true));
-  return count_text(count, "polygon") +
-         (count == 1 ? " is not convex in the plane, and is" : " are not convex in the plane, and are") +
-         " divided into triangles in the output";
+  const auto divided = static_cast<std::size_t>(std::count(is_divided.begin(), is_divided.end(), true));
+  const std::string reason = ": other programs would draw triangles that overlap";
+  const std::string mending = count_text(mended, "polygon") +
+                              " made convex in the plane by small moves of vertices",
+                    dividing = std::to_string(divided) + " divided into triangles in the output";
+  if(mended > 0) {
+    return mending + (divided > 0 ? ", and " + dividing : "") + reason;
+  }
+  return divided > 0 ? count_text(divided, "polygon") + dividing.substr(dividing.find(' ')) + reason : "";
 }
 
 } // namespace flatten_mesh

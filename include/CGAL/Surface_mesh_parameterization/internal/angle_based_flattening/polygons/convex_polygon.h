@@ -17,8 +17,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Readers draw a polygon as a fan of triangles from any of its corners, and many of them round coordinates to `float` before. All
-// these triangles are positively oriented if and only if the polygon is strictly convex, before and after.
+// Readers draw a polygon as a fan of triangles from any corner, and many of them round coordinates to `float` before.
+// All these triangles are positively oriented if and only if the polygon is strictly convex, before and after.
 inline Exact_point_2 rounded_to_float(const Exact_point_2& p)
 {
   return Exact_point_2(static_cast<float>(p.x()), static_cast<float>(p.y()));
@@ -40,8 +40,8 @@ inline std::size_t count_bad_corners(const std::vector<Exact_point_2>& polygon)
   return count;
 }
 
-// Whether all fans are good. A polygon that turns left everywhere is convex if it goes around once: if only one corner is to the left of
-// both its neighbors.
+// Whether all fans are good. A polygon that turns left everywhere is convex if it goes around once: if only one corner
+// is to the left of both its neighbors.
 inline bool is_strictly_convex(const std::vector<Exact_point_2>& polygon)
 {
   const std::size_t size = polygon.size();

@@ -29,8 +29,8 @@ struct Divided_polygons
   int number_of_corners() const { return static_cast<int>(vertex.size()); }
 };
 
-// Moves vertices of a map a little, so that polygons become strictly convex. No triangle is turned over, no convex polygon is
-// spoiled, and borders stay where they are.
+// Moves vertices of a map a little, so that polygons become strictly convex. No triangle is turned over, no convex
+// polygon is spoiled, and borders stay where they are.
 class Polygon_mender
 {
   typedef Exact_point_2 Point;
@@ -48,7 +48,7 @@ public:
         find_polygon(t);
   }
 
-  // Returns how many polygons are convex that were not before.
+  // Returns how many polygons are convex that were not before. If there are none, nothing has moved.
   std::size_t run()
   {
     const int rounds = 10;
@@ -64,7 +64,7 @@ public:
         break;
       remove_convex(bad);
     }
-    for(std::size_t v = 0; v < m_uv.size(); ++v)
+    for(std::size_t v = 0; v < m_uv.size() && bad.size() < before; ++v)
       m_uv[v] = Chart::Point_2(m_points[v].x(), m_points[v].y());
     return before - bad.size();
   }
@@ -171,10 +171,10 @@ private:
     return CGAL::squared_distance(m_start[v], point) <= shortest / 16;
   }
 
-  double area(int c) const
+  double area(const std::vector<Point>& points, int c) const
   {
-    return CGAL::area(m_points[m_table.vertex[c]], m_points[m_table.vertex[next_corner(c)]],
-                      m_points[m_table.vertex[previous_corner(c)]]);
+    return CGAL::area(points[m_table.vertex[c]], points[m_table.vertex[next_corner(c)]],
+                      points[m_table.vertex[previous_corner(c)]]);
   }
 
   std::vector<std::size_t> bad_corners(const std::vector<int>& polygons) const
@@ -185,19 +185,16 @@ private:
     return result;
   }
 
-  // Moves a vertex if fewer corners are bad afterwards, those of no polygon more, and no triangle loses three quarters of its area.
+  // Moves a vertex if that leaves fewer bad corners, and more in no polygon, and half of the area of each triangle at first.
   bool move(int v, const Point& point)
   {
     const std::vector<int> corners = star(v);
     if(!is_near_start(v, point, corners))
       return false;
     std::vector<int> polygons;
-    std::vector<double> areas;
-    for(int c : corners) {
-      areas.push_back(area(c));
+    for(int c : corners)
       if(m_polygon[c / 3] != no_polygon)
         polygons.push_back(m_polygon[c / 3]);
-    }
     std::sort(polygons.begin(), polygons.end());
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
     const std::vector<std::size_t> before = bad_corners(polygons);
@@ -207,12 +204,10 @@ private:
     bool is_better = before != after;
     for(std::size_t i = 0; i < polygons.size(); ++i)
       is_better = is_better && after[i] <= before[i];
-    for(std::size_t i = 0; i < corners.size(); ++i) {
-      const int c = corners[i];
-      is_better = is_better && area(c) > areas[i] / 4 &&
+    for(int c : corners)
+      is_better = is_better && area(m_points, c) > area(m_start, c) / 2 &&
                   turns_left(point, m_points[m_table.vertex[next_corner(c)]],
                              m_points[m_table.vertex[previous_corner(c)]]);
-    }
     if(!is_better)
       m_points[v] = old;
     return is_better;
