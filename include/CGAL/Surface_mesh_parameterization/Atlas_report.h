@@ -138,7 +138,11 @@ struct Atlas_report
   /// The connected parts of the surface without the seams that were given, in the order of their first faces.
   std::size_t number_of_parts = 0;
   std::size_t number_of_terminals = 0; ///< The vertices that were joined to seams because of their scale.
-  double seam_length = 0;              ///< The length of all seams, each counted once.
+
+  /// The polygons that vertices were moved for (see `parameters::edge_is_diagonal_map()`), and that are convex in the plane since then.
+  std::size_t number_of_mended_polygons = 0;
+
+  double seam_length = 0; ///< The length of all seams, each counted once.
   double relative_seam_length =
       0; ///< `seam_length` divided by the square root of the area of the surface that has charts.
 

@@ -49,6 +49,10 @@ enum atlas_packs_t
 {
   atlas_packs
 };
+enum atlas_diagonals_t
+{
+  atlas_diagonals
+};
 enum atlas_threads_t
 {
   atlas_threads
@@ -139,6 +143,20 @@ Named_function_parameters<bool, internal_np::atlas_packs_t, NamedParameters>
 pack_into_square(bool packs, const NamedParameters& np = NamedParameters())
 {
   return Named_function_parameters<bool, internal_np::atlas_packs_t, NamedParameters>(packs, np);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// tells `make_atlas()` which edges divide larger polygons into triangles: a model of `ReadablePropertyMap` with edges as keys and `bool` as
+/// value type. Other programs draw polygons as fans from any corner. So that these triangles do not overlap, vertices inside of charts are
+/// moved a little where polygons are not strictly convex in the plane, as far as that helps (`Atlas_report::number_of_mended_polygons`).
+/// `np` is as for `edge_is_seam_map()`.
+template <typename EdgeIsDiagonalMap, typename NamedParameters = Default_named_parameters>
+Named_function_parameters<EdgeIsDiagonalMap, internal_np::atlas_diagonals_t, NamedParameters>
+edge_is_diagonal_map(EdgeIsDiagonalMap diagonals, const NamedParameters& np = NamedParameters())
+{
+  return Named_function_parameters<EdgeIsDiagonalMap, internal_np::atlas_diagonals_t, NamedParameters>(
+      diagonals, np);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -74,6 +74,12 @@ For \f$n\f$ triangles, it takes time \cgalBigO{n \log n}, and the factorization 
     \cgalParamType{a model of `ReadablePropertyMap` with `bool` as value type}
     \cgalParamDefault{no edge}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_diagonal_map}
+    \cgalParamDescription{the edges that divide larger polygons into triangles; the polygons become convex in the plane where small moves of vertices do that (see
+    `parameters::edge_is_diagonal_map()`)}
+    \cgalParamType{a model of `ReadablePropertyMap` with `bool` as value type}
+    \cgalParamDefault{no edge}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
     \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}

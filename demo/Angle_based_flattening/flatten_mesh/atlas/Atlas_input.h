@@ -58,11 +58,16 @@ inline void build_atlas_input(const bool repair, Notes& notes, Atlas_input& inpu
   if(repair && !soup.polygons.empty()) {
     weld_soup(soup, notes);
   }
-  if(!soup.polygons.empty()) {
-    Surface_of_model built =
-        end_surface(input.model, soup, build_separated_polygon_mesh(input.model, soup, repair, notes), true);
-    input.mesh = std::move(built.mesh);
-    input.origins = std::move(built.origins);
+  while(!soup.polygons.empty()) {
+    std::vector<std::size_t> undivided;
+    Surface_of_model built = end_surface(
+        input.model, soup, build_separated_polygon_mesh(input.model, soup, repair, notes), undivided);
+    if(undivided.empty()) {
+      input.mesh = std::move(built.mesh);
+      input.origins = std::move(built.origins);
+      return;
+    }
+    set_undivided_aside(undivided, soup, input.set_aside);
   }
 }
 

@@ -33,7 +33,9 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
   const Atlas_options& options = command.atlas;
   const double area_weight = command.asks_for_area_weight ? command.options.area_weight
                                                           : SMP::internal::ABF::Atlas_options().area_weight;
-  const auto seams = np::edge_is_seam_map(atlas.seams, np::edge_is_constrained_map(diagonals(mesh)));
+  const Edge_marks is_diagonal = diagonals(mesh);
+  const auto edges = np::edge_is_diagonal_map(is_diagonal, np::edge_is_constrained_map(is_diagonal));
+  const auto seams = np::edge_is_seam_map(atlas.seams, edges);
   const auto charts = np::face_chart_map(atlas.chart, np::stretch_bound(command.stretch_bound, seams));
   const auto pieces = np::separate_overlaps(options.separates, np::cut_necks(options.separates, charts));
   const auto maps =

@@ -11,6 +11,8 @@
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/model/Model_texture.h"
+#include "flatten_mesh/model/concave_polygons.h"
+#include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/atlas/make_atlas_of_input.h"
@@ -41,6 +43,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iostream>
 #include <set>
 #include <sstream>
@@ -156,29 +159,65 @@ std::string seams_text(const Mesh& mesh, const Atlas& atlas)
   return text.str();
 }
 
-Model_texture texture_of(const Atlas_input& input, const Atlas& atlas)
+// `no_index` without chart
+Index chart_number(const Atlas& atlas, const Face f)
 {
-  const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
-  const auto chart = [&atlas](const Face f) {
-    return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
-  };
-  return model_texture(input.model, input.mesh, input.origins, uv, chart);
+  return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
 }
 
-void write_surface(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
-                   const Baked_surface& baked, Output_files& files)
+Model_texture texture_of(const Model& model, const Mesh& mesh, const Corner_origins& origins,
+                         const Atlas& atlas)
+{
+  const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
+  const auto chart = [&atlas](const Face f) { return chart_number(atlas, f); };
+  return model_texture(model, mesh, origins, uv, chart);
+}
+
+// The polygons that other programs would draw with triangles that overlap. GLB files have none.
+std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
+                                     const Atlas& atlas)
+{
+  if(command.output.empty() || file_format(command.output) == "glb") {
+    return {};
+  }
+  std::vector<bool> is_divided =
+      concave_polygons(input.model, texture_of(input.model, input.mesh, input.origins, atlas));
+  const std::vector<bool> is_torn = torn_polygons(
+      input.model, input.mesh, input.origins, [&atlas](const Halfedge h) { return atlas.uv[h]; },
+      [&atlas](const Face f) { return chart_number(atlas, f); });
+  std::transform(is_divided.begin(), is_divided.end(), is_torn.begin(), is_divided.begin(),
+                 std::logical_or<bool>());
+  return is_divided;
+}
+
+void write_model_or_baked(const Command_line& command, const Model& model, const Mesh& mesh,
+                          const Corner_origins& origins, const Atlas& atlas, const Baked_surface& baked,
+                          Output_files& files)
 {
 #ifdef ABF_WITH_PNG
   if(!command.atlas.bake_from.empty()) {
-    write_baked_model(command, input, baked, texture_of(input, atlas), files);
+    write_baked_model(command, model, mesh, origins, baked, texture_of(model, mesh, origins, atlas), files);
     return;
   }
 #else
   (void)baked;
 #endif
   if(!command.output.empty()) {
-    write_model(files.open(command.output), command.output, input.model, texture_of(input, atlas));
+    write_model(files.open(command.output), command.output, model, texture_of(model, mesh, origins, atlas));
   }
+}
+
+void write_surface(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+                   const Baked_surface& baked, const std::vector<bool>& is_divided, Output_files& files)
+{
+  if(std::find(is_divided.begin(), is_divided.end(), true) == is_divided.end()) {
+    write_model_or_baked(command, input.model, input.mesh, input.origins, atlas, baked, files);
+    return;
+  }
+  Model model = input.model;
+  Corner_origins origins = input.origins;
+  divide_polygons(model, input.mesh, origins, is_divided);
+  write_model_or_baked(command, model, input.mesh, origins, atlas, baked, files);
 }
 
 void draw(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
@@ -207,12 +246,13 @@ void draw(const Command_line& command, const Atlas_input& input, const Atlas& at
 
 // Writes the requested files under temporary names.
 void write_files(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
-                 const Baked_surface& baked, Atlas_record& record, Output_files& files)
+                 const Baked_surface& baked, const std::vector<bool>& is_divided, Atlas_record& record,
+                 Output_files& files)
 {
   CGAL::Real_timer timer;
   timer.start();
   if(record.report.has_atlas()) {
-    write_surface(command, input, atlas, baked, files);
+    write_surface(command, input, atlas, baked, is_divided, files);
     if(!command.svg.empty() || !command.picture.empty() || !command.report.empty()) {
       draw(command, input, atlas, record, files);
     }
@@ -285,10 +325,15 @@ Exit_status run_atlas(const Command_line& command)
     baked = bake_textures(command, input, atlas, notes);
     record.baking = baked.record;
   }
+  const std::vector<bool> is_divided = polygons_to_divide(command, input, atlas);
+  if(const std::string text = polygons_text(record.report.number_of_mended_polygons, is_divided);
+     !text.empty()) {
+    notes.add(text);
+  }
   record.notes = notes.texts();
   progress.stage("writing");
   Output_files files;
-  write_files(command, input, atlas, baked, record, files);
+  write_files(command, input, atlas, baked, is_divided, record, files);
   progress.end();
   tell_skipped_parts(command, record);
   tell_message(command, record);

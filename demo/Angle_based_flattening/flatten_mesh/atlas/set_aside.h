@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/texts.h"
@@ -200,6 +201,18 @@ inline std::vector<Skipped_part> set_aside(Polygon_soup& soup, const bool is_rep
     }
   }
   return parts;
+}
+
+// Removes polygons that cannot be divided into triangles, by rising number, and says so.
+inline void set_undivided_aside(const std::vector<std::size_t>& undivided, Polygon_soup& soup,
+                                std::vector<Skipped_part>& parts)
+{
+  for(const std::size_t p : undivided) {
+    parts.push_back({soup.origins[p], 1, "UNDIVIDED_FACE", internal::undivided_text(soup.origins[p])});
+  }
+  internal::keep_polygons(soup, [&undivided](const std::size_t p) {
+    return !std::binary_search(undivided.begin(), undivided.end(), p);
+  });
 }
 
 } // namespace flatten_mesh

@@ -8,10 +8,10 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Output_files.h"
-#include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/bake/png_textures.h"
+#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/material_files.h"
@@ -31,17 +31,16 @@ namespace internal {
 constexpr const char* baked_material = "baked";
 
 // The normals of a model become those that the texture refers to: one for each vertex of the mesh.
-inline void replace_normals(const Atlas_input& input, const Baked_surface& baked, Model& model,
-                            Model_texture& texture)
+inline void replace_normals(const Mesh& mesh, const Corner_origins& origins, const Baked_surface& baked,
+                            Model& model, Model_texture& texture)
 {
-  const Mesh& mesh = input.mesh;
   std::vector<Index> number(mesh.number_of_vertices(), no_index);
   model.normals.clear();
   model.has_point_normals = false;
   model.corner_normals.assign(model.number_of_corners(), no_index);
   texture.tangents.resize(model.number_of_corners());
   for(const Halfedge h : mesh.halfedges()) {
-    const Index corner = input.origins.corners[h.idx()];
+    const Index corner = origins.corners[h.idx()];
     if(corner == no_index || !texture.has_uv(corner)) {
       continue;
     }
@@ -114,11 +113,11 @@ inline std::string material_text(const Command_line& command, const Model& model
 } // namespace internal
 
 // The model with the normals that its textures refer to, and its pictures: in the same file for GLB, beside it for OBJ.
-inline void write_baked_model(const Command_line& command, const Atlas_input& input,
-                              const Baked_surface& baked, Model_texture texture, Output_files& files)
+inline void write_baked_model(const Command_line& command, Model model, const Mesh& mesh,
+                              const Corner_origins& origins, const Baked_surface& baked,
+                              Model_texture texture, Output_files& files)
 {
-  Model model = input.model;
-  internal::replace_normals(input, baked, model, texture);
+  internal::replace_normals(mesh, origins, baked, model, texture);
   if(baked.record.has_colors) {
     model.colors.clear();
   }

@@ -127,14 +127,21 @@ inline void check_not_empty(const Polygon_soup& soup)
   }
 }
 
-// Triangulates the mesh of a soup.
+inline std::string undivided_text(const Index polygon)
+{
+  return face_name(polygon) + " cannot be divided into triangles: other edges join its corners already";
+}
+
+// Triangulates the mesh of a soup. `undivided` receives the polygons of the soup for which that is not possible.
 inline Surface_of_model end_surface(const Model& model, const Polygon_soup& soup, Mesh mesh,
-                                    const bool divides_all)
+                                    std::vector<std::size_t>& undivided)
 {
   Surface_of_model surface;
   surface.mesh = std::move(mesh);
   surface.origins = origins_of_polygons(model, soup, surface.mesh);
-  triangulate(surface.mesh, divides_all);
+  for(const Face f : triangulate(surface.mesh)) {
+    undivided.push_back(f.idx());
+  }
   add_origins_of_diagonals(surface.mesh, surface.origins);
   return surface;
 }
@@ -149,7 +156,12 @@ inline Surface_of_model build_mesh(const Model& model, Polygon_soup& soup, const
   internal::check_not_empty(soup);
   internal::check_points(soup);
   Mesh mesh = repair ? internal::build_repaired_mesh(soup, notes) : internal::build_polygon_mesh(soup);
-  return internal::end_surface(model, soup, std::move(mesh), false);
+  std::vector<std::size_t> undivided;
+  Surface_of_model surface = internal::end_surface(model, soup, std::move(mesh), undivided);
+  if(!undivided.empty()) {
+    throw Input_error(internal::undivided_text(soup.origins[undivided.front()]) + "; triangulate it first");
+  }
+  return surface;
 }
 
 } // namespace flatten_mesh

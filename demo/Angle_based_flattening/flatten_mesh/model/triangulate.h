@@ -7,19 +7,16 @@
 #define FLATTEN_MESH_TRIANGULATE_H
 
 #include "flatten_mesh/model/Corner_origins.h"
-#include "flatten_mesh/texts.h"
+#include "flatten_mesh/model/triangulate_polygon.h"
 
-// The header that triangulates faces includes one for holes with two further triangulations. They are not needed
-// here, and slow to compile.
-#define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
-#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
-
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <string>
+#include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 namespace flatten_mesh {
@@ -40,60 +37,85 @@ inline Edge_marks diagonals(Mesh& mesh)
 
 namespace internal {
 
-// From the first corner whose diagonals are no edges yet
-inline void divide_as_fan(Mesh& mesh, const Face f)
+// Divides faces of a mesh. No two edges join the same vertices afterwards unless they did before.
+class Face_divider
 {
-  Halfedge corner = mesh.halfedge(f);
-  for(const Halfedge h : mesh.halfedges_around_face(corner)) {
-    bool is_free = true;
-    for(Halfedge o = mesh.next(mesh.next(h)); mesh.next(o) != h; o = mesh.next(o)) {
-      is_free = is_free && !mesh.halfedge(mesh.target(h), mesh.target(o)).is_valid();
-    }
-    if(is_free) {
-      corner = h;
-      break;
+public:
+  explicit Face_divider(Mesh& mesh) : m_mesh(mesh)
+  {
+    m_joined.reserve(2 * mesh.number_of_edges());
+    for(const Edge e : mesh.edges()) {
+      m_joined.insert(key(mesh.vertex(e, 0), mesh.vertex(e, 1)));
     }
   }
-  while(!CGAL::is_triangle(corner, mesh)) {
-    CGAL::Euler::split_face(corner, mesh.next(mesh.next(corner)), mesh);
-  }
-}
 
-// CGAL does not divide all faces: those without area remain.
-inline std::vector<Face> larger_faces(const Mesh& mesh)
-{
-  std::vector<Face> faces;
-  for(const Face f : mesh.faces()) {
-    if(!CGAL::is_triangle(mesh.halfedge(f), mesh)) {
-      faces.push_back(f);
+  // Returns false, and leaves the face as it is, if edges between its vertices are in the way.
+  bool divide(const Face f)
+  {
+    std::vector<Halfedge> corners; // of the face: the halfedges that end there
+    std::vector<Kernel::Point_3> points;
+    for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
+      corners.push_back(h);
+      points.push_back(m_mesh.point(m_mesh.target(h)));
+    }
+    const auto is_taken = [&](const Index i, const Index j) {
+      return m_joined.count(key(m_mesh.target(corners[i]), m_mesh.target(corners[j]))) > 0;
+    };
+    const Polygon_triangles triangles = triangulate_polygon(std::move(points), is_taken);
+    split(corners, triangles);
+    return triangles.size() > 0;
+  }
+
+private:
+  static std::uint64_t key(const Vertex v, const Vertex w)
+  {
+    const std::uint64_t least = (std::min)(v.idx(), w.idx()), most = (std::max)(v.idx(), w.idx());
+    return least << 32 | most;
+  }
+
+  // Cuts off one triangle after the other: those whose corners are close to one another are at the outside.
+  void split(std::vector<Halfedge>& corners, const Polygon_triangles& triangles)
+  {
+    std::vector<std::array<Index, 2>> diagonals;
+    for(Index t = 0; t < triangles.size(); ++t) {
+      const auto first = triangles.corners.begin() + 3 * t;
+      const auto [least, most] = std::minmax_element(first, first + 3);
+      diagonals.push_back({*least, *most});
+    }
+    std::sort(diagonals.begin(), diagonals.end(), [](const auto& a, const auto& b) {
+      return a[1] - a[0] < b[1] - b[0] || (a[1] - a[0] == b[1] - b[0] && a[0] < b[0]);
+    });
+    for(std::size_t i = 0; i + 1 < diagonals.size(); ++i) { // the last one is a side
+      const auto [from, to] = diagonals[i];
+      m_joined.insert(key(m_mesh.target(corners[from]), m_mesh.target(corners[to])));
+      corners[to] = CGAL::Euler::split_face(corners[from], corners[to], m_mesh);
     }
   }
-  return faces;
-}
 
-// Throws an `Input_error` that names a face which cannot be divided, unless all are to be divided in any way.
-inline void triangulate(Mesh& mesh, const bool divides_all)
+  Mesh& m_mesh;
+  std::unordered_set<std::uint64_t> m_joined; // pairs of vertices
+};
+
+// Divides all faces of a mesh into triangles, and returns those for which that is not possible.
+inline std::vector<Face> triangulate(Mesh& mesh)
 {
+  std::vector<Face> undivided;
   if(CGAL::is_triangle_mesh(mesh)) {
-    return;
+    return undivided;
   }
   const std::size_t number_of_sides = mesh.number_of_edges();
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  for(const Face f : divides_all ? larger_faces(mesh) : std::vector<Face>()) {
-    divide_as_fan(mesh, f);
+  const std::vector<Face> faces(mesh.faces().begin(), mesh.faces().end());
+  Face_divider divider(mesh);
+  for(const Face f : faces) {
+    if(!CGAL::is_triangle(mesh.halfedge(f), mesh) && !divider.divide(f)) {
+      undivided.push_back(f);
+    }
   }
   const Edge_marks is_diagonal = diagonals(mesh);
   for(const Edge e : mesh.edges()) {
     is_diagonal[e] = e.idx() >= number_of_sides; // new edges come last
   }
-  mesh.collect_garbage();
-  const std::vector<Face> faces = larger_faces(mesh);
-  if(!faces.empty()) {
-    const Halfedge h = mesh.halfedge(faces.front());
-    throw Input_error("the face at vertices " + std::to_string(mesh.source(h).idx() + 1) + " and " +
-                      std::to_string(mesh.target(h).idx() + 1) +
-                      " cannot be divided into triangles; triangulate the mesh first");
-  }
+  return undivided;
 }
 
 } // namespace internal

@@ -240,6 +240,21 @@ inline void choose_solver(Mesh& mesh, const Chart& chart, const Command_line& co
 
 } // namespace internal
 
+// Measures the map of a chart.
+inline void measure(const Mesh& mesh, const Chart& chart, Flattening& flattening)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  flattening.measures = SMP::measure_flattening(
+      mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
+        flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
+      });
+  if(flattening.method == "hierarchical") {
+    flattening.report.largest_seam_jump = seam_jump(mesh, chart, flattening.uv);
+  }
+  flattening.measure_seconds += timer.time();
+}
+
 inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command,
                                 Progress& progress)
 {
@@ -250,16 +265,7 @@ inline Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_li
   options.visitor = &progress;
   internal::choose_solver(mesh, chart, command, options, flattening.uv, flattening);
   if(flattening.succeeded()) {
-    CGAL::Real_timer timer;
-    timer.start();
-    flattening.measures = SMP::measure_flattening(
-        mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
-          flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
-        });
-    if(flattening.method == "hierarchical") {
-      flattening.report.largest_seam_jump = seam_jump(mesh, chart, flattening.uv);
-    }
-    flattening.measure_seconds = timer.time();
+    measure(mesh, chart, flattening);
   }
   return flattening;
 }

@@ -16,11 +16,13 @@
 #include "flatten_mesh/plain/Seamed_component.h"
 #include "flatten_mesh/plain/area.h"
 #include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/plain/choose_cones.h"
 #include "flatten_mesh/plain/choose_seams.h"
 #include "flatten_mesh/model/components.h"
 #include "flatten_mesh/plain/flatten_along_seams.h"
 #include "flatten_mesh/plain/flatten_chart.h"
+#include "flatten_mesh/plain/mend_polygons.h"
 #include "flatten_mesh/model/read_model.h"
 #include "flatten_mesh/plain/prescribe_angles.h"
 #include "flatten_mesh/plain/report_json.h"
@@ -43,6 +45,7 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -98,28 +101,52 @@ Surface read_surface(const Command_line& command, Notes& notes)
   return surface;
 }
 
-// OBJ contains the repaired surface, the other formats the model in the file.
-void write_surface(Output_file& file, const std::string& name, Surface& surface, const Flattening& flattening)
+// The polygons of the soup that other programs would draw with triangles that overlap. GLB files have none.
+std::vector<bool> polygons_to_divide(const Command_line& command, const Surface& surface,
+                                     const Flattening& flattening)
 {
-  if(is_obj_output(name)) {
-    write_obj(file, with_split_sides(surface.soup, surface.input, surface.chart), surface.mesh(),
-              surface.chart, flattening);
-  } else {
-    write_model(file, name, surface.model,
-                texture_of_chart(surface.model, surface.input, surface.origins, surface.soup, surface.mesh(),
-                                 surface.chart, flattening));
+  if(command.output.empty() || file_format(command.output) == "glb" || !flattening.succeeded()) {
+    return {};
   }
+  return concave_polygons(with_split_sides(surface.soup, surface.input, surface.chart), surface.mesh(),
+                          surface.chart, flattening);
+}
+
+// OBJ contains the repaired surface, the other formats the model in the file.
+void write_surface(Output_file& file, const std::string& name, Surface& surface, const Flattening& flattening,
+                   const std::vector<bool>& is_divided)
+{
+  const bool divides = std::find(is_divided.begin(), is_divided.end(), true) != is_divided.end();
+  if(is_obj_output(name)) {
+    Polygon_soup soup = with_split_sides(surface.soup, surface.input, surface.chart);
+    if(divides) {
+      divide_polygons(soup, surface.input, surface.polygons, is_divided);
+    }
+    write_obj(file, soup, surface.mesh(), surface.chart, flattening);
+    return;
+  }
+  if(divides) {
+    std::vector<bool> is_divided_in_model(surface.model.number_of_polygons(), false);
+    for(std::size_t p = 0; p < is_divided.size(); ++p) {
+      is_divided_in_model[surface.soup.origins[p]] = is_divided[p];
+    }
+    divide_polygons(surface.model, surface.input, surface.origins, is_divided_in_model);
+  }
+  write_model(file, name, surface.model,
+              texture_of_chart(surface.model, surface.input, surface.origins, surface.mesh(), surface.chart,
+                               flattening));
 }
 
 // Writes the requested files under temporary names.
-Output_files write_files(const Command_line& command, Surface& surface, Run_record& record)
+Output_files write_files(const Command_line& command, Surface& surface, const std::vector<bool>& is_divided,
+                         Run_record& record)
 {
   Output_files files;
   const auto open = [&files](const std::string& name) -> Output_file& { return files.open(name); };
   CGAL::Real_timer timer;
   timer.start();
   if(!command.output.empty() && record.flattening.succeeded()) {
-    write_surface(open(command.output), command.output, surface, record.flattening);
+    write_surface(open(command.output), command.output, surface, record.flattening, is_divided);
   }
   if(!command.svg.empty() && record.flattening.succeeded()) {
     write_svg(open(command.svg), surface.mesh(), surface.chart, record.flattening);
@@ -275,6 +302,29 @@ Flattening flatten_with_angles(const Command_line& command, Surface& surface, Ru
   return flatten_chart(surface.input, surface.chart, command, progress);
 }
 
+Edge input_edge(const Surface& surface, const Edge e)
+{
+  return surface.chart.is_cut() ? surface.seamed->part.edge_origins[surface.cut.edge_origins[e.idx()].idx()]
+                                : e;
+}
+
+// Makes polygons convex in the plane where small moves do that, and returns how many. Split edges are no diagonals.
+std::size_t mend_surface(Surface& surface, Flattening& flattening)
+{
+  const bool has_polygons = surface.input.number_of_faces() > surface.soup.polygons.size();
+  if(!has_polygons || !surface.chart.split_edges.empty()) {
+    return 0;
+  }
+  const Edge_marks is_diagonal = diagonals(surface.input);
+  const std::size_t count = mend_polygons(
+      surface.mesh(), surface.chart, [&](const Edge e) { return is_diagonal[input_edge(surface, e)]; },
+      flattening.uv);
+  if(count > 0) {
+    measure(surface.mesh(), surface.chart, flattening);
+  }
+  return count;
+}
+
 // Splits the chart where its map overlaps itself.
 void split_surface(Surface& surface, Run_record& record, const Progress& progress)
 {
@@ -282,17 +332,13 @@ void split_surface(Surface& surface, Run_record& record, const Progress& progres
   timer.start();
   record.split = Split_record();
   const Edge_marks is_diagonal = diagonals(surface.input);
-  const auto input_edge = [&surface](const Edge e) {
-    return surface.chart.is_cut() ? surface.seamed->part.edge_origins[surface.cut.edge_origins[e.idx()].idx()]
-                                  : e;
-  };
   Split_chart split = split_chart(
       surface.mesh(), surface.chart, record.flattening,
-      [&](const Edge e) { return is_diagonal[input_edge(e)]; }, *record.split);
+      [&](const Edge e) { return is_diagonal[input_edge(surface, e)]; }, *record.split);
   if(record.split->pieces > 1) {
     std::vector<bool> is_new(surface.input.number_of_edges(), false);
     for(const Edge e : split.new_seams) {
-      is_new[input_edge(e).idx()] = true;
+      is_new[input_edge(surface, e).idx()] = true;
     }
     if(!surface.seamed) {
       surface.seamed = make_seamed_component(surface.input, surface.component);
@@ -373,16 +419,21 @@ Exit_status run_plain(const Command_line& command)
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);
   }
+  const std::size_t mended = record.flattening.succeeded() ? mend_surface(surface, record.flattening) : 0;
   look_at_overlap(command, record.flattening, notes);
   if(command.split_overlaps && record.flattening.succeeded()) {
     split_surface(surface, record, progress);
+  }
+  const std::vector<bool> is_divided = polygons_to_divide(command, surface, record.flattening);
+  if(const std::string text = polygons_text(mended, is_divided); !text.empty()) {
+    notes.add(text);
   }
   record.notes = notes.texts();
   if(!record.flattening.succeeded()) {
     record.flattening.place += remedy(surface, record.flattening.report);
   }
   tell_stages(record, progress);
-  Output_files files = write_files(command, surface, record);
+  Output_files files = write_files(command, surface, is_divided, record);
   progress.stage("write", record.write_seconds);
   if(record.flattening.succeeded()) {
     tell_report(command, report_text(record));

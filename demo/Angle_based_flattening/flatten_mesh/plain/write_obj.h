@@ -12,6 +12,7 @@
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/concave_polygons.h"
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/texts.h"
 
@@ -19,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -119,22 +121,73 @@ inline void write_obj(Output_file& file, const Polygon_soup& soup, const Mesh& m
   file.write(text);
 }
 
-// The same as the texture of the model, for the other formats.
+// The same as the texture of the model, for the other formats
 inline Model_texture texture_of_chart(const Model& model, const Mesh& input, const Corner_origins& origins,
-                                      const Polygon_soup& soup, const Mesh& mesh, const Chart& chart,
-                                      const Flattening& flattening)
+                                      const Mesh& mesh, const Chart& chart, const Flattening& flattening)
 {
   Model_texture texture = empty_texture(model, input, origins);
   const internal::Texture_numbers numbers(mesh, chart);
-  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
-    for(std::size_t corner = 0; corner < soup.polygons[p].size(); ++corner) {
-      if(const std::size_t number = numbers(soup.polygons[p], corner); number != 0) {
-        texture.uv[internal::corner_in_model(model, soup, p, corner)] =
-            flattening.uv[chart.vertices[number - 1]];
+  for(const Halfedge h : input.halfedges()) {
+    if(!input.is_border(h)) {
+      const Polygon side = {input.target(h).idx(), input.target(input.next(h)).idx()};
+      if(const std::size_t number = numbers(side, 0); number != 0) {
+        texture.uv[origins.corners[h.idx()]] = flattening.uv[chart.vertices[number - 1]];
       }
     }
   }
   return texture;
+}
+
+// Of each polygon of a soup: whether it is in the chart, and has a fan that must not be drawn
+inline std::vector<bool> concave_polygons(const Polygon_soup& soup, const Mesh& mesh, const Chart& chart,
+                                          const Flattening& flattening)
+{
+  const internal::Texture_numbers numbers(mesh, chart);
+  std::vector<bool> is_concave(soup.polygons.size(), false);
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    const Polygon& polygon = soup.polygons[p];
+    std::vector<Kernel::Point_2> corners;
+    for(std::size_t i = 0; i < polygon.size() && polygon.size() > 3; ++i) {
+      if(const std::size_t number = numbers(polygon, i); number != 0) {
+        corners.push_back(flattening.uv[chart.vertices[number - 1]]);
+      }
+    }
+    is_concave[p] = !corners.empty() && !(corners.size() == polygon.size() && has_good_fans(corners));
+  }
+  return is_concave;
+}
+
+// Replaces polygons of a soup by their triangles. `origins` has the polygon of the model that each face is in.
+inline void divide_polygons(Polygon_soup& soup, const Mesh& input, const std::vector<Index>& origins,
+                            const std::vector<bool>& is_divided)
+{
+  std::vector<std::pair<Index, Face>> faces;
+  for(const Face f : input.faces()) {
+    faces.push_back({origins[f.idx()], f});
+  }
+  std::sort(faces.begin(), faces.end());
+  Polygon_soup after;
+  after.points = soup.points;
+  const auto add = [&](Polygon polygon, const std::size_t p) {
+    after.polygons.push_back(std::move(polygon));
+    after.origins.push_back(soup.origins[p]);
+    after.is_turned.push_back(soup.is_turned[p]);
+  };
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    if(!is_divided[p]) {
+      add(std::move(soup.polygons[p]), p);
+      continue;
+    }
+    for(auto face = std::lower_bound(faces.begin(), faces.end(), std::make_pair(soup.origins[p], Face(0)));
+        face != faces.end() && face->first == soup.origins[p]; ++face) {
+      Polygon triangle;
+      for(const Vertex v : input.vertices_around_face(input.halfedge(face->second))) {
+        triangle.push_back(v.idx());
+      }
+      add(std::move(triangle), p);
+    }
+  }
+  soup = std::move(after);
 }
 
 } // namespace flatten_mesh

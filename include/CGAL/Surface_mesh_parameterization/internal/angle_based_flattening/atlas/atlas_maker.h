@@ -169,8 +169,13 @@ private:
     const auto is_skipped = [this](face_descriptor f) { return m_is_bad[get(m_component, f)]; };
     Seam_report reading;
     if(m_reader.read(is_given, is_skipped, reading) &&
-       m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading))
+       m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading)) {
+      if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::atlas_diagonals_t>::value)
+        m_reader.read_diagonals([this](edge_descriptor e) {
+          return get(parameters::get_parameter(m_np, internal_np::atlas_diagonals), e);
+        });
       return read_weights(report);
+    }
     report.message = reading.message;
     report.diagnosis = reading.diagnosis == Seam_report::EMPTY_MESH     ? Report::EMPTY_MESH
                        : reading.diagnosis == Seam_report::WRONG_WEIGHT ? Report::WRONG_WEIGHT

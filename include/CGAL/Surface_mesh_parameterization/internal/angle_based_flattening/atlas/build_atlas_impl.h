@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/divided_part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/make_polygons_convex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
@@ -142,7 +143,25 @@ private:
     for(Part_atlas& part : m_atlas.parts)
       if(part.succeeded())
         m_round(part.uv);
+    make_polygons_convex();
     return true;
+  }
+
+  // With their final coordinates, and before these are certified and measured
+  void make_polygons_convex()
+  {
+    std::vector<std::size_t> mended(m_parts.size(), 0);
+    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
+      Part_atlas& part = m_atlas.parts[i];
+      if(!part.succeeded() || m_parts[i].is_diagonal.empty())
+        return;
+      Divided_polygons polygons{part.chart.vertex, part.chart.opposite, m_parts[i].is_diagonal, {}};
+      for(int v = 0; v < part.chart.number_of_vertices(); ++v)
+        polygons.is_fixed.push_back(part.chart.interior[v] < 0);
+      mended[i] = Polygon_mender(polygons, part.uv).run();
+      m_round(part.uv);
+    });
+    m_atlas.report.number_of_mended_polygons = std::accumulate(mended.begin(), mended.end(), std::size_t(0));
   }
 
   // Maps that are placed once more are not rounded twice.

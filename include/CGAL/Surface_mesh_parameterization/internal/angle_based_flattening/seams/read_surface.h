@@ -31,8 +31,9 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 struct Surface_part
 {
   Chart chart;
-  int first_triangle = 0;   // among those of the whole surface
-  std::vector<double> cost; // of the edge that each corner faces
+  int first_triangle = 0;        // among those of the whole surface
+  std::vector<double> cost;      // of the edge that each corner faces
+  std::vector<char> is_diagonal; // the same edge, in a larger polygon; empty if there are none
 };
 
 // Reads a mesh of any topology as connected parts, and writes seams to it. A vertex whose triangles do not all hang together by edges
@@ -99,6 +100,18 @@ public:
       }
     }
     return true;
+  }
+
+  // Sets which edges divide polygons into triangles.
+  template <typename IsDiagonal>
+  void read_diagonals(const IsDiagonal& is_diagonal)
+  {
+    for(Surface_part& part : m_parts) {
+      for(int c = 0; c < part.chart.number_of_corners(); ++c)
+        part.is_diagonal.push_back(is_diagonal(edge_of(3 * part.first_triangle + c)));
+      if(std::find(part.is_diagonal.begin(), part.is_diagonal.end(), true) == part.is_diagonal.end())
+        part.is_diagonal.clear();
+    }
   }
 
   // The number of connected components of the surface that was read, if it were not opened
