@@ -271,8 +271,10 @@ add("obj with a material file that is a folder", "mtllib .\nusemtl a\n" + V + "f
 for order in "<>":
     end = "little" if order == "<" else "big"
     add(f"ply binary, {end} end first", binary_ply(order=order), faces=2, file=f"binary_{end}.ply")
-    for count, index in [("int", "uint"), ("ushort", "short"), ("char", "uchar"), ("uint", "int64"), ("uchar", "ushort")]:
-        add(f"ply binary, {end}, lists of {count} and {index}", binary_ply(order=order, count=count, index=index), faces=2)
+    for count, index in [("int", "uint"), ("ushort", "short"), ("char", "uchar"), ("uint", "int64"),
+                         ("uchar", "ushort")]:
+        add(f"ply binary, {end}, lists of {count} and {index}", binary_ply(order=order, count=count, index=index),
+            faces=2)
     add(f"ply binary, {end}, with NaN", binary_ply(replaced(TWO_POINTS, 6, (6, "nan", 0)), TWO_FACES, order), 2,
         "vertex 7 .*not a finite", NONE, faces=4)
     add(f"ply binary, {end}, with a list of 4000000000", binary_ply(order=order, count="uint")[:-16]
@@ -298,8 +300,8 @@ add("ply with strips that begin again", ply(TWO_POINTS, [(0, 1, 3, 2, -1, 4, 5, 
     "element face", "element tristrips").replace("uchar", "int"), faces=4)
 add("ply with a strip to nowhere", ply(faces=[(0, 1, 3, 9)]).replace("element face", "element tristrips"), 2,
     "line 14: item 1 of 'tristrips' names vertex '9'")
-add("ply with further elements", ply(more="element edge 1\nproperty int a\nproperty list uchar float b\n") + "1 2 0 0\n",
-    faces=2)
+add("ply with further elements",
+    ply(more="element edge 1\nproperty int a\nproperty list uchar float b\n") + "1 2 0 0\n", faces=2)
 add("ply with a further element without properties", ply(more="element nothing 4000000000\n"), faces=2)
 add("ply with vertices after faces", ply_header().replace("element vertex 4\nproperty float x\nproperty float y\n"
     "property float z\n", "").replace("end_header\n", "element vertex 4\nproperty double x\nproperty double y\n"
@@ -349,13 +351,14 @@ add("stl binary with padding", binary_stl() + b"\0" * 30, faces=2)
 add("stl binary with NaN", binary_stl(replaced(TWO_POINTS, 6, (6, "nan", 0)), TWO_FACES), 2, "not a finite",
     NONE, faces=4)
 add("stl with words in capitals", stl().upper(), faces=2)
-add("stl in one line for each facet", stl().replace("\nouter", " outer").replace("\nvertex", " vertex").replace("\nend", " end"),
-    faces=2)
+add("stl in one line for each facet",
+    stl().replace("\nouter", " outer").replace("\nvertex", " vertex").replace("\nend", " end"), faces=2)
 add("stl of several solids", stl() + stl([(x, y, 5) for x, y, z in POINTS], name="other"), faces=4)
 add("stl with a facet of two vertices", stl(faces=[(0, 1)]), 2, "line 7: the facet has fewer than three")
 add("stl with a facet of four vertices", stl(faces=[(0, 1, 2, 3)]), faces=1)
 add("stl without endfacet", stl().replace("endfacet\n", ""), 2, "line 8: the facet before has no 'endfacet'")
-add("stl with endfacet twice", stl().replace("endfacet", "endfacet\nendfacet"), 2, "line 9: the facet has fewer than three")
+add("stl with endfacet twice", stl().replace("endfacet", "endfacet\nendfacet"), 2,
+    "line 9: the facet has fewer than three")
 add("stl without endsolid", stl().replace("endsolid sheet\n", ""), 2, "without 'endsolid', so it was cut short")
 add("stl cut short in a facet", stl().split("endloop")[0], 2, "line 7: .*cut short")
 add("stl cut short in a word", stl().split("er loop")[0], 2, "line 3: 'out' is no word")
@@ -404,7 +407,8 @@ def check_obj(path, faces):
         require(face, "a face without corners in the output")
         for corner in face:
             for index, kind in zip(corner.split(b"/"), (b"v", b"vt", b"vn")):
-                require(index == b"" and kind != b"v" or 1 <= int(index) <= counts[kind], f"corner {corner} in the output")
+                require(index == b"" and kind != b"v" or 1 <= int(index) <= counts[kind],
+                        f"corner {corner} in the output")
 
 
 def check_errors(case, errors, report):
@@ -432,7 +436,8 @@ def run(program, folder, number, case):
     command = [program, path, "--output", output, "--json", report_file] + case["options"]
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
     try:
-        result = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS, env=environment)
+        result = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS,
+                                env=environment)
     except subprocess.TimeoutExpired:
         raise Fault("does not end")
     require(result.returncode == case["status"], f"status {result.returncode}: {result.stderr!r}")

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A target of libFuzzer: reads bytes as a file in one of the formats of flatten_mesh, and makes surfaces of its polygons.
-// The result must be a consistent model, or an error with a message, which JSON can hold.
+// A target of libFuzzer: reads bytes as a file in one of the formats of flatten_mesh, and makes surfaces of its
+// polygons. The result must be a consistent model, or an error with a message, which JSON can hold.
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"

@@ -56,9 +56,9 @@ inline void check_surface(const Model& model)
 
 } // namespace internal
 
-// Reads the content of a file in one of the formats with everything that can be written again, into a model with the name of
-// the file. Throws an `Input_error` if it cannot be read. Does not check whether the polygons fit together; of an OBJ file,
-// degenerate faces are refused at once if they are not kept, because then their line is known.
+// Reads the content of a file with everything that can be written again, into a model that has the name of the
+// file. Throws an `Input_error` if it cannot be read. Does not check whether the polygons fit together; of
+// an OBJ file, degenerate faces are refused at once if they are not kept, because then their line is known.
 inline void read_content(const std::string_view content, const std::string& format,
                          const Degenerate_faces degenerate, Model& model, Notes& notes)
 {

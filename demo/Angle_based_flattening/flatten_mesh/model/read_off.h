@@ -25,8 +25,8 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Reads an OFF file: points, their normals, colours and texture coordinates, polygons. CGAL's reader needs each vertex and
-// face in a line of its own, does not report the line that it does not understand, and believes all counts.
+// Reads an OFF file: points, their normals, colours and texture coordinates, polygons. CGAL's reader needs each vertex
+// and face in a line of its own, does not report the line that it does not understand, and believes all counts.
 class Off_reader
 {
 public:
@@ -104,7 +104,7 @@ private:
     read_attributes(v, m_is_homogeneous ? 4 : 3);
   }
 
-  // Reads the rest of an item that begins in this line. Whether the words end where their line does: otherwise some are missing.
+  // Reads the rest of a vertex. Whether it ends with a line: otherwise some of its numbers are missing.
   bool is_whole(const std::size_t line, const std::size_t v, const std::size_t needed)
   {
     for(std::size_t i = 0; i < (std::min)(m_words.size(), std::size_t(3)); ++i) {

@@ -25,7 +25,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Reads a PLY file. CGAL's reader drops normals and texture coordinates, knows no strips of triangles, and believes all counts.
+// Reads a PLY file. CGAL's reader drops normals and texture coordinates, knows no strips, and believes all counts.
 class Ply_reader
 {
 public:

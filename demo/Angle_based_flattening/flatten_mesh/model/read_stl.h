@@ -30,7 +30,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Reads an STL file, and merges equal points. CGAL's reader puts NaN into a set that is sorted, believes all counts, and does
+// Reads an STL file, and merges equal points. CGAL's reader puts NaN into a sorted set, believes all counts, and does
 // not report the line that it does not understand.
 class Stl_reader
 {
