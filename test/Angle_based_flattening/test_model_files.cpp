@@ -1028,6 +1028,13 @@ BOOST_AUTO_TEST_CASE(glb_has_colors_of_materials)
   BOOST_TEST(colors.count("default") == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(material_files_that_are_devices_are_not_read)
+{
+  const Model model =
+      read("model.obj", "mtllib /dev/zero\n" + std::string(square) + "usemtl red paint\nf 1 2 3 4\n");
+  BOOST_TEST((material_colors(model) == std::vector<Point_color>{{1, 1, 1, 1}}));
+}
+
 // Names that are no UTF-8 are not what JSON allows.
 BOOST_AUTO_TEST_CASE(glb_with_any_name_of_material)
 {

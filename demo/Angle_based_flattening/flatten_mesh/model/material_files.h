@@ -87,8 +87,11 @@ inline std::vector<Point_color> material_colors(const Model& model)
   std::map<std::string, Point_color> all;
   for(const Statement& statement : model.statements) {
     for(const std::string& name : internal::material_files_in(statement.text, folder)) {
-      std::ifstream file(folder / name, std::ios::binary);
-      internal::read_material_colors(std::string(std::istreambuf_iterator<char>(file), {}), all);
+      std::error_code ignored;
+      if(std::filesystem::is_regular_file(folder / name, ignored)) { // and no device, which may have no end
+        std::ifstream file(folder / name, std::ios::binary);
+        internal::read_material_colors(std::string(std::istreambuf_iterator<char>(file), {}), all);
+      }
     }
   }
   std::vector<Point_color> colors;
