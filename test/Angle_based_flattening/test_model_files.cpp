@@ -311,7 +311,7 @@ BOOST_AUTO_TEST_CASE(wrong_attributes_are_left_out_with_a_note)
   }
 }
 
-BOOST_AUTO_TEST_CASE(off_with_attributes)
+BOOST_AUTO_TEST_CASE(off_with_all_attributes)
 {
   const std::string faces = "4 0 1\n2\n 3 # over three lines\n", end = "4 1 0\r";
   const Model model = read("all.off", "\r\n # first\r\n STCNOFF " + end +
