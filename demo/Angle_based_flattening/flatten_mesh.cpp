@@ -9,7 +9,6 @@
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/Failure.h"
 #include "flatten_mesh/Output_file.h"
-#include "flatten_mesh/Standard_input_file.h"
 #include "flatten_mesh/Unfinished_files.h"
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/help_text.h"
@@ -36,10 +35,9 @@ namespace {
   std::_Exit(status);
 }
 
-Exit_status run(Command_line command)
+Exit_status run(const Command_line& command)
 {
   try {
-    const Standard_input_file standard_input_file(command);
     return command.is_plain ? run_plain(command) : run_atlas(command);
   } catch(...) {
     return tell_failure(command, current_failure());

@@ -892,7 +892,7 @@ BOOST_AUTO_TEST_CASE(files_cut_short)
   flatten(write("short.off", whole.substr(0, whole.size() / 2)));
   check_refusal({"short.off", "line 47", "the file ends here"});
   flatten(write("short.off", whole.substr(0, whole.find('\n', whole.size() / 2) + 1)));
-  check_refusal({"ends after line 47", "35 of 35 vertices and 10 of 48 faces", "cut short"});
+  check_refusal({"promises 35 vertices and 48 faces", "ends after line 47 with 35 and 10", "cut short"});
   const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", header = "OFF\n# comment\n4 2 0\n\n";
   flatten(write("absent.off", header + square + "3 0 1 2\n3 0 2 4\n"));
   check_refusal({"absent.off', line 10", "face 2", "vertex '4'"});

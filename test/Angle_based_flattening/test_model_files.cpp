@@ -10,6 +10,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/json.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/model/model_seams.h"
@@ -25,6 +26,7 @@
 
 #include <CGAL/IO/polygon_soup_io.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -309,6 +311,85 @@ BOOST_AUTO_TEST_CASE(wrong_attributes_are_left_out_with_a_note)
   }
 }
 
+BOOST_AUTO_TEST_CASE(off_with_all_attributes)
+{
+  const std::string faces = "4 0 1\n2\n 3 # over three lines\n", end = "4 1 0\r";
+  const Model model = read("all.off", "\r\n # first\r\n STCNOFF " + end +
+                                          "0 0 0 0 0 1 255 0 51 0.25 0.5\n1 0 0 0 0 1 1 0.5 0 0.5 1 0.5\n"
+                                          "1 1 0 0 0 1 7 7 1 1\n1 0 1 0 0 0 1 1 0 1\n" +
+                                          faces);
+  BOOST_TEST_REQUIRE(model.number_of_polygons() == 1u);
+  BOOST_TEST(model.vertices == (std::vector<Index>{0, 1, 2, 3}), boost::test_tools::per_element());
+  BOOST_TEST((model.colors.at(0) == Point_color{1, 0, 0.2, 1}));
+  BOOST_TEST((model.colors.at(1) == Point_color{1, 0.5, 0, 0.5}));
+  BOOST_TEST((model.texture.at(0) == Kernel::Point_2(0.25, 0.5)));
+  BOOST_TEST((model.texture.at(1) == Kernel::Point_2(1, 0.5)));
+  BOOST_TEST((model.texture.at(2) == Kernel::Point_2(1, 1)));
+  BOOST_TEST(std::isnan(model.colors.at(2)[0])); // two numbers are no colour
+  BOOST_TEST((model.normals.at(3) == Kernel::Vector_3(0, 0, 0)));
+}
+
+BOOST_AUTO_TEST_CASE(strips_are_triangles_that_are_oriented_alike)
+{
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                             "property float z\nelement tristrips 2\nproperty list int int vertex_indices\n"
+                             "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
+  const Model model = read("strips.ply", header + "7 0 1 2 3 -1 2 3\n5 2 2 3 4 0\n");
+  BOOST_TEST(model.vertices == (std::vector<Index>{0, 1, 2, 2, 1, 3, 3, 2, 4, 3, 4, 0}),
+             boost::test_tools::per_element());
+  BOOST_TEST(model.number_of_polygons() == 4u);
+  BOOST_CHECK_THROW(read("strips.ply", header + "3 0 1 -2\n3 0 1 2\n"), Input_error);
+}
+
+// Whatever the format, the surface is read if that is asked for, and otherwise the message names the vertex.
+BOOST_AUTO_TEST_CASE(coordinates_that_are_no_numbers)
+{
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 NAN 0\n"
+                            "endloop\nendfacet\n";
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"nan.obj", "v 0 0 0\nv 1 0 0\nv 0 NAN 0\nf 1 2 3\n"},
+      {"nan.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 NAN 0\n3 0 1 2\n"},
+      {"nan.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+                  "float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n"
+                  "0 NAN 0\n3 0 1 2\n"},
+      {"nan.stl", "solid\n" + facet + "endsolid\n"},
+      {"nan.ts", "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 NAN 0\nTRGL 1 2 3\nEND\n"}};
+  for(const std::string word : {"nan", "-nan(ind)", "inf", "1.#QNAN", "-1.#IND", "1e999"}) {
+    for(const auto& [name, text] : files) {
+      BOOST_TEST_CONTEXT(name << " with " << word)
+      {
+        const std::string dirty = boost::replace_all_copy(text, "NAN", word);
+        const Model model = read(name, dirty);
+        BOOST_TEST_REQUIRE(model.points.size() == 3u);
+        BOOST_TEST(!std::isfinite(model.points[2].y()));
+        BOOST_CHECK_EXCEPTION(read_model(write(name, dirty), Degenerate_faces::REFUSED, notes), Input_error,
+                              [](const Input_error& error) {
+                                return std::string(error.what()).find("vertex 3") != std::string::npos;
+                              });
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lines_end_as_on_any_system)
+{
+  const std::string text = std::string(square) + "f 1 2 \\\n3\nf 1 3 4\n";
+  for(const std::string end : {"\n", "\r\n", "\r"}) {
+    const Model model = read("lines.obj", "\xEF\xBB\xBF" + boost::replace_all_copy(text, "\n", end));
+    BOOST_TEST(model.number_of_polygons() == 2u);
+    BOOST_TEST(model.points.size() == 4u);
+    BOOST_TEST(notes.texts().empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(json_is_utf_8)
+{
+  using internal::json_text;
+  BOOST_TEST(json_text("gr\xFCn \xC3\xBC \xE2\x82\xAC") == "\"gr\\ufffdn \xC3\xBC \xE2\x82\xAC\"");
+  BOOST_TEST(json_text("\xC3\"\\\n\x7F") == "\"\\ufffd\\\"\\\\\\u000a\x7F\"");
+  BOOST_TEST(json_text("\xED\xA0\x80\xF0\x9F") == "\"\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\"");
+}
+
 BOOST_AUTO_TEST_CASE(wrong_numbers_of_vertices_are_errors)
 {
   const auto refused = [this](const std::string& lines, const std::string& word) {
@@ -322,7 +403,7 @@ BOOST_AUTO_TEST_CASE(wrong_numbers_of_vertices_are_errors)
   refused("f\n", "line 5: the face has no vertices");
   refused("f 1 2 1e3\n", "'1e3'");
   refused("f 1 2 99999999999999999999\n", "'99999999999999999999'");
-  refused("v 1 2 nan\nf 1 2 3\n", "line 5: the coordinate 'nan'");
+  refused("v 1 2 zero\nf 1 2 3\n", "line 5: the coordinate 'zero' of vertex 5");
   BOOST_CHECK_THROW(
       read_model(write("pair.obj", std::string(square) + "f 1 2\n"), Degenerate_faces::REFUSED, notes),
       Input_error);
@@ -945,6 +1026,13 @@ BOOST_AUTO_TEST_CASE(glb_has_colors_of_materials)
   BOOST_TEST((colors.at("red paint") == std::array<float, 4>{1, 0.25f, 0, 1}));
   BOOST_TEST((colors.at("blue") == std::array<float, 4>{0, 0, 1, 0.5f}));
   BOOST_TEST(colors.count("default") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(material_files_that_are_devices_are_not_read)
+{
+  const Model model =
+      read("model.obj", "mtllib /dev/zero\n" + std::string(square) + "usemtl red paint\nf 1 2 3 4\n");
+  BOOST_TEST((material_colors(model) == std::vector<Point_color>{{1, 1, 1, 1}}));
 }
 
 // Names that are no UTF-8 are not what JSON allows.

@@ -53,7 +53,7 @@ inline Failure current_failure()
 inline Exit_status tell_failure(const Command_line& command, Failure failure)
 {
   failure.message = with_title(command, failure.message);
-  std::cerr << "flatten_mesh: " << failure.message << std::endl;
+  std::cerr << "flatten_mesh: " << in_one_line(failure.message) << std::endl;
   if(can_write_json(command)) {
     try {
       Output_file file(command.json);
@@ -61,7 +61,7 @@ inline Exit_status tell_failure(const Command_line& command, Failure failure)
       file.publish();
     } catch(const std::exception& error) {
       if(error.what() != failure.message) { // already printed if this file failed
-        std::cerr << "flatten_mesh: " << error.what() << std::endl;
+        std::cerr << "flatten_mesh: " << in_one_line(error.what()) << std::endl;
       }
     }
   }

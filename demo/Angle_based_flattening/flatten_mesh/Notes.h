@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_NOTES_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/texts.h"
 
 #include <functional>
 #include <iostream>
@@ -31,7 +32,7 @@ public:
     text = with_title(m_command, text);
     if(!m_command.quiet) {
       m_make_room();
-      std::cerr << "flatten_mesh: note: " << text << std::endl;
+      std::cerr << "flatten_mesh: note: " << in_one_line(text) << std::endl;
     }
     m_texts.push_back(text);
   }

@@ -11,6 +11,7 @@
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/file_names.h"
+#include "flatten_mesh/model/formats.h"
 #include "flatten_mesh/texts.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -47,18 +48,20 @@ inline void check_files(Command_line& command)
     throw Usage_error(
         "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
   }
-  const auto from_stream = std::count(command.inputs.begin(), command.inputs.end(), standard_input);
+  const auto from_stream = std::count(command.inputs.begin(), command.inputs.end(), standard_input),
+             from_pipes = std::count_if(command.inputs.begin(), command.inputs.end(), is_other_file);
   if(from_stream > 1) {
     throw Usage_error("standard input, '-', can be read once only");
   }
   if(from_stream == 1 && command.format.empty()) {
-    throw Usage_error("the format of standard input is unknown: give --format off, obj, ply, stl, ts or vtp");
+    throw Usage_error("the format of standard input is unknown: give --format " + formats_text(", ", " or "));
   }
-  if(from_stream == 1) {
-    check_name("format", command.format, {"off", "obj", "ply", "stl", "ts", "vtp"});
+  if(!command.format.empty() && from_stream + from_pipes == 0) {
+    throw Usage_error(
+        "--format goes with standard input, '-', and pipes only: the names of files tell their format");
   }
-  if(from_stream == 0 && !command.format.empty()) {
-    throw Usage_error("--format goes with standard input, '-', only: the names of files tell their format");
+  if(!command.format.empty()) {
+    check_name("format", command.format, formats_read());
   }
   if(command.inputs.size() == 1) {
     command = command_of_input(command, command.inputs.front());

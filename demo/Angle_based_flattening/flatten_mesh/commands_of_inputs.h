@@ -25,7 +25,7 @@ inline Command_line command_of_input(Command_line command, const std::string& in
 {
   const bool is_stream = input == standard_input;
   command.input = input;
-  command.title = is_stream ? "standard input" : "'" + input + "'";
+  command.title = is_stream ? "standard input" : in_one_line("'" + input + "'");
   const std::string stem = is_stream ? "stdin" : std::filesystem::path(input).stem().string();
   boost::replace_all(command.atlas.seams_from, placeholder, stem);
   boost::replace_all(command.atlas.bake_from, placeholder, stem);

@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_DESCRIBE_OPTIONS_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/model/formats.h"
 #include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>
@@ -25,11 +26,13 @@ inline po::options_description file_options(Command_line& command)
   po::options_description options("Files", 100, 60);
   po::options_description_easy_init add = options.add_options();
   add("input", po::value(&command.inputs)->value_name("FILE"),
-      "the surface: OFF, OBJ, PLY, STL or TS (also VTP where built with VTK); '-' is standard input. The "
-      "word '--input' may be "
-      "left out. Several files are flattened one after the other");
+      ("the surface: ." + formats_text(", .", " or .") +
+       "; '-' is standard input. The word '--input' may be left out. Several files are flattened one after "
+       "the "
+       "other")
+          .c_str());
   add("format", po::value(&command.format)->value_name("NAME"),
-      "of standard input: off, obj, ply, stl, ts or vtp");
+      ("of standard input and pipes: " + formats_text(", ", " or ")).c_str());
   add("output,o", po::value(&command.output)->value_name("FILE.obj|ply|glb"),
       "write the model with texture coordinates at each corner; faces outside the charts have none. Points "
       "and "

@@ -8,6 +8,8 @@
 
 #include "flatten_mesh/texts.h"
 
+#include <boost/locale/utf.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -18,18 +20,26 @@ namespace flatten_mesh {
 
 namespace internal {
 
+// A byte that is no part of UTF-8, as in names of files, becomes the replacement character U+FFFD.
 inline std::string json_text(const std::string& value)
 {
+  namespace utf = boost::locale::utf;
   std::string text = "\"";
-  for(const char c : value) {
-    if(static_cast<unsigned char>(c) < 0x20) {
+  for(auto begin = value.begin(); begin != value.end();) {
+    auto end = begin;
+    const utf::code_point code = utf::utf_traits<char>::decode(end, value.end());
+    if(code == utf::illegal || code == utf::incomplete) {
+      text += "\\ufffd";
+      end = begin + 1;
+    } else if(code < 0x20) {
       char escape[8];
-      std::snprintf(escape, sizeof(escape), "\\u%04x", static_cast<unsigned>(c));
+      std::snprintf(escape, sizeof(escape), "\\u%04x", static_cast<unsigned>(code));
       text += escape;
     } else {
-      text += c == '"' || c == '\\' ? "\\" : "";
-      text += c;
+      text += code == '"' || code == '\\' ? "\\" : "";
+      text.append(begin, end);
     }
+    begin = end;
   }
   return text + '"';
 }

@@ -72,6 +72,19 @@ inline std::string format_number(const char* format, const double number)
   return digits;
 }
 
+// A text in one line: characters that control terminals, as names may have, become escapes such as "\x0a".
+inline std::string in_one_line(const std::string& text)
+{
+  std::string line;
+  for(const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    char escape[8];
+    std::snprintf(escape, sizeof(escape), "\\x%02x", static_cast<unsigned>(code));
+    line += code < 0x20 || code == 0x7F ? std::string(escape) : std::string(1, c);
+  }
+  return line;
+}
+
 // Appends the shortest text that reads back as the same number, in any locale.
 template <class Number>
 void append_number(std::string& text, const Number number)

@@ -85,7 +85,7 @@ inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes)
 // Throws an `Input_error` if the file cannot be read, or is wrong as a whole.
 inline Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
 {
-  Model model = read_model(command.input, Degenerate_faces::KEPT, notes);
+  Model model = read_model(command.input, Degenerate_faces::KEPT, notes, command.format);
   try {
     return atlas_input_of(std::move(model), command.repair == "on", notes);
   } catch(const Input_error& error) {

@@ -7,9 +7,8 @@
 #define FLATTEN_MESH_OBJ_VALUES_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Obj_lines.h"
 #include "flatten_mesh/model/Obj_remarks.h"
-#include "flatten_mesh/texts.h"
+#include "flatten_mesh/model/Text_reader.h"
 
 #include <array>
 #include <cmath>
@@ -25,22 +24,15 @@ namespace flatten_mesh {
 class Obj_values
 {
 public:
-  Obj_values(Obj_lines& lines, Model& model, Obj_remarks& remarks)
-      : m_lines(lines), m_model(model), m_remarks(remarks)
+  Obj_values(Text_reader& text, Model& model, Obj_remarks& remarks)
+      : m_text(text), m_lines(text.lines), m_model(model), m_remarks(remarks)
   {}
 
   void read_vertex()
   {
     std::array<double, 3> coordinates;
     for(double& coordinate : coordinates) {
-      const std::string_view word = m_lines.word();
-      if(word.empty()) {
-        refuse("a vertex has fewer than three coordinates; export the mesh again");
-      }
-      if(!read_finite_number(word, coordinate)) {
-        refuse("the coordinate '" + std::string(word) +
-               "' is not a finite number; remove the vertex or repair the scan");
-      }
+      coordinate = m_text.coordinate(m_lines.word(), m_model.points.size());
     }
     m_model.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
     read_color();
@@ -131,12 +123,8 @@ private:
     }
   }
 
-  [[noreturn]] void refuse(const std::string& what) const
-  {
-    throw Input_error("'" + m_model.file + "', line " + std::to_string(m_lines.number()) + ": " + what);
-  }
-
-  Obj_lines& m_lines;
+  Text_reader& m_text;
+  Text_lines& m_lines;
   Model& m_model;
   Obj_remarks& m_remarks;
 };

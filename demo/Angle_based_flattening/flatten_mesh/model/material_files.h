@@ -7,12 +7,14 @@
 #define FLATTEN_MESH_MATERIAL_FILES_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Obj_lines.h"
+#include "flatten_mesh/model/Text_lines.h"
+#include "flatten_mesh/model/text_numbers.h"
 #include "flatten_mesh/file_names.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -52,9 +54,9 @@ inline std::filesystem::path folder_of(const std::string& file)
 }
 
 // The colours and opacities in a material file
-inline void read_material_colors(std::istream& file, std::map<std::string, Point_color>& colors)
+inline void read_material_colors(const std::string& text, std::map<std::string, Point_color>& colors)
 {
-  Obj_lines lines(file);
+  Text_lines lines(text, Text_lines::BACKSLASHES);
   Point_color* color = nullptr;
   const auto read = [&lines](double& number) {
     double value = 0;
@@ -85,8 +87,11 @@ inline std::vector<Point_color> material_colors(const Model& model)
   std::map<std::string, Point_color> all;
   for(const Statement& statement : model.statements) {
     for(const std::string& name : internal::material_files_in(statement.text, folder)) {
-      std::ifstream file(folder / name, std::ios::binary);
-      internal::read_material_colors(file, all);
+      std::error_code ignored;
+      if(std::filesystem::is_regular_file(folder / name, ignored)) { // and no device, which may have no end
+        std::ifstream file(folder / name, std::ios::binary);
+        internal::read_material_colors(std::string(std::istreambuf_iterator<char>(file), {}), all);
+      }
     }
   }
   std::vector<Point_color> colors;

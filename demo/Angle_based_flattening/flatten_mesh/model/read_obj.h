@@ -8,28 +8,20 @@
 
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/model/Obj_lines.h"
 #include "flatten_mesh/model/Obj_remarks.h"
 #include "flatten_mesh/model/Obj_values.h"
+#include "flatten_mesh/model/Text_reader.h"
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <istream>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 namespace flatten_mesh {
-
-// What is done about faces that are none, such as those with two corners, or with a corner twice.
-enum class Degenerate_faces
-{
-  REFUSED,
-  KEPT
-};
 
 namespace internal {
 
@@ -38,9 +30,9 @@ namespace internal {
 class Obj_reader
 {
 public:
-  Obj_reader(std::istream& file, Model& model, const Degenerate_faces degenerate)
-      : m_lines(file), m_model(model), m_values(m_lines, model, m_remarks),
-        m_keeps_all(degenerate == Degenerate_faces::KEPT)
+  Obj_reader(const std::string_view text, Model& model, const Degenerate_faces degenerate)
+      : m_text(text, model, degenerate, Text_lines::BACKSLASHES), m_lines(m_text.lines), m_model(model),
+        m_values(m_text, model, m_remarks), m_keeps_all(m_text.keeps_all())
   {}
 
   void read(Notes& notes)
@@ -52,10 +44,10 @@ public:
       refuse_empty_file();
     }
     if(m_end_of_indices > static_cast<long long>(m_model.points.size())) {
-      throw Input_error("'" + m_model.file + "', line " + std::to_string(m_line_of_largest) + ": the " +
-                        m_element_of_largest + " names vertex " + std::to_string(m_end_of_indices) +
-                        ", which does not exist: the file has only " + std::to_string(m_model.points.size()) +
-                        "; export the mesh again");
+      m_text.refuse_at(m_line_of_largest,
+                       "the " + m_element_of_largest + " names vertex " + std::to_string(m_end_of_indices) +
+                           ", which does not exist: the file has only " +
+                           std::to_string(m_model.points.size()) + "; export the mesh again");
     }
     m_values.end();
     m_remarks.tell_skipped(m_model.file, notes);
@@ -155,8 +147,7 @@ private:
       refuse(begin + "vertex 0, but vertices are counted from 1; export the mesh again");
     }
     if(!read_obj_index(digits, before, index)) {
-      refuse(begin + "'" + std::string(word) +
-             "', which is not the number of a vertex; export the mesh again");
+      refuse(begin + quoted_word(word) + ", which is not the number of a vertex; export the mesh again");
     }
     if(index < 0) {
       refuse(begin + "vertex " + std::string(digits) + ", counted backwards, but only " +
@@ -213,10 +204,7 @@ private:
     return std::find(known.begin(), known.end(), keyword) != known.end();
   }
 
-  [[noreturn]] void refuse(const std::string& what) const
-  {
-    throw Input_error("'" + m_model.file + "', line " + std::to_string(m_lines.number()) + ": " + what);
-  }
+  [[noreturn]] void refuse(const std::string& what) const { m_text.refuse(what); }
 
   [[noreturn]] void refuse_empty_file() const
   {
@@ -227,7 +215,8 @@ private:
                       m_remarks.first_skipped());
   }
 
-  Obj_lines m_lines;
+  Text_reader m_text;
+  Text_lines& m_lines;
   Model& m_model;
   Obj_remarks m_remarks;
   Obj_values m_values;
@@ -244,9 +233,10 @@ private:
 } // namespace internal
 
 // Reads an OBJ file. Throws an `Input_error` with the number of the line that is wrong.
-inline void read_obj(std::istream& file, Model& model, const Degenerate_faces degenerate, Notes& notes)
+inline void read_obj(const std::string_view text, Model& model, const Degenerate_faces degenerate,
+                     Notes& notes)
 {
-  internal::Obj_reader(file, model, degenerate).read(notes);
+  internal::Obj_reader(text, model, degenerate).read(notes);
 }
 
 } // namespace flatten_mesh

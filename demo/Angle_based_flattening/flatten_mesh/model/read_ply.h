@@ -7,209 +7,233 @@
 #define FLATTEN_MESH_READ_PLY_H
 
 #include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Ply_header.h"
+#include "flatten_mesh/model/Ply_items.h"
+#include "flatten_mesh/model/Text_reader.h"
 
-#include <CGAL/IO/PLY/PLY_reader.h>
-
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <initializer_list>
-#include <istream>
 #include <limits>
 #include <string>
-#include <type_traits>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace flatten_mesh {
 
 namespace internal {
 
-namespace ply = CGAL::IO::internal;
-
-using Ply_numbers = std::vector<double>;
-using Ply_getter = std::function<void(Ply_numbers&)>; // appends what was read last
-
-// CGAL::IO::read_PLY() drops normals and texture coordinates, but what it is made of reads them. Whole numbers of colours
-// are scaled to at most 1.
-template <class Number>
-Ply_getter ply_getter_of(const ply::PLY_read_number* property, const bool is_color)
+// Reads a PLY file. CGAL's reader drops normals and texture coordinates, knows no strips, and believes all counts.
+class Ply_reader
 {
-  const double unit = is_color && std::is_integral<Number>::value
-                          ? static_cast<double>((std::numeric_limits<Number>::max)())
-                          : 1;
-  if(const auto* number = dynamic_cast<const ply::PLY_read_typed_number<Number>*>(property)) {
-    return [number, unit](Ply_numbers& out) { out.push_back(static_cast<double>(number->buffer()) / unit); };
-  }
-  if(const auto* list = dynamic_cast<const ply::PLY_read_typed_list<Number>*>(property)) {
-    return [list](Ply_numbers& out) { out.insert(out.end(), list->buffer().begin(), list->buffer().end()); };
-  }
-  return {};
-}
+public:
+  Ply_reader(const std::string_view content, Model& model, const Degenerate_faces degenerate)
+      : m_text(content, model, degenerate), m_model(model), m_header(Ply_header_reader(m_text).read()),
+        m_items(content, m_text, m_header, model)
+  {}
 
-inline Ply_getter ply_getter(const ply::PLY_read_number* property, const bool is_color)
-{
-  for(const auto make :
-      {ply_getter_of<float>, ply_getter_of<double>, ply_getter_of<std::int8_t>, ply_getter_of<std::uint8_t>,
-       ply_getter_of<std::int16_t>, ply_getter_of<std::uint16_t>, ply_getter_of<std::int32_t>,
-       ply_getter_of<std::uint32_t>}) {
-    if(Ply_getter getter = make(property, is_color)) {
-      return getter;
+  void read()
+  {
+    for(const Ply_element& element : m_header.elements) {
+      if(element.is_named("vertex", "vertices")) {
+        read_vertices(element);
+      } else if(element.is_named("face", "faces")) {
+        read_faces(element);
+      } else if(element.is_named("tristrips", "tristrip")) {
+        read_strips(element);
+      } else if(!element.properties.empty()) {
+        for(std::size_t i = 0; i < element.count; ++i) {
+          m_items.read(element, i);
+        }
+      }
+    }
+    if(!m_model.corner_texture.empty()) {
+      m_model.corner_texture.resize(m_model.number_of_corners(), no_index);
     }
   }
-  return {};
-}
 
-using Ply_names = std::initializer_list<const char*>;
+private:
+  using Columns = std::vector<std::size_t>; // numbers of properties
 
-// Reads all the properties of these names, or none.
-inline std::vector<Ply_getter> ply_getters(ply::PLY_element& element, const Ply_names& names,
-                                           const bool is_color = false)
-{
-  std::vector<Ply_getter> getters;
-  for(const std::string name : names) {
-    for(std::size_t k = 0; k < element.number_of_properties(); ++k) {
-      if(element.property(k)->name() == name) {
-        getters.push_back(ply_getter(element.property(k), is_color));
-        break;
+  static Columns columns(const Ply_element& element, const std::initializer_list<const char*>& names)
+  {
+    Columns result;
+    for(const char* name : names) {
+      const std::size_t k = element.find(name);
+      if(k == element.properties.size() || element.properties[k].is_list) {
+        return {};
+      }
+      result.push_back(k);
+    }
+    return result;
+  }
+
+  static Columns first_columns(const Ply_element& element,
+                               const std::initializer_list<std::initializer_list<const char*>>& all_names)
+  {
+    for(const auto& names : all_names) {
+      const Columns result = columns(element, names);
+      if(!result.empty()) {
+        return result;
+      }
+    }
+    return {};
+  }
+
+  void read_vertices(const Ply_element& element)
+  {
+    const Columns points = columns(element, {"x", "y", "z"}), normals = columns(element, {"nx", "ny", "nz"}),
+                  texture = m_model.texture.empty()
+                                ? first_columns(element, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}})
+                                : Columns(), // of corners
+        colors = first_columns(
+            element, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}, {"r", "g", "b"}});
+    if(points.empty() || !m_model.points.empty()) {
+      refuse_header(points.empty() ? "its vertices have no properties 'x', 'y' and 'z'"
+                                   : "it has vertices twice");
+    }
+    for(std::size_t j = 0; j < element.count; ++j) {
+      m_items.read(element, j);
+      const auto value = [this](const std::size_t column) { return m_items.numbers[column][0]; };
+      m_model.points.emplace_back(value(points[0]), value(points[1]), value(points[2]));
+      if(!m_text.keeps_all()) {
+        check_finite(points);
+      }
+      if(!normals.empty()) {
+        m_model.normals.emplace_back(value(normals[0]), value(normals[1]), value(normals[2]));
+      }
+      if(!texture.empty()) {
+        m_model.texture.emplace_back(value(texture[0]), value(texture[1]));
+      }
+      if(!colors.empty()) {
+        m_model.colors.push_back(color(element, colors));
+      }
+    }
+    m_model.has_point_normals = !m_model.normals.empty();
+    m_model.has_point_texture = !texture.empty();
+  }
+
+  void check_finite(const Columns& points) const
+  {
+    for(const std::size_t k : points) {
+      if(!std::isfinite(m_items.numbers[k][0])) {
+        m_items.refuse(" has a coordinate that is not a finite number; remove it or repair the scan");
       }
     }
   }
-  return getters.size() == names.size() ? getters : std::vector<Ply_getter>();
-}
 
-inline std::vector<Ply_getter> first_ply_getters(ply::PLY_element& element,
-                                                 const std::initializer_list<Ply_names>& all_names,
-                                                 const bool is_color = false)
-{
-  for(const Ply_names& names : all_names) {
-    std::vector<Ply_getter> getters = ply_getters(element, names, is_color);
-    if(!getters.empty()) {
-      return getters;
+  // Whole numbers are scaled to at most 1.
+  Point_color color(const Ply_element& element, const Columns& columns) const
+  {
+    static const std::array<double, 8> largest = {127,        255,        32767,  65535,
+                                                  2147483647, 4294967295, 9.2e18, 1.8e19};
+    Point_color result = {0, 0, 0, 1};
+    for(std::size_t i = 0; i < columns.size(); ++i) {
+      const auto type = static_cast<std::size_t>(element.properties[columns[i]].type);
+      result[i] = m_items.numbers[columns[i]][0] / (type < largest.size() ? largest[type] : 1);
     }
+    return result;
   }
-  return {};
-}
 
-// Reads one item. False at the end of the file.
-inline bool get_ply_item(ply::PLY_element& element, std::istream& file)
-{
-  for(std::size_t k = 0; k < element.number_of_properties(); ++k) {
-    element.property(k)->get(file);
-    if(file.fail()) {
-      return false;
+  // The property with the vertices of faces or strips
+  std::size_t list_of_vertices(const Ply_element& element) const
+  {
+    const std::size_t k = (std::min)(element.find("vertex_indices"), element.find("vertex_index"));
+    if(k == element.properties.size() || !element.properties[k].is_list) {
+      refuse_header("'" + element.name + "' has no list 'vertex_indices'");
     }
+    return k;
   }
-  return true;
-}
 
-inline const Ply_numbers& get_ply_numbers(const std::vector<Ply_getter>& getters, Ply_numbers& numbers)
-{
-  numbers.clear();
-  for(const Ply_getter& getter : getters) {
-    getter(numbers);
+  void read_faces(const Ply_element& element)
+  {
+    const std::size_t vertices = list_of_vertices(element), texture = element.find("texcoord");
+    for(std::size_t j = 0; j < element.count; ++j) {
+      m_items.read(element, j);
+      const std::size_t first = m_model.vertices.size();
+      for(const double index : m_items.numbers[vertices]) {
+        m_model.vertices.push_back(vertex(index));
+      }
+      if(m_model.vertices.size() == first) {
+        m_items.refuse(" has no vertices; remove it");
+      }
+      if(!m_model.has_point_texture && texture < element.properties.size()) {
+        add_texture(m_items.numbers[texture], first);
+      }
+      m_model.end_polygon();
+    }
   }
-  return numbers;
-}
 
-inline bool read_ply_vertices(std::istream& file, ply::PLY_element& element, Model& model)
-{
-  const auto points = ply_getters(element, {"x", "y", "z"}),
-             normals = ply_getters(element, {"nx", "ny", "nz"});
-  const auto texture = first_ply_getters(element, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}});
-  const auto colors = first_ply_getters(
-      element, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}, {"r", "g", "b"}}, true);
-  if(points.empty()) {
-    return false;
-  }
-  Ply_numbers n;
-  for(std::size_t j = 0; j < element.number_of_items(); ++j) {
-    if(!get_ply_item(element, file) || get_ply_numbers(points, n).size() != 3) {
-      return false;
+  // Texture coordinates of the corners of the last polygon, as two numbers each
+  void add_texture(const std::vector<double>& numbers, const std::size_t first)
+  {
+    if(numbers.size() != 2 * (m_model.vertices.size() - first)) {
+      return;
     }
-    model.points.emplace_back(n[0], n[1], n[2]);
-    if(get_ply_numbers(normals, n).size() == 3) {
-      model.normals.emplace_back(n[0], n[1], n[2]);
-    }
-    if(get_ply_numbers(texture, n).size() == 2) {
-      model.texture.emplace_back(n[0], n[1]);
-    }
-    if(get_ply_numbers(colors, n).size() >= 3) {
-      model.colors.push_back({n[0], n[1], n[2], n.size() > 3 ? n[3] : 1});
+    m_model.corner_texture.resize(first, no_index);
+    for(std::size_t i = 0; i < numbers.size(); i += 2) {
+      m_model.corner_texture.push_back(static_cast<Index>(m_model.texture.size()));
+      m_model.texture.emplace_back(numbers[i], numbers[i + 1]);
     }
   }
-  return true;
-}
 
-// Texture coordinates of the corners of the last polygon, as two numbers each
-inline void add_ply_corners(const Ply_numbers& numbers, const std::size_t first, Model& model)
-{
-  if(numbers.empty() || numbers.size() != 2 * (model.vertices.size() - first)) {
-    return;
+  // Every other triangle of a strip is turned. -1 begins a new one; a vertex twice only leads the strip elsewhere.
+  void read_strips(const Ply_element& element)
+  {
+    const std::size_t vertices = list_of_vertices(element);
+    for(std::size_t j = 0; j < element.count; ++j) {
+      m_items.read(element, j);
+      const std::vector<double>& numbers = m_items.numbers[vertices];
+      std::size_t first = 0;
+      for(std::size_t i = 0; i < numbers.size(); ++i) {
+        if(numbers[i] == -1) {
+          first = i + 1;
+        } else if(const Index v = vertex(numbers[i]); i >= first + 2) {
+          const Index before = vertex(numbers[i - 1]), second = vertex(numbers[i - 2]);
+          if(v != before && before != second && second != v) {
+            const bool is_turned = (i - first) % 2 == 1;
+            m_model.vertices.insert(m_model.vertices.end(),
+                                    {is_turned ? before : second, is_turned ? second : before, v});
+            m_model.end_polygon();
+          }
+        }
+      }
+    }
   }
-  model.corner_texture.resize(first, no_index);
-  for(std::size_t i = 0; i < numbers.size(); i += 2) {
-    model.corner_texture.push_back(static_cast<Index>(model.texture.size()));
-    model.texture.emplace_back(numbers[i], numbers[i + 1]);
-  }
-}
 
-inline bool read_ply_faces(std::istream& file, ply::PLY_element& element, Model& model)
-{
-  const auto vertices = first_ply_getters(element, {{"vertex_indices"}, {"vertex_index"}});
-  const auto texture =
-      model.has_point_texture ? std::vector<Ply_getter>() : ply_getters(element, {"texcoord"});
-  if(vertices.empty()) {
-    return false;
-  }
-  Ply_numbers n;
-  for(std::size_t j = 0; j < element.number_of_items(); ++j) {
-    if(!get_ply_item(element, file)) {
-      return false;
+  // Points may also come later.
+  Index vertex(const double index) const
+  {
+    const auto most = static_cast<double>(m_model.points.empty() ? no_index : m_model.points.size());
+    if(!(index >= 0 && index < most && index == std::floor(index))) {
+      m_items.refuse(" names vertex '" + format_number("%.10g", index) +
+                     "' (counted from 0), which does not exist: the file has only " +
+                     std::to_string(m_model.points.size()) + "; export the mesh again");
     }
-    const std::size_t first = model.vertices.size();
-    for(const double index : get_ply_numbers(vertices, n)) {
-      model.vertices.push_back(index >= 0 && index < no_index ? static_cast<Index>(index) : no_index);
-    }
-    add_ply_corners(get_ply_numbers(texture, n), first, model);
-    model.end_polygon();
+    return static_cast<Index>(index);
   }
-  return true;
-}
+
+  [[noreturn]] void refuse_header(const std::string& what) const
+  {
+    throw Input_error("'" + m_model.file + "': the header of the file is wrong: " + what +
+                      "; export the mesh again");
+  }
+
+  Text_reader m_text;
+  Model& m_model;
+  Ply_header m_header;
+  Ply_items m_items;
+};
 
 } // namespace internal
 
-// Reads a PLY file: points, their colours, normals and texture coordinates, polygons, and the texture coordinates of
-// their corners. Returns whether it was understood.
-inline bool read_ply(std::istream& file, Model& model)
+// Reads a PLY file: points, their colours, normals and texture coordinates, polygons or strips of triangles, and the
+// texture coordinates of corners. Throws an `Input_error` that names what is wrong.
+inline void read_ply(const std::string_view content, Model& model, const Degenerate_faces degenerate)
 {
-  internal::ply::PLY_reader reader(false);
-  if(!reader.init(file)) {
-    return false;
-  }
-  for(std::size_t i = 0; i < reader.number_of_elements(); ++i) {
-    internal::ply::PLY_element& element = reader.element(i);
-    bool is_right = true;
-    if(element.name() == "vertex" || element.name() == "vertices") {
-      is_right = model.points.empty() && internal::read_ply_vertices(file, element, model);
-      model.has_point_normals = !model.normals.empty();
-      model.has_point_texture = !model.texture.empty();
-    } else if(element.name() == "face" || element.name() == "faces") {
-      is_right = internal::read_ply_faces(file, element, model);
-    } else {
-      for(std::size_t j = 0; j < element.number_of_items() && is_right; ++j) {
-        is_right = internal::get_ply_item(element, file);
-      }
-    }
-    if(!is_right) {
-      return false;
-    }
-  }
-  if(!model.corner_texture.empty()) {
-    model.corner_texture.resize(model.number_of_corners(), no_index);
-  }
-  return true;
+  internal::Ply_reader(content, model, degenerate).read();
 }
 
 } // namespace flatten_mesh

@@ -76,7 +76,7 @@ struct Surface
 Surface read_surface(const Command_line& command, Notes& notes)
 {
   Surface surface;
-  surface.model = read_model(command.input, Degenerate_faces::REFUSED, notes);
+  surface.model = read_model(command.input, Degenerate_faces::REFUSED, notes, command.format);
   surface.soup = polygon_soup(surface.model);
   try {
     Surface_of_model built = build_mesh(surface.model, surface.soup, command.repair == "on", notes);

@@ -13,7 +13,6 @@
 #include "flatten_mesh/report/page_arrays.h"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/locale/encoding_utf.hpp>
 
 #include <algorithm>
 #include <array>
@@ -129,8 +128,7 @@ inline std::string page_json(const Report_contents& contents, const Page_measure
   json.add("measures", json_array(all.measures, [&](const std::size_t i) {
              return internal::measure_json(all.measures[i], all.summaries[i], contents.faces, shown.origins);
            }));
-  // Names of files may have bytes that are no UTF-8.
-  return boost::replace_all_copy(boost::locale::conv::utf_to_utf<char>(json.text()), "<", "\\u003c");
+  return boost::replace_all_copy(json.text(), "<", "\\u003c");
 }
 
 } // namespace flatten_mesh

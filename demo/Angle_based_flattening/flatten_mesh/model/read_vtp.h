@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_READ_VTP_H
+#define FLATTEN_MESH_READ_VTP_H
+
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/texts.h"
+
+#include <CGAL/IO/VTK.h>
+
+#include <vtkObject.h>
+
+#include <boost/io/ios_state.hpp>
+
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+namespace flatten_mesh {
+
+// Reads a VTP file, by means of VTK. Hides what is printed about errors.
+inline void read_vtp(Model& model)
+{
+  const boost::io::ios_rdbuf_saver no_output(std::cout, nullptr), no_errors(std::cerr, nullptr);
+  vtkObject::GlobalWarningDisplayOff();
+  std::vector<Polygon> polygons;
+  if(!CGAL::IO::read_VTP(model.file, model.points, polygons)) {
+    throw Input_error("cannot read '" + model.file + "': it is damaged or cut short; export the mesh again");
+  }
+  for(const Polygon& polygon : polygons) {
+    for(const std::size_t v : polygon) {
+      model.vertices.push_back(v < no_index ? static_cast<Index>(v) : no_index);
+    }
+    model.end_polygon();
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_READ_VTP_H
