@@ -12,6 +12,7 @@
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/texts.h"
+#include "flatten_mesh/weld_option.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
@@ -216,6 +217,20 @@ inline void check_equal_seams(Command_line& command)
   if(command.options.injective) {
     throw Usage_error("--equal-seams and --injective exclude each other: one of them must give way where the "
                       "map would overlap");
+  }
+}
+
+inline void check_weld(const Values& values, const Command_line& command)
+{
+  if(!is_given(values, "weld")) {
+    return;
+  }
+  if(command.weld != "on" && command.weld != "off" && !weld_tolerance(command.weld)) {
+    throw Usage_error("--weld takes 'on', 'off' or a distance of at least 0 in units of the surface, not '" +
+                      command.weld + "'");
+  }
+  if(command.weld != "off" && command.repair == "off") {
+    throw Usage_error("--weld and --repair off exclude each other: nothing is joined then");
   }
 }
 

@@ -108,11 +108,20 @@ inline po::options_description surface_options(Command_line& command)
       "directly, and --plain where the direct method maps a surface that is cut; a note tells of the map "
       "without if that fails. --plain with on takes the direct method for large surfaces, too");
   add("repair", name_option(command.repair),
-      "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
-      "parts that touch in a "
-      "vertex separated, each with a note; for an atlas, also parts that meet in an edge of more than two "
-      "faces. off: such "
-      "surfaces are refused");
+      "on: vertices at the same place are merged (see --weld), faces that are oriented differently turned, "
+      "and parts that touch in a vertex separated, each with a note; for an atlas, also parts that meet in "
+      "an "
+      "edge of more than two faces. off: such surfaces are refused");
+  add("weld", po::value(&command.weld)->value_name("on|off|DISTANCE"),
+      "on: faces with vertices of their own are joined along edges at exactly the same place, as where a "
+      "file "
+      "was split along the seams of its texture. A distance, in units of the surface: also where vertices "
+      "are "
+      "at most so far apart. Closed parts that touch, and both sides of a sheet, stay separate. off: nothing "
+      "is "
+      "joined. If it is not given, an atlas takes on; so does --plain if no two faces share a vertex, and "
+      "off "
+      "otherwise");
   return options;
 }
 

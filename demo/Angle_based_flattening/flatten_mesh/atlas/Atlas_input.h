@@ -13,9 +13,11 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/duplicate_polygons.h"
 #include "flatten_mesh/model/read_model.h"
-#include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/model/separate_soup.h"
+#include "flatten_mesh/model/weld_soup.h"
+#include "flatten_mesh/weld_option.h"
 #include "flatten_mesh/atlas/set_aside.h"
 
 #include <cstddef>
@@ -49,14 +51,15 @@ inline Mesh build_separated_polygon_mesh(const Model& model, Polygon_soup& soup,
   }
 }
 
-inline void build_atlas_input(const bool repair, Notes& notes, Atlas_input& input)
+inline void build_atlas_input(const bool repair, const Welding& welding, Notes& notes, Atlas_input& input)
 {
   Polygon_soup soup = polygon_soup(input.model);
   check_not_empty(soup);
   valences(soup); // throws if a vertex does not exist
-  input.set_aside = set_aside(soup, repair);
-  if(repair && !soup.polygons.empty()) {
-    weld_soup(soup, notes);
+  set_aside(soup, repair);
+  if(repair) {
+    leave_out_duplicates(soup);
+    weld_soup(welding, soup, notes);
   }
   if(!soup.polygons.empty()) {
     Surface_of_model built =
@@ -64,16 +67,18 @@ inline void build_atlas_input(const bool repair, Notes& notes, Atlas_input& inpu
     input.mesh = std::move(built.mesh);
     input.origins = std::move(built.origins);
   }
+  input.set_aside = std::move(soup.left_out);
 }
 
 } // namespace internal
 
 // Throws an `Input_error` if the model is wrong as a whole.
-inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes)
+inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes,
+                                  const Welding& welding = Welding())
 {
   Atlas_input input;
   input.model = std::move(model);
-  internal::build_atlas_input(repair, notes, input);
+  internal::build_atlas_input(repair, welding, notes, input);
   return input;
 }
 
@@ -82,7 +87,7 @@ inline Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
 {
   Model model = read_model(command.input, Degenerate_faces::KEPT, notes);
   try {
-    return atlas_input_of(std::move(model), command.repair == "on", notes);
+    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command));
   } catch(const Input_error& error) {
     throw Input_error(command.title + ": " + error.what());
   }

@@ -17,6 +17,7 @@
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "flatten_mesh/atlas/report_atlas_text.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/atlas/write_atlas_svg.h"
@@ -125,21 +126,6 @@ void look_at_stretch(const Atlas_record& record, Notes& notes)
   }
 }
 
-void tell_skipped_parts(const Command_line& command, const Atlas_record& record)
-{
-  const std::size_t most = 10;
-  for(std::size_t i = 0; i < (std::min)(most, record.skipped.size()); ++i) {
-    const Skipped_part& part = record.skipped[i];
-    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << count_text(part.faces, "face")
-              << ", the first is " << face_name(part.first_face) << ": " << part.diagnosis << ": "
-              << part.message << std::endl;
-  }
-  if(record.skipped.size() > most) {
-    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << record.skipped.size() - most
-              << " more parts; --json FILE.json names all" << std::endl;
-  }
-}
-
 std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 {
   std::ostringstream text;
@@ -219,13 +205,21 @@ void write_files(const Command_line& command, const Atlas_input& input, const At
   record.written = files.names();
 }
 
+// Of those that faces use
+std::size_t number_of_vertices(const Mesh& mesh)
+{
+  const auto vertices = mesh.vertices();
+  return static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(),
+                                                [&mesh](const Vertex v) { return !mesh.is_isolated(v); }));
+}
+
 Atlas_record record_of(const Command_line& command, const Atlas_input& input)
 {
   Atlas_record record;
   record.input = name_of_input(command);
   record.options = command.atlas;
   record.stretch_bound = command.stretch_bound;
-  record.vertices = input.mesh.number_of_vertices();
+  record.vertices = number_of_vertices(input.mesh);
   record.triangles = input.mesh.number_of_faces();
   return record;
 }
@@ -281,7 +275,7 @@ Exit_status run_atlas(const Command_line& command)
   Output_files files;
   write_files(command, input, atlas, baked, record, files);
   progress.end();
-  tell_skipped_parts(command, record);
+  tell_skipped_parts(command, record.skipped);
   if(record.report.has_atlas()) {
     tell_report(command, report_text(record));
   } else if(record.skipped.empty()) {

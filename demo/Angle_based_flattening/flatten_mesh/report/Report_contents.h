@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_REPORT_CONTENTS_H
 #define FLATTEN_MESH_REPORT_CONTENTS_H
 
-#include "flatten_mesh/atlas/Skipped_part.h"
+#include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/report_rows.h"
 
