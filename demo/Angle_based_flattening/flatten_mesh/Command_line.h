@@ -45,6 +45,7 @@ struct Command_line
   std::string output;
   std::string svg;
   std::string picture;
+  std::string up = "auto"; // the axis that points upwards in it
   std::string report;
   std::string json;
   std::string seams;

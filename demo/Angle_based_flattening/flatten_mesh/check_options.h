@@ -220,6 +220,14 @@ inline void check_equal_seams(Command_line& command)
   }
 }
 
+inline void check_up(const Values& values, const Command_line& command)
+{
+  check_name("up", command.up, {"auto", "x", "y", "z"});
+  if(is_given(values, "up") && command.picture.empty() && command.report.empty()) {
+    throw Usage_error("--up goes with --picture or --report: it says which axis points upwards there");
+  }
+}
+
 inline void check_weld(const Values& values, const Command_line& command)
 {
   if(!is_given(values, "weld")) {

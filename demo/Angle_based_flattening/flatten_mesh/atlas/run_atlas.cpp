@@ -23,6 +23,7 @@
 #include "flatten_mesh/atlas/write_atlas_svg.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/bake/simplify_input.h"
+#include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/model/write_model.h"
 
 #ifdef ABF_WITH_PNG
@@ -164,20 +165,21 @@ void draw(const Command_line& command, const Atlas_input& input, const Atlas& at
   Textured_surface surface = textured_atlas(input.mesh, atlas);
   const CGAL::Bbox_2 box =
       command.atlas.is_in_world_units() ? box_of(input.mesh, atlas) : CGAL::Bbox_2(0, 0, 1, 1);
+  const std::string up = up_axis(command, surface);
   if(!command.svg.empty()) {
     write_atlas_svg(files.open(command.svg), surface, box,
                     "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty()) {
-    files.open(command.picture).write(atlas_picture(surface, box));
+    files.open(command.picture).write(atlas_picture(surface, Upright::of(up), box));
   }
 #endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty()) {
     files.open(command.report)
-        .write(
-            report_page(contents_of_atlas(input, record, std::move(surface), box), command.options.threads));
+        .write(report_page(contents_of_atlas(input, record, std::move(surface), up, box),
+                           command.options.threads));
   }
 #endif
 }

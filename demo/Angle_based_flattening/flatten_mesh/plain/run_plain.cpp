@@ -129,15 +129,16 @@ Output_files write_files(const Command_line& command, Surface& surface, Run_reco
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty() && record.flattening.succeeded()) {
-    open(command.picture).write(checkerboard_picture(surface.mesh(), surface.chart, record.flattening.uv));
+    open(command.picture)
+        .write(checkerboard_picture(command, surface.mesh(), surface.chart, record.flattening.uv));
   }
 #endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty() && record.flattening.succeeded()) {
     open(command.report)
-        .write(report_page(
-            contents_of_chart(surface.input, surface.polygons, surface.mesh(), surface.chart, record),
-            command.options.threads));
+        .write(report_page(contents_of_chart(command, surface.input, surface.polygons, surface.mesh(),
+                                             surface.chart, record),
+                           command.options.threads));
   }
 #endif
   if(!command.seams.empty() && record.flattening.succeeded()) {

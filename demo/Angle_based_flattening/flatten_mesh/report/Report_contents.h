@@ -41,6 +41,7 @@ struct Report_contents
   std::vector<Chart_row> charts;
   std::vector<Skipped_part> skipped;
   Textured_surface surface;
+  std::string up;                             // the axis of it that points upwards
   std::vector<Textured_surface::Index> faces; // of each triangle: its face in the file, from 0
 };
 
