@@ -24,9 +24,9 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, and all that hang together, by
-// edges, with one that has a coordinate which is no number, or, unless that is repaired, with an edge of more than two faces
-// or of faces that are oriented differently.
+// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, and all that hang
+// together, by edges, with one that has a coordinate which is no number, or, unless that is repaired, with an edge of
+// more than two faces or of faces that are oriented differently.
 class Soup_inspector
 {
 public:
@@ -41,8 +41,8 @@ public:
     }
   }
 
-  // The parts to set aside. `part_of` receives the part of each polygon, or `no_index` for those that remain. All degenerate
-  // polygons are one part.
+  // The parts to set aside. `part_of` receives the part of each polygon, or `no_index` for those that remain. All
+  // degenerate polygons are one part.
   std::vector<Skipped_part> parts(std::vector<Index>& part_of)
   {
     part_of.assign(m_soup.polygons.size(), no_index);
@@ -182,8 +182,8 @@ private:
 
 } // namespace internal
 
-// Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says why. Of a
-// soup that is repaired later, what can be repaired remains.
+// Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says
+// why. Of a soup that is repaired later, what can be repaired remains.
 inline void set_aside(Polygon_soup& soup, const bool is_repaired)
 {
   std::vector<Index> part_of;

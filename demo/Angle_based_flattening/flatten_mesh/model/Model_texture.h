@@ -35,7 +35,8 @@ struct Model_texture
 
 namespace internal {
 
-// Adds the triangles of the polygons that no face of the mesh is in. Polygons with a coordinate that is no number have none.
+// Adds the triangles of the polygons that no face of the mesh is in. Polygons with a coordinate that is no number
+// have none.
 inline void add_left_out_triangles(const Model& model, Model_texture& texture)
 {
   std::vector<bool> is_in_mesh(model.number_of_polygons(), false);
@@ -75,9 +76,9 @@ inline Model_texture empty_texture(const Model& model, const Mesh& mesh, const C
   return texture;
 }
 
-// The texture of a model from an atlas of the mesh that was made of it: `uv(h)` is that of the halfedge's target in its
-// face, `chart(f)` the number of the face's chart, and `no_index` for a face without. All triangles of a polygon have to
-// agree at its corners: see `torn_polygons()`.
+// The texture of a model from an atlas of the mesh that was made of it: `uv(h)` is that of the halfedge's target in
+// its face, `chart(f)` the number of the face's chart, and `no_index` for a face without. All triangles of a polygon
+// have to agree at its corners: see `torn_polygons()`.
 template <class Uv, class Chart_number>
 Model_texture model_texture(const Model& model, const Mesh& mesh, const Corner_origins& origins, const Uv& uv,
                             const Chart_number& chart)

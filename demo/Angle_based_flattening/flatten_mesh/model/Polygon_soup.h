@@ -46,8 +46,8 @@ inline Polygon_soup polygon_soup(const Model& model)
   return soup;
 }
 
-// Removes polygons, and remembers how many and why. `part_of` is, for each polygon, the number of its part, or `no_index` for one
-// that stays. Of the parts, only the diagnosis and the message have to be known.
+// Removes polygons, and remembers how many and why. `part_of` is, for each polygon, the number of its part, or
+// `no_index` for one that stays. Of the parts, only the diagnosis and the message have to be known.
 inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std::vector<Skipped_part> parts)
 {
   for(Skipped_part& part : parts) {

@@ -55,8 +55,9 @@ inline void unite_equal_points(const Polygon_soup& soup, std::vector<Index> used
   }
 }
 
-// Unites points that are at most so far apart, and all that hang together through them. What is in one cell of a grid is near
-// enough; the cells around are looked up. Points whose coordinates are too large for the grid are rounded by more.
+// Unites points that are at most so far apart, and all that hang together through them. What is in one cell of a grid
+// is near enough; the cells around are looked up. Points whose coordinates are too large for the grid are rounded by
+// more.
 inline void unite_near_points(const Polygon_soup& soup, const std::vector<Index>& used, const double distance,
                               Point_sets& sets)
 {

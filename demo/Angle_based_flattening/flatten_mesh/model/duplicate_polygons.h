@@ -24,14 +24,13 @@ namespace internal {
 inline Polygon canonical(Polygon polygon)
 {
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
-  if(polygon.back() < polygon[1]) {
+  if(polygon.size() > 2 && polygon.back() < polygon[1]) {
     std::reverse(polygon.begin() + 1, polygon.end());
   }
   return polygon;
 }
 
-// Of each polygon, the first one with the same corners, in either orientation: itself, if there is no other before. Polygons have
-// at least two corners.
+// Of each polygon, the first one with the same corners, in either orientation: itself, if there is no other before.
 inline std::vector<std::size_t> first_equal_polygons(const std::vector<Polygon>& polygons)
 {
   std::vector<std::pair<std::size_t, std::size_t>>
@@ -95,8 +94,8 @@ inline std::vector<bool> have_more_than_two(const std::vector<Polygon>& polygons
 
 } // namespace internal
 
-// Leaves out polygons with the same corners as another one before, in either orientation, where they make edges of more than two
-// polygons. Otherwise the two are the sides of a thin closed surface, and remain.
+// Leaves out polygons with the same corners as another one before, in either orientation, where they make edges of
+// more than two polygons. Otherwise the two are the sides of a thin closed surface, and remain.
 inline void leave_out_duplicates(Polygon_soup& soup)
 {
   const std::vector<std::size_t> first = internal::first_equal_polygons(soup.polygons);
