@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(soup_is_welded)
   const std::string input = write("soup.off", off(3 * static_cast<int>(faces.size()), text, faces));
   flatten(input);
   BOOST_TEST(status == 0);
-  BOOST_TEST((standard_error.find("merged, 35 vertices remain of 144") != std::string::npos), standard_error);
+  BOOST_TEST((standard_error.find("merged: 35 vertices remain of 144") != std::string::npos), standard_error);
   BOOST_TEST(json().get<int>("components") == 1);
   BOOST_TEST(json().get<int>("vertices") == sheet.vertices());
   flatten(input, "--repair off");
@@ -341,9 +341,12 @@ BOOST_AUTO_TEST_CASE(soup_is_welded)
   BOOST_TEST(status == 2);
   check_told("every face has two corners at the same place");
   flatten(write("collapsed.stl", triangles));
-  BOOST_TEST(status == 0);
-  check_told("1 face with two corners at the same place");
+  BOOST_TEST(status == 2);
+  check_told("no chart for 1 face, the first is face 1: DEGENERATE_FACE");
   BOOST_TEST(json().get<int>("triangles") == 48);
+  BOOST_TEST(json().get<std::string>("status") == "SOMETHING_SKIPPED");
+  BOOST_TEST(json().get_child("skipped").size() == 1u);
+  BOOST_TEST(!obj().empty());
 }
 
 BOOST_AUTO_TEST_CASE(orientation_is_repaired)
@@ -413,7 +416,8 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "resolution", "gutter",
                             "rotations",  "threads",
                             "quiet",      "format",
-                            "cones",      "cone-angle-multiple"}) {
+                            "cones",      "cone-angle-multiple",
+                            "weld",       "up"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

@@ -97,7 +97,101 @@ struct Atlas_folder : public Folder
   }
 
   void check_told_nothing() const { BOOST_TEST(standard_error == ""); }
+
+  std::size_t unfinished_files() const
+  {
+    const fs::directory_iterator entries(path);
+    return static_cast<std::size_t>(
+        std::count_if(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+          return entry.path().extension() == ".unfinished";
+        }));
+  }
+
+  // The program waits for a reader of a pipe. Its first file then exists under a temporary name.
+  pid_t waiting_process(const std::string& input) const
+  {
+    BOOST_REQUIRE(::mkfifo(file("pipe").c_str(), 0600) == 0);
+    const std::size_t before = unfinished_files();
+    int steady = 0; // for how long
+    const pid_t process = ::fork();
+    if(process == 0) {
+      ::execl(program().c_str(), "flatten_mesh", input.c_str(), "--output", file("flat.obj").c_str(), "--svg",
+              file("pipe").c_str(), static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    for(int i = 0; i < 3000 && steady < 20; ++i) { // before it reads, it only tries the names
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      steady = unfinished_files() > before ? steady + 1 : 0;
+    }
+    BOOST_TEST(unfinished_files() == before + 1);
+    return process;
+  }
 };
+
+// The six sides of a block with vertices of their own
+struct Split_surface
+{
+  explicit Split_surface(const Block& block)
+  {
+    const Lines lines = lines_of(block.text());
+    std::map<std::array<int, 3>, int> numbers; // of a vertex on a side of an axis
+    for(const std::vector<int>& face : block.faces) {
+      faces.emplace_back();
+      for(const int v : face) {
+        const std::array<int, 3> key = {side_of(block, face)[0], side_of(block, face)[1], v};
+        const auto [place, is_new] = numbers.emplace(key, static_cast<int>(numbers.size()));
+        points += is_new ? lines[2 + static_cast<std::size_t>(v)] + "\n" : "";
+        faces.back().push_back(place->second);
+      }
+    }
+    count = static_cast<int>(numbers.size());
+  }
+
+  // The axis along which all corners are equal, and their coordinate
+  static std::array<int, 2> side_of(const Block& block, const std::vector<int>& face)
+  {
+    for(int axis = 0; axis < 3; ++axis) {
+      const auto coordinate = [&](const int v) {
+        return block.places[static_cast<std::size_t>(v)][static_cast<std::size_t>(axis)];
+      };
+      if(std::all_of(face.begin(), face.end(),
+                     [&](const int v) { return coordinate(v) == coordinate(face[0]); })) {
+        return {axis, coordinate(face[0])};
+      }
+    }
+    return {};
+  }
+
+  int vertices() const { return count; }
+
+  std::string points;
+  std::vector<std::vector<int>> faces;
+  int count = 0;
+};
+
+inline std::vector<float> floats(const int vertices, const std::string& points)
+{
+  std::vector<float> result;
+  for(const double x : numbers(lines_of(points))) {
+    result.push_back(static_cast<float>(x));
+  }
+  BOOST_TEST_REQUIRE(result.size() == 3 * static_cast<std::size_t>(vertices));
+  return result;
+}
+
+// The points of a block, elsewhere
+inline std::string moved(const Block& block, const std::string& shift)
+{
+  const std::vector<double> by = numbers({shift});
+  std::string text;
+  for(std::size_t v = 0; v < block.places.size(); ++v) {
+    const std::vector<double> point = numbers({lines_of(block.text())[2 + v]});
+    for(std::size_t i = 0; i < 3; ++i) {
+      text += std::to_string(point[i] + by[i]) + (i < 2 ? " " : "\n");
+    }
+  }
+  return text;
+}
 
 BOOST_FIXTURE_TEST_SUITE(good_input, Atlas_folder)
 
@@ -287,6 +381,66 @@ BOOST_AUTO_TEST_CASE(overlaps)
   BOOST_TEST(charts() > 1u);
   flatten(input, "--area-weight 1");
   check_atlas(faces);
+  const std::string isometric = obj();
+  flatten(input, "--area-weight 0.02"); // the default, as --help says
+  const std::string usual = obj();
+  BOOST_TEST(usual != isometric);
+  flatten(input);
+  BOOST_TEST(obj() == usual);
+}
+
+// Exporters give each side of a seam vertices of its own. The output has those, too.
+BOOST_AUTO_TEST_CASE(split_models_are_joined)
+{
+  const Split_surface split(sphere());
+  for(const std::string& input :
+      {write("split.off", off(split.vertices(), split.points, split.faces)),
+       write("split.ply", ply(floats(split.vertices(), split.points), split.faces))}) {
+    BOOST_TEST_CONTEXT(input)
+    {
+      flatten(input);
+      BOOST_TEST(status == 0);
+      check_told("were merged: " + std::to_string(sphere().places.size()) + " vertices remain of " +
+                 std::to_string(split.vertices()));
+      BOOST_TEST(charts() == 1u);
+      BOOST_TEST(json().get<std::size_t>("vertices") == sphere().places.size());
+      std::vector<bool> has_texture;
+      BOOST_TEST((obj_faces(obj(), has_texture) == split.faces));
+      BOOST_TEST(lines_with(obj(), "v").size() == static_cast<std::size_t>(split.vertices()));
+      flatten(input, "--weld off");
+      check_success();
+      BOOST_TEST(charts() == 6u);
+      flatten(input, "--repair off");
+      BOOST_TEST(charts() == 6u);
+    }
+  }
+}
+
+// Closed parts that touch stay apart, and the sides of a sheet.
+BOOST_AUTO_TEST_CASE(what_only_touches_is_not_joined)
+{
+  for(const std::string shift : {"1 0 0", "1 1 0", "1 1 1"}) {
+    BOOST_TEST_CONTEXT(shift)
+    {
+      Collection cubes;
+      cubes.add(cube());
+      cubes.add(8, moved(cube(), shift), cube().faces);
+      flatten(write("cubes.off", cubes.text()));
+      check_atlas(cubes.faces);
+      BOOST_TEST(json().get<int>("components") == 2);
+      BOOST_TEST(json().get<int>("vertices") == 16);
+    }
+  }
+  std::vector<std::vector<int>> back = Sheet().faces();
+  for(std::vector<int>& face : back) {
+    std::reverse(face.begin(), face.end());
+  }
+  Collection sides;
+  sides.add(Sheet());
+  sides.add(Sheet().vertices(), Sheet().points(), back);
+  flatten(write("sides.off", sides.text()));
+  check_atlas(sides.faces);
+  BOOST_TEST(charts() == 2u);
 }
 
 // In world units, as large as the surface: a row of charts side by side, or the packed ones.
@@ -436,6 +590,60 @@ BOOST_AUTO_TEST_CASE(picture)
   }
   BOOST_TEST(fill > size * size);
 }
+
+// A board across one axis, of which the views from above and from below show the large sides. The name is in the
+// corner of each view.
+BOOST_AUTO_TEST_CASE(sides_in_the_picture)
+{
+  const std::size_t width = 2100, size = 420;
+  for(const std::string axis : {"x", "y", "z"}) {
+    BOOST_TEST_CONTEXT(axis)
+    {
+      Block board;
+      board.length = axis == "x" ? 1 : 8;
+      board.width = axis == "y" ? 1 : 8;
+      board.height = axis == "z" ? 1 : 8;
+      run(quoted(write("board.off", board.make().text())) + " --picture " + quoted(file("flat.png")) +
+          " --up " + axis);
+      BOOST_TEST(status == 0);
+      const std::vector<Pixel> pixels = pixels_of(file("flat.png"));
+      BOOST_REQUIRE(pixels.size() == width * 2 * size);
+      std::array<std::size_t, 6> covered = {}, ink = {};
+      for(std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t x = i % width, y = i / width % size;
+        if(x < 3 * size && pixels[i][1] < 250) {
+          ++(y < 30 ? ink : covered)[i / width / size * 3 + x / size];
+        }
+      }
+      for(std::size_t i = 0; i < 6; ++i) {
+        BOOST_TEST(ink[i] > 50u);
+        BOOST_TEST((covered[i] > size * size / 2) == (i > 3), "side " << i);
+      }
+    }
+  }
+}
+
+// An upright table along the y axis or along the z axis
+BOOST_AUTO_TEST_CASE(upward_axis_is_told_from_the_shape)
+{
+  const auto picture = [this](const std::string& input, const std::string& options) {
+    run(quoted(input) + " --picture " + quoted(file("flat.png")) + " " + options);
+    BOOST_TEST(status == 0);
+    return content(file("flat.png"));
+  };
+  for(const std::string axis : {"y", "z"}) {
+    std::string text = "OFF\n5 5 0\n";
+    for(const std::string point : {"-1 -1 0", "1 -1 0", "1 1 0", "-1 1 0", "0 0 2"}) {
+      std::istringstream words(point);
+      std::string x, y, z;
+      words >> x >> y >> z;
+      text += axis == "y" ? y + " " + z + " " + x + "\n" : point + "\n";
+    }
+    const std::string input = write("pyramid.off", text + "4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n");
+    BOOST_TEST((picture(input, "") == picture(input, "--up " + axis)), axis);
+    BOOST_TEST((picture(input, "") != picture(input, axis == "y" ? "--up z" : "--up y")), axis);
+  }
+}
 #endif
 
 BOOST_AUTO_TEST_CASE(quiet_and_verbose)
@@ -552,6 +760,34 @@ BOOST_AUTO_TEST_CASE(nothing_but_rubbish)
   BOOST_TEST(!fs::exists(file("flat.obj")));
 }
 
+// Faces that are there twice, turned or not
+BOOST_AUTO_TEST_CASE(duplicate_faces_are_named)
+{
+  std::vector<std::vector<int>> faces = Sheet().faces();
+  const std::size_t half = faces.size();
+  for(std::size_t f = 0; f < half; ++f) {
+    faces.push_back(faces[f]);
+    if(f % 2 == 0) {
+      std::reverse(faces.back().begin(), faces.back().end());
+    }
+  }
+  flatten(write("twice.off", off(Sheet().vertices(), Sheet().points(), faces)));
+  BOOST_TEST(status == 2);
+  check_told(
+      "no chart for 48 faces, the first is face 49: DUPLICATE_FACE: face 49 has the same corners as face 1");
+  const auto tree = json();
+  BOOST_TEST(tree.get<std::string>("status") == "SOMETHING_SKIPPED");
+  BOOST_TEST(tree.get_child("skipped").size() == 1u);
+  BOOST_TEST(tree.get_child("skipped").front().second.get<std::size_t>("first_face") == half + 1);
+  BOOST_TEST(tree.get_child("skipped").front().second.get<std::size_t>("faces") == half);
+  BOOST_TEST(tree.get_child("skipped").front().second.get<std::string>("diagnosis") == "DUPLICATE_FACE");
+  const auto texture = texture_of_faces(obj());
+  BOOST_REQUIRE(texture.size() == faces.size());
+  for(std::size_t f = 0; f < texture.size(); ++f) {
+    BOOST_TEST(texture[f].empty() == (f >= half));
+  }
+}
+
 // Three sheets that share an edge are separated. Without repairs they have no chart, and others have.
 BOOST_AUTO_TEST_CASE(more_than_two_faces_at_an_edge)
 {
@@ -590,7 +826,8 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
   for(const std::string options :
       {"--no-pack --units square", "--no-pack --gutter 3", "--units inches", "--resolution 1", "--gutter=-1",
        "--rotations 0", "--seams-from seams.txt", "--quiet --verbose", "--format off", "--area-weight 2",
-       "--repair maybe", "--stretch-bound 1"}) {
+       "--repair maybe", "--stretch-bound 1", "--weld maybe", "--weld=-1", "--weld nan", "--weld 1mm",
+       "--weld ''", "--weld on --repair off", "--up x"}) {
     check_refused(input, options, {"flatten_mesh: "});
   }
 }
@@ -618,30 +855,32 @@ BOOST_AUTO_TEST_CASE(wrong_inputs_and_outputs)
   refuse(quoted(a) + " --seams-from " + quoted(file("absent.selection.txt")), {"absent.selection.txt"});
 }
 
-// The program waits for a reader of the pipe. Its first file then exists under a temporary name.
 BOOST_AUTO_TEST_CASE(interrupted)
 {
-  const std::string input = write("sheet.off", off(Sheet()));
-  BOOST_REQUIRE(::mkfifo(file("pipe").c_str(), 0600) == 0);
-  const pid_t process = ::fork();
-  if(process == 0) {
-    ::execl(program().c_str(), "flatten_mesh", input.c_str(), "--output", file("flat.obj").c_str(), "--svg",
-            file("pipe").c_str(), static_cast<char*>(nullptr));
-    ::_exit(127);
-  }
-  bool is_unfinished = false;
-  for(int i = 0; i < 3000 && !is_unfinished; ++i) {
-    for(const fs::directory_entry& entry : fs::directory_iterator(path)) {
-      is_unfinished = is_unfinished || entry.path().extension() == ".unfinished";
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  BOOST_TEST(is_unfinished);
+  const pid_t process = waiting_process(write("sheet.off", off(Sheet())));
   ::kill(process, SIGTERM);
   int result = 0;
   ::waitpid(process, &result, 0);
   BOOST_TEST(WIFSIGNALED(result));
   check_nothing_is_left();
+}
+
+// What a run leaves that is killed, the next one removes. It leaves the files of those that still run, and others.
+BOOST_AUTO_TEST_CASE(killed)
+{
+  const std::string input = write("sheet.off", off(Sheet()));
+  write("notes.unfinished", "");
+  write("notes.2.unfinished", "");
+  const pid_t process = waiting_process(input);
+  flatten(input);
+  BOOST_TEST(status == 0);
+  BOOST_TEST(unfinished_files() == 3u);
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  BOOST_TEST(unfinished_files() == 3u);
+  flatten(input);
+  BOOST_TEST(status == 0);
+  BOOST_TEST(unfinished_files() == 2u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -37,6 +37,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -554,13 +555,78 @@ BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
   const Model model =
       read("rubbish.obj", std::string(square) + "f 1 2 3\nf 1 1 2\nf 2 3\nf 1 3 4\nf 3 4 1\nf 4 3 1\n");
   check_origins(model, separated_surface(model, notes), {1, 2, 4, 5});
-  BOOST_TEST(atlas_input_of(model, true, notes).set_aside.size() == 2u);
-  check_told("2 faces with the same corners as another, and left out: the first is face 5");
+  const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
+  BOOST_TEST_REQUIRE(parts.size() == 2u);
+  BOOST_TEST(parts[0].diagnosis == "DEGENERATE_FACE");
+  BOOST_TEST(parts[0].first_face == 1u);
+  BOOST_TEST(parts[0].faces == 2u);
+  BOOST_TEST(parts[1].diagnosis == "DUPLICATE_FACE");
+  BOOST_TEST(parts[1].first_face == 4u);
+  BOOST_TEST(parts[1].faces == 2u);
+  BOOST_TEST((parts[1].message.find("face 5 has the same corners as face 4") != std::string::npos));
 
   const Model lines = read("lines.obj", std::string(square) + "f 1 1 2\nf 2 3\n");
   const Atlas_input nothing = atlas_input_of(lines, true, notes);
   BOOST_TEST(nothing.mesh.is_empty());
-  BOOST_TEST(nothing.set_aside.size() == 2u);
+  BOOST_TEST_REQUIRE(nothing.set_aside.size() == 1u);
+  BOOST_TEST(nothing.set_aside.front().faces == 2u);
+
+  const Model pillow = read("pillow.obj", std::string(square) + "f 1 2 3 4\nf 4 3 2 1\n");
+  check_origins(pillow, separated_surface(pillow, notes));
+}
+
+// Whatever is joined, each corner of the mesh is at its corner in the file.
+BOOST_AUTO_TEST_CASE(split_faces_are_joined)
+{
+  const auto inner_edges = [this](const std::string& text, const Welding& welding) {
+    const Model model = read("split.obj", text);
+    Atlas_input input = atlas_input_of(model, true, notes, welding);
+    const Mesh& mesh = input.mesh;
+    BOOST_TEST(mesh.is_valid()); // some vertices have no faces
+    const auto inner = std::count_if(mesh.edges().begin(), mesh.edges().end(),
+                                     [&mesh](const Edge e) { return !mesh.is_border(e); });
+    if(welding.tolerance == 0) {
+      check_origins(model, {std::move(input.mesh), std::move(input.origins)});
+    }
+    return inner;
+  };
+  const std::string points = std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nv 2 1 0\n";
+  const std::string sheet = points + "f 1 2 3\nf 1 3 4\nf 5 7 8\nf 5 8 6\n";
+  const Welding all, none = {Welding::NONE, 0}, separate = {Welding::SEPARATE_FACES, 0};
+  BOOST_TEST(inner_edges(sheet, all) == 3);
+  BOOST_TEST(inner_edges(sheet, none) == 2);
+  BOOST_TEST(inner_edges(sheet, separate) == 2); // because some share vertices
+  BOOST_TEST(inner_edges(points + "f 1 2 3\nf 5 7 6\n", separate) == 1);
+  // a sheet with two sides, and one in which a face is turned
+  BOOST_TEST(inner_edges(std::string(square) + square + "f 1 2 3\nf 1 3 4\nf 7 6 5\nf 8 7 5\n", all) == 2);
+  BOOST_TEST(inner_edges(points + "f 1 2 3\nf 1 3 4\nf 8 7 5\nf 6 8 5\n", all) == 3);
+  // three faces with vertices of their own at an edge
+  BOOST_TEST(inner_edges(points + "v 1 0 0\nv 1 1 0\nv 1 0 1\nf 1 2 3\nf 5 7 6\nf 9 10 11\n", all) == 0);
+  check_told("at 1 edge, more than two faces with vertices of their own meet");
+  const std::string apart = std::string(square) + "v 1.01 0 0\nv 1 1.01 0\nv 2 0 0\nf 1 2 3 4\nf 5 7 6\n";
+  BOOST_TEST(inner_edges(apart, all) == 1);
+  BOOST_TEST(inner_edges(apart, {Welding::ALL, 0.02}) == 2);
+  BOOST_TEST(inner_edges(apart, {Welding::ALL, 0.005}) == 1);
+  BOOST_TEST(inner_edges(apart, {Welding::ALL, 100}) == 1); // all faces would be points
+  // near only by way of a third point
+  const std::string chain =
+      "v 0 0 0\nv 0 5 0\nv -5 0 0\nv 1.8 0 0\nv 0 5 0\nv 7 0 0\nv 0.9 0 0\nv 0.9 -5 0\nv 3 -5 0\n"
+      "f 1 2 3\nf 4 6 5\nf 7 8 9\n";
+  BOOST_TEST(inner_edges(chain, {Welding::ALL, 1}) == 0);
+  BOOST_TEST(inner_edges(chain, {Welding::ALL, 1.9}) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(faces_without_extent_are_named)
+{
+  const Model model =
+      read("soup.obj", std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nv 5 5 5\nv 5 5 5\nv 5 6 5\n"
+                                             "f 1 2 3 4\nf 8 9 10\nf 5 7 6\n");
+  check_origins(model, separated_surface(model, notes), {1});
+  const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
+  BOOST_TEST_REQUIRE(parts.size() == 1u);
+  BOOST_TEST(parts[0].diagnosis == "DEGENERATE_FACE");
+  BOOST_TEST(parts[0].first_face == 1u);
+  BOOST_TEST(parts[0].faces == 1u);
 }
 
 // Three sheets at an edge, a one-sided strip, and a polygon without area
@@ -1008,6 +1074,18 @@ BOOST_AUTO_TEST_CASE(glb_is_read_back_by_assimp)
       BOOST_TEST(missing_faces(expected_triangles(model, texture), found, 1e-6) == 0u);
     }
   }
+}
+
+// Those with a coordinate that is no number cannot be there.
+BOOST_AUTO_TEST_CASE(glb_has_faces_that_are_left_out)
+{
+  Model model = read("model.obj", std::string(square) + "v 0 0 1\nv 0 1 1\nf 1 2 3\nf 1 3 4\nf 3 4 1\n"
+                                                        "f 1 2 2\nf 1 5 6\n");
+  model.points[5] = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 1);
+  const Model_texture texture = own_texture(model, separated_surface(model, notes));
+  const auto found = faces_by_assimp(write_model("flat.glb", model, texture));
+  BOOST_TEST(found.size() == 4u);
+  BOOST_TEST(missing_faces(expected_triangles(model, texture), found, 1e-6) == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(glb_has_colors_of_materials)

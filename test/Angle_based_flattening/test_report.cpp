@@ -291,6 +291,7 @@ BOOST_AUTO_TEST_CASE(atlas_of_quadrangles)
   BOOST_TEST(page.json.get<std::string>("kind") == "atlas");
   BOOST_TEST(page.json.get<bool>("is_packed"));
   BOOST_TEST(page.json.get<int>("resolution") == 1024);
+  BOOST_TEST(page.json.get<std::string>("up") == "y");
   BOOST_TEST(std::abs(mean_by_area(page, 0) - json().get<double>("atlas.mean_angle_change") * 180 / CGAL_PI) <
              1e-3);
   BOOST_TEST(std::abs(mean_by_area(page, 2) - json().get<double>("atlas.mean_quasi_conformal_ratio")) < 1e-4);
@@ -344,10 +345,11 @@ BOOST_AUTO_TEST_CASE(plain_charts)
   sheet.columns = 20;
   sheet.rows = 12;
   sheet.holes = {50, 51};
-  const Report_page open = report(write("sheet.off", off(sheet)), "--plain");
+  const Report_page open = report(write("sheet.off", off(sheet)), "--plain --up x");
   check_triangles(open);
   check_page(open);
   check_rows(open, standard_output);
+  BOOST_TEST(open.json.get<std::string>("up") == "x");
   BOOST_TEST(open.json.get<std::string>("kind") == "chart");
   BOOST_TEST(!open.json.get<bool>("is_packed"));
   BOOST_TEST(std::abs(mean_by_area(open, 0) - json().get<double>("mean_angle_change") * 180 / CGAL_PI) <

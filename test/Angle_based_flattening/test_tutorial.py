@@ -215,6 +215,25 @@ class Commands(unittest.TestCase):
         for name in re.findall(r"`([\w.]+\.(?:obj|glb|ply|png|html|svg|json|txt|off|mtl))`", page):
             self.assertTrue(list(self.clone.folder.rglob(name)), f"{name} is nowhere")
 
+    def test_defaults(self):
+        """The defaults in the tables of README.md are those of --help."""
+        text = subprocess.run([FLATTEN_MESH, "--help"], check=True, capture_output=True, text=True).stdout
+        options = re.split(r"\n  (?:-\w \[ )?--", text)[1:]
+        defaults = {re.match(r"[\w-]+", option)[0]: re.search(r"\(=([^)]+)\)", option) for option in options}
+        rows = re.findall(r"^\| (`--.*?) \| (.*) \|$", (ROOT / "README.md").read_text(), re.M)
+        checked = set()
+        for names, effect in rows:
+            found = re.findall(r"\(([\d.]+)\)", effect)
+            for name, value in zip(re.findall(r"`--([\w-]+)", names), found):
+                self.assertTrue(defaults[name], name)
+                self.assertEqual(float(value), float(defaults[name][1]), name)
+                checked.add(name)
+        self.assertGreaterEqual(checked, {"stretch-bound", "resolution", "gutter", "rotations"})
+        weight = " ".join(next(option for option in options if option.startswith("area-weight")).split())
+        told = r"given, ([\d.]+) for an atlas; --plain: with --injective only, ([\d.]+)"
+        atlas, chart = re.search(told, weight).groups()
+        self.assertTrue([row for row in rows if f"({atlas}; with `--plain --injective`, {chart})" in row[1]])
+
     def test_readme(self):
         """The commands of README.md, with meshes of the package in place of the reader's."""
         blocks = re.findall(r"(?:^    .*\n)+", (ROOT / "README.md").read_text(), re.M)

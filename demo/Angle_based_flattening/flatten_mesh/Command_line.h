@@ -45,6 +45,7 @@ struct Command_line
   std::string output;
   std::string svg;
   std::string picture;
+  std::string up = "auto"; // the axis that points upwards in it
   std::string report;
   std::string json;
   std::string seams;
@@ -56,6 +57,7 @@ struct Command_line
   bool asks_for_stretch = false; // whether the bound is given
   std::string equal_seams;       // "on", "off", or empty: where ABF++ maps a surface that is cut directly
   std::string repair = "on";
+  std::string weld; // "on", "off", a distance, or empty: see `welding_of()`
 
   // With --plain
   int border = 0;

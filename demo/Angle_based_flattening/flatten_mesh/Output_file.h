@@ -6,14 +6,13 @@
 #ifndef FLATTEN_MESH_OUTPUT_FILE_H
 #define FLATTEN_MESH_OUTPUT_FILE_H
 
-#include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/Unfinished_file.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/texts.h"
 
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <random>
 #include <string>
 #include <system_error>
 
@@ -33,26 +32,19 @@ public:
       return;
     }
     check_target();
-    if(is_replaced()) {
-      m_temporary = m_target.string() + "." + std::to_string(::getpid()) + "." +
-                    std::to_string(std::random_device()()) + ".unfinished";
-      Unfinished_files::add(m_temporary.c_str());
+    if(is_replaced() && !m_unfinished.create(m_target)) {
+      fail();
     }
-    m_stream.open(m_temporary.empty() ? m_target : std::filesystem::path(m_temporary), std::ios::binary);
+    m_stream.open(m_unfinished.exists() ? std::filesystem::path(m_unfinished.name()) : m_target,
+                  std::ios::binary);
     if(!m_stream) {
-      remove();
+      m_unfinished.remove();
       fail();
     }
   }
 
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
-
-  ~Output_file()
-  {
-    m_stream.close();
-    remove();
-  }
 
   // Throws unless `name` can be written now. Leaves nothing behind. Does not open pipes and devices: closing them
   // would signal the end to their reader.
@@ -83,16 +75,13 @@ public:
     if(!m_stream) {
       fail();
     }
-    if(!m_temporary.empty()) {
-      std::error_code error;
-      std::filesystem::rename(m_temporary, m_target, error);
-      if(error) {
-        fail();
-      }
-      Unfinished_files::remove(m_temporary.c_str());
-      m_temporary.clear();
+    if(m_unfinished.exists() && !m_unfinished.rename(m_target)) {
+      fail();
     }
   }
+
+  // Empty for standard output
+  const std::filesystem::path& target() const { return m_target; }
 
 private:
   void check_target()
@@ -119,16 +108,6 @@ private:
     return !std::filesystem::exists(m_target, ignored) || !is_other_file(m_target);
   }
 
-  void remove()
-  {
-    if(!m_temporary.empty()) {
-      std::error_code ignored;
-      std::filesystem::remove(m_temporary, ignored);
-      Unfinished_files::remove(m_temporary.c_str());
-      m_temporary.clear();
-    }
-  }
-
   [[noreturn]] void fail() const
   {
     if(m_name == standard_output) {
@@ -141,7 +120,7 @@ private:
 
   std::string m_name;
   std::filesystem::path m_target;
-  std::string m_temporary; // empty if there is none
+  Unfinished_file m_unfinished; // does not exist where the target is written directly
   std::ofstream m_stream;
 };
 

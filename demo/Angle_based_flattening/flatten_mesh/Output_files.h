@@ -13,8 +13,10 @@
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/file_names.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,9 +44,24 @@ public:
       file->publish();
     }
     Unfinished_files::heed_interruptions();
+    remove_abandoned_files();
   }
 
 private:
+  // What runs left that were killed, in the folders of these files
+  void remove_abandoned_files() const
+  {
+    std::set<std::filesystem::path> folders;
+    for(const std::unique_ptr<Output_file>& file : m_files) {
+      if(!file->target().empty() && !is_other_file(file->target())) {
+        folders.insert(file->target().parent_path());
+      }
+    }
+    for(const std::filesystem::path& folder : folders) {
+      Unfinished_file::remove_abandoned(folder);
+    }
+  }
+
   std::vector<std::unique_ptr<Output_file>> m_files;
   std::vector<std::string> m_names;
 };

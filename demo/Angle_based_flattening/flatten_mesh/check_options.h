@@ -13,6 +13,7 @@
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/formats.h"
 #include "flatten_mesh/texts.h"
+#include "flatten_mesh/weld_option.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
@@ -219,6 +220,28 @@ inline void check_equal_seams(Command_line& command)
   if(command.options.injective) {
     throw Usage_error("--equal-seams and --injective exclude each other: one of them must give way where the "
                       "map would overlap");
+  }
+}
+
+inline void check_up(const Values& values, const Command_line& command)
+{
+  check_name("up", command.up, {"auto", "x", "y", "z"});
+  if(is_given(values, "up") && command.picture.empty() && command.report.empty()) {
+    throw Usage_error("--up goes with --picture or --report: it says which axis points upwards there");
+  }
+}
+
+inline void check_weld(const Values& values, const Command_line& command)
+{
+  if(!is_given(values, "weld")) {
+    return;
+  }
+  if(command.weld != "on" && command.weld != "off" && !weld_tolerance(command.weld)) {
+    throw Usage_error("--weld takes 'on', 'off' or a distance of at least 0 in units of the surface, not '" +
+                      command.weld + "'");
+  }
+  if(command.weld != "off" && command.repair == "off") {
+    throw Usage_error("--weld and --repair off exclude each other: nothing is joined then");
   }
 }
 

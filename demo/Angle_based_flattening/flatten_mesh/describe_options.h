@@ -21,6 +21,22 @@ namespace internal {
 
 namespace po = boost::program_options;
 
+// A number with its default, shown as it is meant and not with all the digits of a double.
+inline po::typed_value<double>* number_option(double& number, const std::string& unit)
+{
+  return po::value(&number)->value_name(unit)->default_value(number, format_number("%g", number));
+}
+
+inline po::typed_value<int>* count_option(int& number)
+{
+  return po::value(&number)->value_name("N")->default_value(number);
+}
+
+inline po::typed_value<std::string>* name_option(std::string& name)
+{
+  return po::value(&name)->value_name("NAME")->default_value(name);
+}
+
 inline po::options_description file_options(Command_line& command)
 {
   po::options_description options("Files", 100, 60);
@@ -49,10 +65,12 @@ inline po::options_description file_options(Command_line& command)
       "triangle coloured by how much its angles change");
   add("picture", po::value(&command.picture)->value_name("FILE.png"),
       "draw the surface from six sides, with a checkerboard in the colour of each chart, and the plane "
-      "beside it: squares "
-      "remain squares where shapes are preserved, and are equally large where sizes are. --plain: from one "
-      "side (where built "
-      "with libpng)");
+      "beside it: squares remain squares where shapes are preserved, and are equally large where sizes are. "
+      "--plain: from one side (where built with libpng)");
+  add("up", name_option(command.up),
+      "x, y or z: the axis that points upwards in the picture and the report. auto: y or z, as the shape of "
+      "the surface "
+      "tells, or else the format of the file");
   add("report", po::value(&command.report)->value_name("FILE.html"),
       "write a page for browsers, which needs no network: the surface, to be turned, beside the plane; both "
       "with a "
@@ -72,22 +90,6 @@ inline po::options_description file_options(Command_line& command)
   return options;
 }
 
-// A number with its default, shown as it is meant and not with all the digits of a double.
-inline po::typed_value<double>* number_option(double& number, const std::string& unit)
-{
-  return po::value(&number)->value_name(unit)->default_value(number, format_number("%g", number));
-}
-
-inline po::typed_value<int>* count_option(int& number)
-{
-  return po::value(&number)->value_name("N")->default_value(number);
-}
-
-inline po::typed_value<std::string>* name_option(std::string& name)
-{
-  return po::value(&name)->value_name("NAME")->default_value(name);
-}
-
 inline po::options_description surface_options(Command_line& command)
 {
   po::options_description options("What is flattened", 100, 60);
@@ -100,10 +102,12 @@ inline po::options_description surface_options(Command_line& command)
       "bound is let "
       "pass; if it is missed all the same, a note says so. --plain: for --cut auto; if given, "
       "surfaces with borders and without handles get such seams, too, which join all their borders");
-  add("area-weight", number_option(command.options.area_weight, "THETA"),
-      "how much a map that was made injective keeps areas: 0 not at all, 1 as isometric as possible. An "
-      "atlas takes 0.02 if it "
-      "is not given. --plain: with --injective only");
+  add("area-weight", po::value(&command.options.area_weight)->value_name("THETA"),
+      ("how much a map that was made injective keeps areas: 0 not at all, 1 as isometric as possible. If it "
+       "is "
+       "not given, 0.02 for an atlas; --plain: with --injective only, " +
+       format_number("%g", command.options.area_weight) + " if it is not given")
+          .c_str());
   add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
       "on: both sides of each edge along a seam get the same length, so that the scale does not jump there. "
       "off: their lengths are free. If it is not given, an atlas has equal ones in the charts that ABF++ "
@@ -111,11 +115,20 @@ inline po::options_description surface_options(Command_line& command)
       "directly, and --plain where the direct method maps a surface that is cut; a note tells of the map "
       "without if that fails. --plain with on takes the direct method for large surfaces, too");
   add("repair", name_option(command.repair),
-      "on: faces with vertices of their own are welded, faces that are oriented differently turned, and "
-      "parts that touch in a "
-      "vertex separated, each with a note; for an atlas, also parts that meet in an edge of more than two "
-      "faces. off: such "
-      "surfaces are refused");
+      "on: vertices at the same place are merged (see --weld), faces that are oriented differently turned, "
+      "and parts that touch in a vertex separated, each with a note; for an atlas, also parts that meet in "
+      "an "
+      "edge of more than two faces. off: such surfaces are refused");
+  add("weld", po::value(&command.weld)->value_name("on|off|DISTANCE"),
+      "on: faces with vertices of their own are joined along edges at exactly the same place, as where a "
+      "file "
+      "was split along the seams of its texture. A distance, in units of the surface: also where vertices "
+      "are "
+      "at most so far apart. Closed parts that touch, and both sides of a sheet, stay separate. off: nothing "
+      "is "
+      "joined. If it is not given, an atlas takes on; so does --plain if no two faces share a vertex, and "
+      "off "
+      "otherwise");
   return options;
 }
 

@@ -72,6 +72,8 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   internal::check_numbers(command);
   internal::check_kind(values, command);
   internal::check_name("repair", command.repair, {"on", "off"});
+  internal::check_up(values, command);
+  internal::check_weld(values, command);
   if(command.verbose && command.quiet) {
     throw Usage_error("--verbose and --quiet exclude each other");
   }

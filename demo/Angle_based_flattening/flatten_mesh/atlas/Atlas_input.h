@@ -13,9 +13,11 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/duplicate_polygons.h"
 #include "flatten_mesh/model/read_model.h"
-#include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/model/separate_soup.h"
+#include "flatten_mesh/model/weld_soup.h"
+#include "flatten_mesh/weld_option.h"
 #include "flatten_mesh/atlas/set_aside.h"
 
 #include <cstddef>
@@ -49,36 +51,39 @@ inline Mesh build_separated_polygon_mesh(const Model& model, Polygon_soup& soup,
   }
 }
 
-inline void build_atlas_input(const bool repair, Notes& notes, Atlas_input& input)
+inline void build_atlas_input(const bool repair, const Welding& welding, Notes& notes, Atlas_input& input)
 {
   Polygon_soup soup = polygon_soup(input.model);
   check_not_empty(soup);
   valences(soup); // throws if a vertex does not exist
-  input.set_aside = set_aside(soup, repair);
-  if(repair && !soup.polygons.empty()) {
-    weld_soup(soup, notes);
+  set_aside(soup, repair);
+  if(repair) {
+    leave_out_duplicates(soup);
+    weld_soup(welding, soup, notes);
   }
-  while(!soup.polygons.empty()) {
+  while(!soup.polygons.empty() && input.mesh.is_empty()) {
     std::vector<std::size_t> undivided;
     Surface_of_model built = end_surface(
         input.model, soup, build_separated_polygon_mesh(input.model, soup, repair, notes), undivided);
     if(undivided.empty()) {
       input.mesh = std::move(built.mesh);
       input.origins = std::move(built.origins);
-      return;
+    } else {
+      set_undivided_aside(undivided, soup);
     }
-    set_undivided_aside(undivided, soup, input.set_aside);
   }
+  input.set_aside = std::move(soup.left_out);
 }
 
 } // namespace internal
 
 // Throws an `Input_error` if the model is wrong as a whole.
-inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes)
+inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes,
+                                  const Welding& welding = Welding())
 {
   Atlas_input input;
   input.model = std::move(model);
-  internal::build_atlas_input(repair, notes, input);
+  internal::build_atlas_input(repair, welding, notes, input);
   return input;
 }
 
@@ -87,7 +92,7 @@ inline Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
 {
   Model model = read_model(command.input, Degenerate_faces::KEPT, notes, command.format);
   try {
-    return atlas_input_of(std::move(model), command.repair == "on", notes);
+    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command));
   } catch(const Input_error& error) {
     throw Input_error(command.title + ": " + error.what());
   }

@@ -9,7 +9,7 @@
 #include "flatten_mesh/bake/Baking_record.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
-#include "flatten_mesh/atlas/Skipped_part.h"
+#include "flatten_mesh/model/Skipped_part.h"
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 

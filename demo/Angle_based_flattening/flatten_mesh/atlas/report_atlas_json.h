@@ -9,6 +9,7 @@
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/json.h"
 #include "flatten_mesh/report_measures.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 
 #include <cstddef>
@@ -37,16 +38,6 @@ inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const doubl
   json.add("seam_lengths", json_text(to_string(chart.seam_lengths)));
   json.add("has_equal_seams", json_bool(chart.has_equal_seams));
   json.add("largest_seam_jump", json_number(chart.largest_seam_jump));
-  return json.text();
-}
-
-inline std::string skipped_json(const Skipped_part& part)
-{
-  Json_object json;
-  json.add("first_face", json_number(part.first_face + 1));
-  json.add("faces", json_number(part.faces));
-  json.add("diagnosis", json_text(part.diagnosis));
-  json.add("message", json_text(part.message));
   return json.text();
 }
 
@@ -98,9 +89,7 @@ inline std::string report_json(const Atlas_record& record)
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));
   json.add("components", json_number(record.components));
-  json.add("skipped", internal::json_array(record.skipped, [&record](const std::size_t i) {
-             return internal::skipped_json(record.skipped[i]);
-           }));
+  json.add("skipped", internal::skipped_json(record.skipped));
   json.add("atlas", record.report.has_atlas() ? internal::atlas_json(record) : "null");
   json.add("baking", record.baking.from.empty() ? "null" : baking_json(record.baking));
   for(const auto& [stage, time] : seconds_of_stages(record)) {

@@ -9,6 +9,7 @@
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_rows.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
@@ -93,16 +94,9 @@ inline Report_rows chart_rows(const Atlas_record& record)
   for(const SMP::Atlas_report::Chart& chart : report.charts) {
     worst = (std::max)(worst, chart.scale_stretch);
   }
-  std::size_t skipped = 0;
-  for(const Skipped_part& part : record.skipped) {
-    skipped += part.faces;
-  }
   Report_rows rows = {
       {"charts", std::to_string(report.charts.size()), methods_text(report) + strategies_text(report)}};
-  if(skipped > 0) {
-    rows.push_back({"skipped", count_text(skipped, "face"),
-                    "without chart, in " + count_text(record.skipped.size(), "part")});
-  }
+  append(rows, skipped_rows(record.skipped));
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +
                       count_text(report.number_of_terminals, "terminal")});

@@ -19,11 +19,13 @@
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "flatten_mesh/atlas/report_atlas_text.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/atlas/write_atlas_svg.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/bake/simplify_input.h"
+#include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/model/write_model.h"
 
 #ifdef ABF_WITH_PNG
@@ -128,21 +130,6 @@ void look_at_stretch(const Atlas_record& record, Notes& notes)
   }
 }
 
-void tell_skipped_parts(const Command_line& command, const Atlas_record& record)
-{
-  const std::size_t most = 10;
-  for(std::size_t i = 0; i < (std::min)(most, record.skipped.size()); ++i) {
-    const Skipped_part& part = record.skipped[i];
-    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << count_text(part.faces, "face")
-              << ", the first is " << face_name(part.first_face) << ": " << part.diagnosis << ": "
-              << part.message << std::endl;
-  }
-  if(record.skipped.size() > most) {
-    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << record.skipped.size() - most
-              << " more parts; --json FILE.json names all" << std::endl;
-  }
-}
-
 // What is wrong with the atlas as a whole, if anything
 void tell_message(const Command_line& command, const Atlas_record& record)
 {
@@ -226,20 +213,21 @@ void draw(const Command_line& command, const Atlas_input& input, const Atlas& at
   Textured_surface surface = textured_atlas(input.mesh, atlas);
   const CGAL::Bbox_2 box =
       command.atlas.is_in_world_units() ? box_of(input.mesh, atlas) : CGAL::Bbox_2(0, 0, 1, 1);
+  const std::string up = up_axis(command, surface);
   if(!command.svg.empty()) {
     write_atlas_svg(files.open(command.svg), surface, box,
                     "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty()) {
-    files.open(command.picture).write(atlas_picture(surface, box));
+    files.open(command.picture).write(atlas_picture(surface, Upright::of(up), box));
   }
 #endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty()) {
     files.open(command.report)
-        .write(
-            report_page(contents_of_atlas(input, record, std::move(surface), box), command.options.threads));
+        .write(report_page(contents_of_atlas(input, record, std::move(surface), up, box),
+                           command.options.threads));
   }
 #endif
 }
@@ -268,13 +256,21 @@ void write_files(const Command_line& command, const Atlas_input& input, const At
   record.written = files.names();
 }
 
+// Of those that faces use
+std::size_t number_of_vertices(const Mesh& mesh)
+{
+  const auto vertices = mesh.vertices();
+  return static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(),
+                                                [&mesh](const Vertex v) { return !mesh.is_isolated(v); }));
+}
+
 Atlas_record record_of(const Command_line& command, const Atlas_input& input)
 {
   Atlas_record record;
   record.input = name_of_input(command);
   record.options = command.atlas;
   record.stretch_bound = command.stretch_bound;
-  record.vertices = input.mesh.number_of_vertices();
+  record.vertices = number_of_vertices(input.mesh);
   record.triangles = input.mesh.number_of_faces();
   return record;
 }
@@ -335,7 +331,7 @@ Exit_status run_atlas(const Command_line& command)
   Output_files files;
   write_files(command, input, atlas, baked, is_divided, record, files);
   progress.end();
-  tell_skipped_parts(command, record);
+  tell_skipped_parts(command, record.skipped);
   tell_message(command, record);
   if(record.report.has_atlas()) {
     tell_report(command, report_text(record));

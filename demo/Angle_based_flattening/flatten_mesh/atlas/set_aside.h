@@ -6,11 +6,10 @@
 #ifndef FLATTEN_MESH_SET_ASIDE_H
 #define FLATTEN_MESH_SET_ASIDE_H
 
-#include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/check_polygons.h"
-#include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
@@ -26,9 +25,9 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, and all that hang together, by
-// edges, with one that has a coordinate which is no number, or, unless that is repaired, with an edge of more than two faces
-// or of faces that are oriented differently.
+// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, and all that hang
+// together, by edges, with one that has a coordinate which is no number, or, unless that is repaired, with an edge of
+// more than two faces or of faces that are oriented differently.
 class Soup_inspector
 {
 public:
@@ -43,37 +42,30 @@ public:
     }
   }
 
-  // The parts to set aside, in the order of the file. `is_kept` receives which polygons remain.
-  std::vector<Skipped_part> parts(std::vector<bool>& is_kept)
+  // The parts to set aside. `part_of` receives the part of each polygon, or `no_index` for those that remain. All
+  // degenerate polygons are one part.
+  std::vector<Skipped_part> parts(std::vector<Index>& part_of)
   {
-    is_kept.assign(m_soup.polygons.size(), true);
+    part_of.assign(m_soup.polygons.size(), no_index);
     std::vector<Skipped_part> result;
-    if(m_defects.empty()) {
-      return result;
-    }
-    std::map<std::size_t, Skipped_part> part_of; // by the representative of its polygons
+    std::map<std::size_t, Index> part_of_set; // by the representative of its polygons
+    Index degenerate = no_index;
     for(const auto& [p, defect] : m_defects) {
-      part_of.try_emplace(m_sets.find_set(p), Skipped_part{no_face, 0, defect.first, defect.second});
-    }
-    for(std::size_t p = 0; p < m_soup.polygons.size(); ++p) {
-      const auto part = part_of.find(m_sets.find_set(p));
-      if(part != part_of.end()) {
-        is_kept[p] = false;
-        part->second.first_face = (std::min)(part->second.first_face, std::size_t(m_soup.origins[p]));
-        ++part->second.faces;
+      Index& part =
+          is_degenerate(p) ? degenerate : part_of_set.try_emplace(m_sets.find_set(p), no_index).first->second;
+      if(part == no_index) {
+        part = static_cast<Index>(result.size());
+        result.push_back({0, 0, defect.first, defect.second});
       }
     }
-    for(const auto& part : part_of) {
-      result.push_back(part.second);
+    for(std::size_t p = 0; p < m_soup.polygons.size() && !result.empty(); ++p) {
+      const auto part = part_of_set.find(m_sets.find_set(p));
+      part_of[p] = is_degenerate(p) ? degenerate : part == part_of_set.end() ? no_index : part->second;
     }
-    std::sort(result.begin(), result.end(),
-              [](const Skipped_part& a, const Skipped_part& b) { return a.first_face < b.first_face; });
     return result;
   }
 
 private:
-  static constexpr std::size_t no_face = static_cast<std::size_t>(-1);
-
   struct Side
   {
     std::size_t from, to, polygon;
@@ -82,6 +74,12 @@ private:
   void add_defect(const std::size_t p, const std::string& diagnosis, const std::string& message)
   {
     m_defects.try_emplace(p, diagnosis, message);
+  }
+
+  bool is_degenerate(const std::size_t p) const
+  {
+    const auto defect = m_defects.find(p);
+    return defect != m_defects.end() && defect->second.first == "DEGENERATE_FACE";
   }
 
   void inspect_polygon(const std::size_t p)
@@ -134,9 +132,8 @@ private:
   void for_each_side(const Function& f) const
   {
     for(std::size_t p = 0; p < m_soup.polygons.size(); ++p) {
-      const auto defect = m_defects.find(p);
-      const bool is_degenerate = defect != m_defects.end() && defect->second.first == "DEGENERATE_FACE";
-      for(std::size_t i = 0; i < m_soup.polygons[p].size() && !is_degenerate; ++i) {
+      const std::size_t sides = is_degenerate(p) ? 0 : m_soup.polygons[p].size();
+      for(std::size_t i = 0; i < sides; ++i) {
         f(side(p, i), i);
       }
     }
@@ -186,33 +183,32 @@ private:
 
 } // namespace internal
 
-// Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says why. Of a
-// soup that is repaired later, what can be repaired remains.
-inline std::vector<Skipped_part> set_aside(Polygon_soup& soup, const bool is_repaired)
+// Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says
+// why. Of a soup that is repaired later, what can be repaired remains.
+inline void set_aside(Polygon_soup& soup, const bool is_repaired)
 {
-  std::vector<bool> is_kept;
-  const std::vector<Skipped_part> parts = internal::Soup_inspector(soup, is_repaired).parts(is_kept);
+  std::vector<Index> part_of;
+  const std::vector<Skipped_part> parts = internal::Soup_inspector(soup, is_repaired).parts(part_of);
   if(!parts.empty()) {
-    internal::keep_polygons(soup, [&is_kept](const std::size_t p) { return is_kept[p]; });
+    leave_out(soup, part_of, parts);
   }
   for(Kernel::Point_3& point : soup.points) { // which only the removed polygons use
     if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
       point = Kernel::Point_3(0, 0, 0);
     }
   }
-  return parts;
 }
 
-// Removes polygons that cannot be divided into triangles, by rising number, and says so.
-inline void set_undivided_aside(const std::vector<std::size_t>& undivided, Polygon_soup& soup,
-                                std::vector<Skipped_part>& parts)
+// Removes polygons that cannot be divided into triangles, and says so.
+inline void set_undivided_aside(const std::vector<std::size_t>& undivided, Polygon_soup& soup)
 {
+  std::vector<Index> part_of(soup.polygons.size(), no_index);
+  std::vector<Skipped_part> parts;
   for(const std::size_t p : undivided) {
-    parts.push_back({soup.origins[p], 1, "UNDIVIDED_FACE", internal::undivided_text(soup.origins[p])});
+    part_of[p] = static_cast<Index>(parts.size());
+    parts.push_back({0, 0, "UNDIVIDED_FACE", internal::undivided_text(soup.origins[p])});
   }
-  internal::keep_polygons(soup, [&undivided](const std::size_t p) {
-    return !std::binary_search(undivided.begin(), undivided.end(), p);
-  });
+  leave_out(soup, part_of, parts);
 }
 
 } // namespace flatten_mesh

@@ -72,7 +72,7 @@ void simplify_input(const std::size_t triangles, Atlas_input& input, Notes& note
   }
   const Quick_mesh mesh = simplified(input.mesh, triangles);
   const std::size_t after = mesh.number_of_faces();
-  Atlas_input result = atlas_input_of(model_of(mesh, input.model.file), true, notes);
+  Atlas_input result = atlas_input_of(model_of(mesh, input.model.file), true, notes, {Welding::NONE, 0});
   result.set_aside.insert(result.set_aside.begin(), input.set_aside.begin(), input.set_aside.end());
   input = std::move(result);
   notes.add(

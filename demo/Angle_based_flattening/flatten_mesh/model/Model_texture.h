@@ -33,7 +33,35 @@ struct Model_texture
   Index chart(const Index polygon) const { return charts.empty() ? 0 : charts[polygon]; }
 };
 
-// A texture without any coordinates, for the polygons of a mesh.
+namespace internal {
+
+// Adds the triangles of the polygons that no face of the mesh is in. Polygons with a coordinate that is no number
+// have none.
+inline void add_left_out_triangles(const Model& model, Model_texture& texture)
+{
+  std::vector<bool> is_in_mesh(model.number_of_polygons(), false);
+  for(const Model_triangle& triangle : texture.triangles) {
+    is_in_mesh[triangle.polygon] = true;
+  }
+  const auto is_finite = [&model](const Index c) {
+    const Kernel::Point_3& point = model.points[model.vertices[c]];
+    return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
+  };
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    const Index first = model.first_corners[p], end = model.first_corners[p + 1];
+    bool is_left_out = !is_in_mesh[p];
+    for(Index c = first; c < end && is_left_out; ++c) {
+      is_left_out = is_finite(c);
+    }
+    for(Index c = first + 2; c < end && is_left_out; ++c) {
+      texture.triangles.push_back({p, {first, c - 1, c}});
+    }
+  }
+}
+
+} // namespace internal
+
+// A texture without any coordinates, for the polygons of a mesh and those that were left out of it.
 inline Model_texture empty_texture(const Model& model, const Mesh& mesh, const Corner_origins& origins)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -44,12 +72,13 @@ inline Model_texture empty_texture(const Model& model, const Mesh& mesh, const C
   for(const Face f : mesh.faces()) {
     texture.triangles.push_back(origins.triangle(model, mesh, f));
   }
+  internal::add_left_out_triangles(model, texture);
   return texture;
 }
 
-// The texture of a model from an atlas of the mesh that was made of it: `uv(h)` is that of the halfedge's target in its
-// face, `chart(f)` the number of the face's chart, and `no_index` for a face without. All triangles of a polygon have to
-// agree at its corners: see `torn_polygons()`.
+// The texture of a model from an atlas of the mesh that was made of it: `uv(h)` is that of the halfedge's target in
+// its face, `chart(f)` the number of the face's chart, and `no_index` for a face without. All triangles of a polygon
+// have to agree at its corners: see `torn_polygons()`.
 template <class Uv, class Chart_number>
 Model_texture model_texture(const Model& model, const Mesh& mesh, const Corner_origins& origins, const Uv& uv,
                             const Chart_number& chart)

@@ -7,8 +7,11 @@
 #define FLATTEN_MESH_POLYGON_SOUP_H
 
 #include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Skipped_part.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace flatten_mesh {
@@ -23,6 +26,7 @@ struct Polygon_soup
   std::vector<Index> origins;  // of each polygon, in the model
   std::vector<bool> is_turned; // of each polygon: its corners are in reverse order
   bool is_welded = false;
+  std::vector<Skipped_part> left_out; // what `leave_out()` removed, in the order of the file
 };
 
 // All polygons of a model, whatever they are.
@@ -40,6 +44,35 @@ inline Polygon_soup polygon_soup(const Model& model)
   }
   soup.is_turned.assign(polygons, false);
   return soup;
+}
+
+// Removes polygons, and remembers how many and why. `part_of` is, for each polygon, the number of its part, or
+// `no_index` for one that stays. Of the parts, only the diagnosis and the message have to be known.
+inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std::vector<Skipped_part> parts)
+{
+  for(Skipped_part& part : parts) {
+    part.first_face = (std::numeric_limits<std::size_t>::max)();
+    part.faces = 0;
+  }
+  std::size_t kept = 0;
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    if(part_of[p] != no_index) {
+      Skipped_part& part = parts[part_of[p]];
+      part.first_face = (std::min)(part.first_face, std::size_t(soup.origins[p]));
+      ++part.faces;
+    } else {
+      soup.polygons[kept].swap(soup.polygons[p]);
+      soup.origins[kept] = soup.origins[p];
+      soup.is_turned[kept] = soup.is_turned[p];
+      ++kept;
+    }
+  }
+  soup.polygons.resize(kept);
+  soup.origins.resize(kept);
+  soup.is_turned.resize(kept);
+  soup.left_out.insert(soup.left_out.end(), parts.begin(), parts.end());
+  std::stable_sort(soup.left_out.begin(), soup.left_out.end(),
+                   [](const Skipped_part& a, const Skipped_part& b) { return a.first_face < b.first_face; });
 }
 
 } // namespace flatten_mesh

@@ -15,6 +15,7 @@
 #include "flatten_mesh/model/separate_soup.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/model/triangulate.h"
+#include "flatten_mesh/model/weld_soup.h"
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -95,9 +96,16 @@ inline Mesh build_polygon_mesh(const Polygon_soup& soup)
   return mesh;
 }
 
-inline Mesh build_repaired_mesh(Polygon_soup& soup, Notes& notes)
+inline Mesh build_repaired_mesh(const Welding& welding, Polygon_soup& soup, Notes& notes)
 {
-  weld_soup(soup, notes);
+  if(soup.is_welded) {
+    leave_out_collapsed(soup);
+  }
+  weld_soup(welding, soup, notes);
+  if(soup.polygons.empty()) {
+    throw Input_error(
+        "every face has two corners at the same place, so there is no surface; export the mesh again");
+  }
   try {
     return build_polygon_mesh(soup);
   } catch(const Not_a_mesh&) {
@@ -151,11 +159,13 @@ inline Surface_of_model end_surface(const Model& model, const Polygon_soup& soup
 // The triangulated surface of the polygons of a model, which are repaired if necessary and requested. Its vertices are
 // those of the repaired soup, in the same order; larger polygons are divided into triangles. Throws an `Input_error`
 // that names the place unless the polygons form an oriented manifold with finite coordinates.
-inline Surface_of_model build_mesh(const Model& model, Polygon_soup& soup, const bool repair, Notes& notes)
+inline Surface_of_model build_mesh(const Model& model, Polygon_soup& soup, const bool repair, Notes& notes,
+                                   const Welding& welding = Welding())
 {
   internal::check_not_empty(soup);
   internal::check_points(soup);
-  Mesh mesh = repair ? internal::build_repaired_mesh(soup, notes) : internal::build_polygon_mesh(soup);
+  Mesh mesh =
+      repair ? internal::build_repaired_mesh(welding, soup, notes) : internal::build_polygon_mesh(soup);
   std::vector<std::size_t> undivided;
   Surface_of_model surface = internal::end_surface(model, soup, std::move(mesh), undivided);
   if(!undivided.empty()) {

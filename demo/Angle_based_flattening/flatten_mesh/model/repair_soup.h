@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -86,66 +85,7 @@ inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
   }
 }
 
-// Keeps the polygons for which `is_kept` is true, with their origins.
-template <class Is_kept>
-void keep_polygons(Polygon_soup& soup, const Is_kept& is_kept)
-{
-  std::size_t kept = 0;
-  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
-    if(is_kept(p)) {
-      soup.polygons[kept].swap(soup.polygons[p]);
-      soup.origins[kept] = soup.origins[p];
-      soup.is_turned[kept] = soup.is_turned[p];
-      ++kept;
-    }
-  }
-  soup.polygons.resize(kept);
-  soup.origins.resize(kept);
-  soup.is_turned.resize(kept);
-}
-
-inline bool has_repeated_vertex(Polygon polygon)
-{
-  std::sort(polygon.begin(), polygon.end());
-  return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
-}
-
-// After equal points are merged, a triangle with two corners at the same place is only an edge.
-inline void drop_collapsed_polygons(Polygon_soup& soup, Notes& notes)
-{
-  const std::size_t before = soup.polygons.size();
-  keep_polygons(soup, [&soup](const std::size_t p) { return !has_repeated_vertex(soup.polygons[p]); });
-  if(soup.polygons.empty()) {
-    throw Input_error(
-        "every face has two corners at the same place, so there is no surface; export the mesh again");
-  }
-  if(soup.polygons.size() < before) {
-    notes.add(count_text(before - soup.polygons.size(), "face") +
-              " with two corners at the same place removed; '--repair off' refuses them");
-  }
-}
-
 } // namespace internal
-
-// Merges equal points if no polygons share a vertex, as in a list of separate triangles.
-inline void weld_soup(Polygon_soup& soup, Notes& notes)
-{
-  const std::vector<std::size_t> valences = internal::valences(soup);
-  const std::size_t before = soup.points.size();
-  if(!soup.is_welded && soup.polygons.size() > 1 &&
-     *std::max_element(valences.begin(), valences.end()) == 1) {
-    CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons);
-    soup.is_welded = soup.points.size() < before;
-    if(soup.is_welded) {
-      notes.add("no two faces share a vertex: vertices at the same place were merged, " +
-                count_text(soup.points.size(), "vertex", "vertices") + " remain of " +
-                std::to_string(before) + "; '--repair off' leaves them");
-    }
-  }
-  if(soup.is_welded) {
-    internal::drop_collapsed_polygons(soup, notes);
-  }
-}
 
 // Orients the polygons consistently, and duplicates vertices at which parts touch. Throws an `Input_error` if the
 // result is not a manifold.

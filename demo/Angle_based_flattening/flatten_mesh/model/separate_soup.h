@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,57 +38,12 @@ struct Separation_visitor : public CGAL::Polygon_mesh_processing::Default_orient
   void duplicated_vertex(const std::size_t v, std::size_t) { vertices->push_back(v); }
 };
 
-// The vertices of a polygon in an order that does not depend on where it begins and how it is oriented
-inline Polygon canonical(Polygon polygon)
-{
-  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
-  if(polygon.back() < polygon[1]) {
-    std::reverse(polygon.begin() + 1, polygon.end());
-  }
-  return polygon;
-}
-
-inline void tell_left_out(const Model& model, const std::vector<Index>& polygons, const std::string& why,
-                          Notes& notes)
-{
-  if(!polygons.empty()) {
-    notes.add("'" + model.file + "': " + count_text(polygons.size(), "face") + " " + why +
-              ", and left out: " + (polygons.size() == 1 ? "" : "the first is ") +
-              face_name(polygons.front()));
-  }
-}
-
-inline void leave_out_duplicates(const Model& model, Polygon_soup& soup, Notes& notes)
-{
-  std::vector<Polygon> keys;
-  for(const Polygon& polygon : soup.polygons) {
-    keys.push_back(canonical(polygon));
-  }
-  std::vector<std::size_t> order(keys.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&keys](const std::size_t p, const std::size_t q) { return keys[p] < keys[q]; });
-  std::vector<bool> is_duplicate(keys.size(), false);
-  for(std::size_t i = 1; i < order.size(); ++i) {
-    is_duplicate[order[i]] = keys[order[i]] == keys[order[i - 1]];
-  }
-  std::vector<Index> left_out;
-  for(std::size_t p = 0; p < keys.size(); ++p) {
-    if(is_duplicate[p]) {
-      left_out.push_back(soup.origins[p]);
-    }
-  }
-  keep_polygons(soup, [&is_duplicate](const std::size_t p) { return !is_duplicate[p]; });
-  tell_left_out(model, left_out, "with the same corners as another", notes);
-}
-
 } // namespace internal
 
 // Makes surfaces of any polygons: orients them, and separates them where more than two meet in an edge, where
 // they cannot be oriented alike, and where parts touch in a vertex.
 inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
 {
-  internal::leave_out_duplicates(model, soup, notes);
   std::vector<bool> is_turned(soup.polygons.size(), false);
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   std::vector<std::size_t> vertices;

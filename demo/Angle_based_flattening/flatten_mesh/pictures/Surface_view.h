@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/pictures/Canvas.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
+#include "flatten_mesh/pictures/Up_axis.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -38,7 +39,7 @@ public:
 
   // A surface that faces mainly one way is seen from there, others from the front, slightly from above and from the
   // right.
-  static Surface_view of(const Textured_surface& surface)
+  static Surface_view of(const Textured_surface& surface, const Upright& upright)
   {
     Vector sum(0, 0, 0);
     double area = 0;
@@ -48,9 +49,10 @@ public:
       area += std::sqrt(normal.squared_length());
     }
     const double one_sided = std::sqrt(sum.squared_length()) / area;
-    const Vector towards_eye = one_sided > 0.25 ? sum : Vector(0.5, -1, 0.45);
-    const bool from_above = std::abs(normalized(towards_eye).z()) > 0.9;
-    return Surface_view(towards_eye, from_above ? Vector(0, 1, 0) : Vector(0, 0, 1));
+    const auto& [right, back, up] = upright;
+    const Vector towards_eye = one_sided > 0.25 ? sum : 0.5 * right - back + 0.45 * up;
+    const bool is_from_above = std::abs(normalized(towards_eye) * up) > 0.9;
+    return Surface_view(towards_eye, is_from_above ? back : up);
   }
 
   // Right, up, and towards the eye.

@@ -9,8 +9,10 @@
 #include "flatten_mesh/pictures/Canvas.h"
 #include "flatten_mesh/pictures/Surface_view.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
+#include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/pictures/chart_colors.h"
 #include "flatten_mesh/pictures/draw_checkerboard.h"
+#include "flatten_mesh/pictures/draw_word.h"
 
 #include <CGAL/Bbox_2.h>
 
@@ -26,37 +28,47 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// From the front, the right, the back, the left, above, and below
-inline const std::array<Surface_view, 6>& six_sides()
+struct Named_view
 {
-  using Vector = Kernel::Vector_3;
-  const Vector up(0, 0, 1);
-  static const std::array<Surface_view, 6> views = {
-      {Surface_view(Vector(0, -1, 0), up), Surface_view(Vector(1, 0, 0), up),
-       Surface_view(Vector(0, 1, 0), up), Surface_view(Vector(-1, 0, 0), up),
-       Surface_view(up, Vector(0, 1, 0)), Surface_view(-up, Vector(0, 1, 0))}};
-  return views;
+  std::string name;
+  Surface_view view;
+};
+
+inline std::array<Named_view, 6> six_sides(const Upright& upright)
+{
+  const auto& [right, back, up] = upright;
+  return {{{"FRONT", {-back, up}},
+           {"RIGHT", {right, up}},
+           {"BACK", {back, up}},
+           {"LEFT", {-right, up}},
+           {"TOP", {up, back}},
+           {"BOTTOM", {-up, back}}}};
 }
 
 // Draws the six sides, all on the same scale.
-inline std::array<Pixels, 6> draw_six_sides(const Textured_surface& surface, const int size)
+inline std::array<Pixels, 6> draw_six_sides(const Textured_surface& surface, const Upright& upright,
+                                            const int size)
 {
-  const int margin = 12, squares = 20, width_of_seams = 2;
-  const Frame frame{margin, margin, size - 2. * margin, size - 2. * margin};
+  const int margin = 12, height_of_names = 11, squares = 20, width_of_seams = 2;
+  const double top = 2 * margin + height_of_names;
+  const Frame frame{margin, top, size - 2. * margin, size - margin - top};
+  const Color ink = {0.35, 0.35, 0.35};
+  const std::array<Named_view, 6> sides = six_sides(upright);
   const std::vector<Kernel::Vector_3> normals = point_normals(surface);
   const double side = std::sqrt(textured_areas(surface).plane) / squares;
   std::array<CGAL::Bbox_2, 6> boxes;
   double scale = std::numeric_limits<double>::infinity();
   for(std::size_t i = 0; i < boxes.size(); ++i) {
-    boxes[i] = box_of(surface, six_sides()[i]);
+    boxes[i] = box_of(surface, sides[i].view);
     scale = (std::min)(scale, Projection::scale_to_fit(boxes[i], frame));
   }
   std::array<Pixels, 6> pictures;
   for(std::size_t i = 0; i < pictures.size(); ++i) {
     Canvas canvas(size, size);
-    const Projection projection(six_sides()[i], boxes[i], frame, scale);
+    const Projection projection(sides[i].view, boxes[i], frame, scale);
     draw_checkerboard(canvas, surface, normals, side, projection);
     draw_seams(canvas, surface, width_of_seams, projection);
+    draw_word(canvas, sides[i].name, margin, margin, height_of_names, ink);
     pictures[i] = canvas.pixels();
   }
   return pictures;
@@ -98,14 +110,15 @@ inline Pixels draw_plane(const Textured_surface& surface, const CGAL::Bbox_2& bo
 
 } // namespace internal
 
-// A picture of an atlas, as a PNG file: above the surface from the front, the right and the back, below from the left, the top and the
-// bottom; beside it the plane with an outline of the box. Triangles without chart are red.
-inline std::string atlas_picture(const Textured_surface& surface, const CGAL::Bbox_2& box)
+// A picture of an atlas, as a PNG file: above the surface from the front, the right and the back, below from the
+// left, the top and the bottom; beside it the plane with an outline of the box. Triangles without chart are red.
+inline std::string atlas_picture(const Textured_surface& surface, const Upright& upright,
+                                 const CGAL::Bbox_2& box)
 {
   const int size = 420, columns = 3, rows = 2;
   Pixels whole{(columns + rows) * size, rows * size, {}};
   whole.bytes.assign(3 * static_cast<std::size_t>(whole.width) * static_cast<std::size_t>(whole.height), 255);
-  const std::array<Pixels, 6> sides = internal::draw_six_sides(surface, size);
+  const std::array<Pixels, 6> sides = internal::draw_six_sides(surface, upright, size);
   for(int i = 0; i < columns * rows; ++i) {
     paste(sides[static_cast<std::size_t>(i)], i % columns * size, i / columns * size, whole);
   }

@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_RUN_RECORD_H
 
 #include "flatten_mesh/plain/Chart.h"
+#include "flatten_mesh/model/Skipped_part.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
@@ -111,6 +112,7 @@ struct Run_record
   std::size_t split_edges = 0;      // which were in the way of that border
   std::vector<std::string> written;
   std::vector<std::string> notes;
+  std::vector<Skipped_part> skipped; // faces of the file that are left out
   bool has_area = true;
 };
 

@@ -9,6 +9,7 @@
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/json.h"
 #include "flatten_mesh/report_measures.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 
 #include <string>
@@ -106,17 +107,21 @@ inline std::string report_json(const Run_record& record)
   using internal::json_number;
   using internal::json_text;
   const SMP::ABF_plus_plus_report& report = record.flattening.report;
-  const bool succeeds_without_area = record.flattening.succeeded() && !record.has_area;
+  const bool succeeds = record.flattening.succeeded(), has_skipped = succeeds && !record.skipped.empty();
   internal::Json_object json;
-  json.add("status", json_text(succeeds_without_area ? "NO_AREA" : status_name(report)));
-  json.add("message", json_text(succeeds_without_area ? "the surface has no area"
-                                                      : report.message + record.flattening.place));
+  json.add("status", json_text(succeeds && !record.has_area ? "NO_AREA"
+                               : has_skipped                ? "SOMETHING_SKIPPED"
+                                                            : status_name(report)));
+  json.add("message", json_text(succeeds && !record.has_area ? "the surface has no area"
+                                : has_skipped                ? record.skipped.front().message
+                                                             : report.message + record.flattening.place));
   json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));
   json.add("borders", json_number(record.borders));
   json.add("components", json_number(record.components));
+  json.add("skipped", internal::skipped_json(record.skipped));
   json.add("seams", record.seams ? internal::seams_json(*record.seams) : "null");
   json.add("method", json_text(record.flattening.method));
   json.add("iterations", json_number(report.iterations));

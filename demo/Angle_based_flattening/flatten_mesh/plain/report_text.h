@@ -9,6 +9,7 @@
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_rows.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 
 #include <cmath>
@@ -157,6 +158,7 @@ inline Report_rows surface_rows(const Run_record& record)
       {"triangles", std::to_string(record.triangles)},
       {"borders", std::to_string(record.borders),
        record.borders > 1 ? "the outer one and " + count_text(record.borders - 1, "hole") : ""}};
+  append(rows, internal::skipped_rows(record.skipped));
   if(record.seams) {
     append(rows, internal::seams_rows(*record.seams));
   }

@@ -29,10 +29,12 @@
 #include "flatten_mesh/plain/report_text.h"
 #include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/plain/split_chart.h"
+#include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/model/write_model.h"
 #include "flatten_mesh/plain/write_obj.h"
 #include "flatten_mesh/plain/write_svg.h"
+#include "flatten_mesh/weld_option.h"
 
 #ifdef ABF_WITH_PNG
 #include "flatten_mesh/pictures/draw_surface.h"
@@ -79,7 +81,8 @@ Surface read_surface(const Command_line& command, Notes& notes)
   surface.model = read_model(command.input, Degenerate_faces::REFUSED, notes, command.format);
   surface.soup = polygon_soup(surface.model);
   try {
-    Surface_of_model built = build_mesh(surface.model, surface.soup, command.repair == "on", notes);
+    Surface_of_model built =
+        build_mesh(surface.model, surface.soup, command.repair == "on", notes, welding_of(command));
     surface.input = std::move(built.mesh);
     surface.origins = std::move(built.origins);
     surface.polygons = polygons_of_faces(surface.model, surface.input, surface.origins);
@@ -153,15 +156,16 @@ Output_files write_files(const Command_line& command, Surface& surface, const st
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty() && record.flattening.succeeded()) {
-    open(command.picture).write(checkerboard_picture(surface.mesh(), surface.chart, record.flattening.uv));
+    open(command.picture)
+        .write(checkerboard_picture(command, surface.mesh(), surface.chart, record.flattening.uv));
   }
 #endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty() && record.flattening.succeeded()) {
     open(command.report)
-        .write(report_page(
-            contents_of_chart(surface.input, surface.polygons, surface.mesh(), surface.chart, record),
-            command.options.threads));
+        .write(report_page(contents_of_chart(command, surface.input, surface.polygons, surface.mesh(),
+                                             surface.chart, record),
+                           command.options.threads));
   }
 #endif
   if(!command.seams.empty() && record.flattening.succeeded()) {
@@ -217,6 +221,7 @@ Run_record record_of(const Command_line& command, const Surface& surface)
   record.triangles = surface.component.faces.size();
   record.borders = surface.chart.borders.size();
   record.components = surface.component.components;
+  record.skipped = surface.soup.left_out;
   return record;
 }
 
@@ -435,13 +440,15 @@ Exit_status run_plain(const Command_line& command)
   tell_stages(record, progress);
   Output_files files = write_files(command, surface, is_divided, record);
   progress.stage("write", record.write_seconds);
+  tell_skipped_parts(command, record.skipped);
   if(record.flattening.succeeded()) {
     tell_report(command, report_text(record));
   }
   files.publish();
   return !record.flattening.succeeded() ? tell_diagnosis(command, record.flattening)
-         : record.has_area              ? SUCCESS
-                                        : WITHOUT_AREA;
+         : !record.has_area             ? WITHOUT_AREA
+         : !record.skipped.empty()      ? WRONG_INPUT
+                                        : SUCCESS;
 }
 
 } // namespace flatten_mesh

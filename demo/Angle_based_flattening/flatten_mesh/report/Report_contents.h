@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_REPORT_CONTENTS_H
 #define FLATTEN_MESH_REPORT_CONTENTS_H
 
-#include "flatten_mesh/atlas/Skipped_part.h"
+#include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/report_rows.h"
 
@@ -41,6 +41,7 @@ struct Report_contents
   std::vector<Chart_row> charts;
   std::vector<Skipped_part> skipped;
   Textured_surface surface;
+  std::string up;                             // the axis of it that points upwards
   std::vector<Textured_surface::Index> faces; // of each triangle: its face in the file, from 0
 };
 

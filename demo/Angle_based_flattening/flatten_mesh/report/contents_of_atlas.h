@@ -16,13 +16,15 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 namespace flatten_mesh {
 
 // `surface` has the triangles of the input's mesh in their order.
 inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_record& record,
-                                         Textured_surface surface, const CGAL::Bbox_2& box)
+                                         Textured_surface surface, const std::string& up,
+                                         const CGAL::Bbox_2& box)
 {
   Report_contents contents;
   contents.title = std::filesystem::path(record.input).filename().string();
@@ -38,6 +40,7 @@ inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_r
   }
   contents.skipped = record.skipped;
   contents.surface = std::move(surface);
+  contents.up = up;
   for(const Face f : input.mesh.faces()) {
     contents.faces.push_back(static_cast<Textured_surface::Index>(face_in_file(input, f)));
   }

@@ -12,6 +12,7 @@
 #include "flatten_mesh/plain/report_text.h"
 #include "flatten_mesh/plain/scale_stretch.h"
 #include "flatten_mesh/plain/textured_chart.h"
+#include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/report/Report_contents.h"
 
 #include <CGAL/Bbox_2.h>
@@ -54,8 +55,9 @@ inline Textured_surface surface_of_chart(const Mesh& input, const Mesh& mesh, co
 } // namespace internal
 
 // `mesh` is the input, or what was cut out of it: that of the chart. `polygons` are those of the faces of the input, in the file.
-inline Report_contents contents_of_chart(const Mesh& input, const std::vector<Index>& polygons,
-                                         const Mesh& mesh, const Chart& chart, const Run_record& record)
+inline Report_contents contents_of_chart(const Command_line& command, const Mesh& input,
+                                         const std::vector<Index>& polygons, const Mesh& mesh,
+                                         const Chart& chart, const Run_record& record)
 {
   const Flattening& flattening = record.flattening;
   Report_contents contents;
@@ -72,6 +74,7 @@ inline Report_contents contents_of_chart(const Mesh& input, const std::vector<In
                           ? std::exp(flattening.report.largest_seam_jump)
                           : std::numeric_limits<double>::quiet_NaN()}};
   contents.surface = internal::surface_of_chart(input, mesh, chart, flattening.uv);
+  contents.up = up_axis(command, contents.surface);
   for(const Face f : chart.faces) {
     contents.faces.push_back(polygons[internal::face_of_input(input, mesh, chart, f).idx()]);
   }

@@ -107,6 +107,7 @@ inline std::string page_json(const Report_contents& contents, const Page_measure
   json.add("title", json_text(contents.title));
   json.add("version", json_text(ABF_VERSION));
   json.add("kind", json_text(contents.is_atlas ? "atlas" : "chart"));
+  json.add("up", json_text(contents.up));
   json.add("triangles", json_number(contents.surface.triangles.size()));
   json.add("shown_triangles", json_number(shown.origins.size()));
   json.add("box", internal::json_numbers({factors.plane * box.xmin(), factors.plane * box.ymin(),

@@ -31,7 +31,9 @@ function takeArray(name, Type) {
 }
 
 class Surface {
-  constructor(measures) {
+  // `up` is the axis that points upwards: "x", "y" or "z".
+  constructor(measures, up) {
+    this.up = up;
     this.points = takeArray("points", Float32Array);
     this.wedgePoints = takeArray("wedge_points", Uint32Array);
     this.wedgeUv = takeArray("wedge_uv", Float32Array);

@@ -21,7 +21,7 @@ class ReportPage {
     this.hovered = this.selected = this.seam = -1;
     this.chart = null; // the only one in colours
     this.writeParts();
-    this.surface = new Surface(this.report.measures);
+    this.surface = new Surface(this.report.measures, this.report.up);
     this.drawing = Drawing.of(this.surface, this.report.box, this.part, this);
     this.part.views.hidden = !this.drawing;
     this.part.webgl.hidden = Boolean(this.drawing);

@@ -25,7 +25,7 @@ class SurfaceCamera {
     this.surface = surface;
     this.radius = surface.radius();
     this.height = 0; // until there is a view
-    this.setUp(usualUp(surface));
+    this.setUp(surface.up);
   }
 
   // "x", "y" or "z": the axis that points upwards when the surface is seen as a whole
@@ -159,11 +159,6 @@ function rotationWith(towardsEye, up) {
 function thinnestAxis(surface, axes) {
   const extent = new THREE.Box3().setFromArray(surface.points).getSize(new THREE.Vector3());
   return axes.reduce((best, axis) => extent[axis] < 0.99 * extent[best] ? axis : best);
-}
-
-// A guess: files do not tell.
-function usualUp(surface) {
-  return thinnestAxis(surface, ["z", "x", "y"]) === "z" ? "y" : "z";
 }
 
 // Surfaces that face mainly one way are seen from there, others along their shortest extent, a little from above

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_WELD_SOUP_H
+#define FLATTEN_MESH_WELD_SOUP_H
+
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/Soup_welder.h"
+#include "flatten_mesh/model/Welding.h"
+#include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/duplicate_polygons.h"
+#include "flatten_mesh/texts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline bool has_repeated_vertex(Polygon polygon)
+{
+  std::sort(polygon.begin(), polygon.end());
+  return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+}
+
+inline bool has_repeated_point(const Polygon_soup& soup, const Polygon& polygon)
+{
+  std::vector<Kernel::Point_3> points;
+  for(const std::size_t v : polygon) {
+    points.push_back(soup.points[v]);
+  }
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
+}
+
+// Leaves out faces with two corners at the same place, which are only edges, unless they hang together with others.
+inline void leave_out_collapsed(Polygon_soup& soup)
+{
+  const std::vector<std::size_t> valence = valences(soup);
+  std::vector<Index> part_of(soup.polygons.size(), no_index);
+  std::vector<Skipped_part> parts;
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    const Polygon& polygon = soup.polygons[p];
+    const bool is_separate = std::all_of(polygon.begin(), polygon.end(),
+                                         [&valence](const std::size_t v) { return valence[v] == 1; });
+    if(has_repeated_vertex(polygon) || (is_separate && has_repeated_point(soup, polygon))) {
+      part_of[p] = 0;
+      if(parts.empty()) {
+        parts.push_back(
+            {0, 0, "DEGENERATE_FACE",
+             face_name(soup.origins[p]) + " has two corners at the same place; remove such faces"});
+      }
+    }
+  }
+  if(!parts.empty()) {
+    leave_out(soup, part_of, parts);
+  }
+}
+
+// Polygons that joined vertices made equal to others, or have one twice, get vertices of their own back.
+inline void separate_spoilt_polygons(const std::vector<Polygon>& before, Polygon_soup& soup)
+{
+  const std::vector<std::size_t> first = first_equal_polygons(soup.polygons);
+  for(std::size_t p = 0; p < first.size(); ++p) {
+    const bool is_new = first[p] != p && canonical(before[p]) != canonical(before[first[p]]);
+    if(is_new || (soup.polygons[p] != before[p] && has_repeated_vertex(soup.polygons[p]))) {
+      for(std::size_t i = 0; i < before[p].size(); ++i) {
+        soup.polygons[p][i] = soup.points.size();
+        soup.points.push_back(Kernel::Point_3(soup.points[before[p][i]]));
+      }
+    }
+  }
+}
+
+inline std::size_t number_of_used_points(const Polygon_soup& soup)
+{
+  const std::vector<std::size_t> valence = valences(soup);
+  return valence.size() - static_cast<std::size_t>(std::count(valence.begin(), valence.end(), 0u));
+}
+
+inline void tell_welding(const std::size_t before, const std::size_t after, const std::size_t crowded,
+                         const bool has_tolerance, Notes& notes)
+{
+  const std::string away = has_tolerance ? "nearly the same place" : "the same place";
+  if(after < before) {
+    notes.add("vertices at " + away + " were merged: " + count_text(after, "vertex", "vertices") +
+              " remain of " + std::to_string(before) + "; '--weld off' leaves them");
+  }
+  if(crowded > 0) {
+    notes.add("at " + count_text(crowded, "edge") +
+              ", more than two faces with vertices of their own meet at " + away +
+              ": they stay separate there");
+  }
+}
+
+} // namespace internal
+
+// Joins faces with vertices of their own that meet at the same place. All points remain; some are no longer used.
+inline void weld_soup(const Welding& welding, Polygon_soup& soup, Notes& notes)
+{
+  if(welding.extent == Welding::NONE || soup.polygons.size() < 2) {
+    return;
+  }
+  const std::vector<std::size_t> valence = internal::valences(soup);
+  if(welding.extent == Welding::SEPARATE_FACES && *std::max_element(valence.begin(), valence.end()) > 1) {
+    return;
+  }
+  std::vector<Index> places = internal::places_of_points(soup, welding.tolerance);
+  if(std::all_of(places.begin(), places.end(),
+                 [&places](const Index& place) { return &place == &places[place]; })) {
+    return;
+  }
+  internal::leave_out_collapsed(soup);
+  const std::size_t before = internal::number_of_used_points(soup);
+  const internal::Soup_welder welder(soup, welding.tolerance, places);
+  const std::vector<Polygon> polygons = soup.polygons;
+  for(Polygon& polygon : soup.polygons) {
+    for(std::size_t& v : polygon) {
+      v = places[v];
+    }
+  }
+  internal::separate_spoilt_polygons(polygons, soup);
+  internal::tell_welding(before, internal::number_of_used_points(soup), welder.number_of_crowded_edges(),
+                         welding.tolerance > 0, notes);
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_WELD_SOUP_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_WELD_OPTION_H
+#define FLATTEN_MESH_WELD_OPTION_H
+
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/model/Welding.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace flatten_mesh {
+
+// The distance that `--weld` gives, if it is a number that can be one
+inline std::optional<double> weld_tolerance(const std::string& text)
+{
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_distance =
+      error == std::errc() && end == text.data() + text.size() && std::isfinite(number) && number >= 0;
+  return is_distance ? std::optional<double>(number) : std::nullopt;
+}
+
+// What `--weld` and `--repair` ask for. Without either, an atlas is made of all that meets; a single chart may be cut
+// open where faces do not share vertices.
+inline Welding welding_of(const Command_line& command)
+{
+  if(command.repair != "on" || command.weld == "off") {
+    return {Welding::NONE, 0};
+  }
+  if(command.weld.empty()) {
+    return {command.is_plain ? Welding::SEPARATE_FACES : Welding::ALL, 0};
+  }
+  return {Welding::ALL, weld_tolerance(command.weld).value_or(0)};
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_WELD_OPTION_H
