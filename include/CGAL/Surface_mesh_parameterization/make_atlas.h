@@ -30,7 +30,8 @@ Each connected part of the surface, of any genus and with any number of borders,
 Disks of more than 20,000 triangles are flattened hierarchically. If the map overlaps itself, an injective one takes its place (`Flattening_options::injective`), so that
 each part remains one chart; `parameters::separate_overlaps()` cuts it into several charts instead. If the map stretches by more than 3 % above
 `stretch_bound`, as the long thin triangles of some models make it do, seams are added where it does, and the disk is flattened again, at most five times.
-If an injective map still stretches that much, and that of ABF++ does not, the latter is separated. The report says which way was taken for each chart.
+If an injective map still stretches that much, and that of ABF++ does not, the latter is separated. Where there is no map, or the chart is not good (`Atlas_report::Chart::is_good`), areas get a larger weight, and then the
+part is divided into several charts; so is a chart that would leave most of the square empty. The report says which way was taken for each chart, and whether one is not good all the same.
 
 Both sides of the seams within a chart, found or given, get equal lengths where ABF++ maps the part directly (see `parameters::equal_seam_lengths()`).
 
