@@ -86,8 +86,7 @@ struct Atlas_report
     bool bound_reached = true; ///< Whether `scale_stretch` is at most that.
     double l2_stretch = 1;     ///< As `Flattening_measures::l2_stretch`.
 
-    /// The number of faces whose quasi-conformal ratio is above 1000, and above what their shape explains: the ratio of the map from an
-    /// equilateral triangle to them.
+    /// The number of faces whose quasi-conformal ratio is above 1000, although that of the map from an equilateral triangle to them is not.
     std::size_t crushed_faces = 0;
 
     /// Whether `l2_stretch` is at most 2, or at most `parameters::stretch_bound()` if that is larger, and no face is crushed. With an

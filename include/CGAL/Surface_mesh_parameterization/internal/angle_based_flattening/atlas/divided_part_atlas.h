@@ -133,7 +133,7 @@ private:
       const Map_stretch stretch = sums.stretch();
       if(stretch.length > most)
         result.push_back({static_cast<int>((std::min)(std::ceil(3 * stretch.length / most), 64.)), false});
-      else if(stretch.is_bad(m_options.seams.stretch_bound))
+      else if(stretch.is_mendable(m_options.seams.stretch_bound))
         result.push_back(Division());
       else
         result.push_back({1, false});

@@ -134,7 +134,7 @@ private:
     coarsening.coarsen(vertices_of_copy, Hierarchical_options().extreme_angle, m_visitor);
     const Chart coarse = coarsening.coarse_chart().chart;
     const Chart_map map = injective_map(coarse);
-    return !map.is_valid() || map_stretch(coarse, map.uv).is_bad(bound);
+    return !map.is_valid() || map_stretch(coarse, map.uv).is_mendable(bound);
   }
 
   static Chart_map hopeless_map()

@@ -28,13 +28,20 @@ struct Map_stretch
   double scale =
       1; // due to its scale. Unlike the L2 stretch, seams can lower it wherever long thin triangles are.
   double l2 = 1;
+  double ordinary_l2 = 1; // without needles, whose shape is mostly rounding
   int crushed_triangles = 0;
   double length = 0; // of the diagonal of its box, in the units of the surface
 
   // Whether nobody would call it good. An infinite bound takes any stretch.
-  bool is_bad(double bound) const
+  bool is_bad(double bound) const { return exceeds(l2, bound); }
+
+  // Whether another map might be better: needles stretch alike in all.
+  bool is_mendable(double bound) const { return exceeds(ordinary_l2, bound); }
+
+private:
+  bool exceeds(double stretch, double bound) const
   {
-    return l2 > (std::max)(2., bound) || (crushed_triangles > 0 && std::isfinite(bound));
+    return stretch > (std::max)(2., bound) || (crushed_triangles > 0 && std::isfinite(bound));
   }
 };
 
@@ -53,10 +60,13 @@ public:
       return; // infinity times 0 would be NaN
     m_scale += surface * surface / plane;
     const Triangle_differential map(chart, uv, t);
+    double squares = 0;
     if(map.has_area())
-      m_squares += surface * (CGAL::square(map.largest_stretch()) + CGAL::square(map.smallest_stretch())) / 2;
+      squares = surface * (CGAL::square(map.largest_stretch()) + CGAL::square(map.smallest_stretch())) / 2;
     else if(std::isnormal(surface))
-      m_squares = std::numeric_limits<double>::infinity();
+      squares = std::numeric_limits<double>::infinity();
+    m_squares += squares;
+    m_ordinary_squares += is_needle(chart, t) ? 0 : squares;
     m_crushed += is_crushed(chart, uv, t);
   }
 
@@ -69,6 +79,7 @@ public:
     if(m_surface > 0) {
       result.scale = std::sqrt(m_scale * m_plane) / m_surface;
       result.l2 = std::sqrt(m_squares / m_surface * (m_plane / m_surface));
+      result.ordinary_l2 = std::sqrt(m_ordinary_squares / m_surface * (m_plane / m_surface));
       result.length = std::hypot(m_box.x_span(), m_box.y_span()) * std::sqrt(m_surface / m_plane);
     }
     result.crushed_triangles = m_crushed;
@@ -76,7 +87,7 @@ public:
   }
 
 private:
-  double m_surface = 0, m_plane = 0, m_scale = 0, m_squares = 0;
+  double m_surface = 0, m_plane = 0, m_scale = 0, m_squares = 0, m_ordinary_squares = 0;
   int m_crushed = 0;
   Bbox_2 m_box;
 };

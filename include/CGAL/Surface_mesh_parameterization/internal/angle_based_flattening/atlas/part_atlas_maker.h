@@ -126,7 +126,7 @@ private:
     const bool has_map = m_best.map.is_valid();
     if(m_options.separates || m_flattener.keeps_areas() || m_best.map.is_isometric ||
        m_best.map.is_hopeless ||
-       (has_map ? !m_best.stretch.is_bad(m_options.seams.stretch_bound)
+       (has_map ? !m_best.stretch.is_mendable(m_options.seams.stretch_bound)
                 : !is_failure_of_computation(to_string(m_best.map.diagnosis))))
       return;
     Chart_map map = m_flattener.isometric_map(m_best.patch.chart);
@@ -185,7 +185,7 @@ private:
   {
     const double bound = m_options.seams.stretch_bound;
     const auto is_wanted = [&](const Map_stretch& stretch) {
-      return !stretch.is_bad(bound) && (m_best.map.is_isometric || !misses_bound(stretch.scale));
+      return !stretch.is_mendable(bound) && (m_best.map.is_isometric || !misses_bound(stretch.scale));
     };
     if(m_best.map.method != Atlas_report::INJECTIVE || is_wanted(m_best.stretch))
       return;

@@ -81,21 +81,27 @@ private:
   double m_conformal = 0, m_anticonformal = 0;
 };
 
-// Whether a map makes a triangle far longer and thinner than its shape explains: its quasi-conformal ratio is above 1000, and above
-// that of the map from an equilateral triangle to it. Triangles without area on the surface are not.
-inline bool is_crushed(const Chart& chart, const std::vector<Chart::Point_2>& uv, int t)
+// Triangles are needles on the surface, and crushed in the plane, if they are so many times as long as thin: if the quasi-conformal
+// ratio of the map from an equilateral triangle, or from the surface, is larger.
+inline constexpr double largest_ratio = 1000;
+
+// Also a triangle without area
+inline bool is_needle(const Chart& chart, int t)
 {
-  const double largest_ratio = 1000, area = surface_area(chart, t);
-  if(!std::isnormal(area))
-    return false;
-  const Triangle_differential map(chart, uv, t);
-  if(!map.has_area())
-    return true;
   double squares = 0; // of the lengths of the edges
   for(int c = 3 * t; c < 3 * t + 3; ++c)
     squares += CGAL::square(edge_length(chart, c));
-  const double ratio_of_shape = squares / (2 * std::sqrt(3.) * area); // plus its inverse
-  return map.largest_stretch() / map.smallest_stretch() > (std::max)(largest_ratio, ratio_of_shape);
+  // the ratio and its inverse add up to squares / (2 sqrt(3) area)
+  return !(squares <= largest_ratio * 2 * std::sqrt(3.) * surface_area(chart, t)) || squares == 0;
+}
+
+// What happens to needles is due to their shape.
+inline bool is_crushed(const Chart& chart, const std::vector<Chart::Point_2>& uv, int t)
+{
+  if(is_needle(chart, t))
+    return false;
+  const Triangle_differential map(chart, uv, t);
+  return !map.has_area() || map.largest_stretch() > largest_ratio * map.smallest_stretch();
 }
 
 inline std::vector<int> crushed_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
