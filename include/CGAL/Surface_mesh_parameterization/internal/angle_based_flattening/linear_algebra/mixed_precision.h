@@ -10,7 +10,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/dense_solution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
@@ -79,8 +78,6 @@ public:
   bool solve(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides, Two_vectors& solutions)
   {
     m_is_repeated = false;
-    if(Dense_factors::are_wanted(m_solvers, matrix) && solve_densely(matrix, right_hand_sides, solutions))
-      return true;
     if(m_low->set_matrix(matrix) &&
        (m_solvers->is_to_be_refined ? solve_iteratively(matrix, right_hand_sides, solutions)
                                     : solve_directly(*m_low, right_hand_sides, solutions)))
@@ -96,14 +93,6 @@ public:
   bool is_repeated() const { return m_is_repeated; }
 
 private:
-  static bool solve_densely(const Block_matrix<1>& matrix, const Two_vectors& right_hand_sides,
-                            Two_vectors& solutions)
-  {
-    Dense_factors factors;
-    return factors.set_matrix(matrix) && factors.solve(right_hand_sides[0], solutions[0]) &&
-           factors.solve(right_hand_sides[1], solutions[1]);
-  }
-
   static bool solve_directly(Linear_solver& system, const Two_vectors& right_hand_sides,
                              Two_vectors& solutions)
   {

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/dense_solution.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/near_preconditioner.h>
 
@@ -44,8 +43,10 @@ public:
   // Does what the first solution can do before there are values: then it takes less time.
   void analyze_pattern(const Block_matrix<2>& matrix)
   {
-    if(matrix.size() > 0 && !Dense_factors::are_wanted(m_solvers, matrix))
-      make_preconditioner(matrix);
+    if(m_iteratively && !m_preconditioner && matrix.size() > 0) {
+      m_preconditioner.emplace(m_solvers);
+      m_near_preconditioner.emplace(m_solvers, *m_preconditioner, m_holes, matrix);
+    }
   }
 
   // Solves with a matrix of the same pattern each time. Returns `false` if the linear solver fails.
@@ -58,9 +59,7 @@ public:
       solution = right_hand_side;
       return true;
     }
-    if(Dense_factors::are_wanted(m_solvers, matrix) && solve_densely(matrix, right_hand_side, solution))
-      return true;
-    make_preconditioner(matrix);
+    analyze_pattern(matrix);
     if(m_iteratively) {
       const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
       if(status == Iterative_solution::SOLVED)
@@ -93,22 +92,6 @@ public:
   }
 
 private:
-  void make_preconditioner(const Block_matrix<2>& pattern)
-  {
-    if(!m_iteratively || m_preconditioner)
-      return;
-    m_preconditioner.emplace(m_solvers);
-    m_near_preconditioner.emplace(m_solvers, *m_preconditioner, m_holes, pattern);
-  }
-
-  bool solve_densely(const Block_matrix<2>& matrix, const Eigen::VectorXd& right_hand_side,
-                     Eigen::VectorXd& solution)
-  {
-    ++m_factorizations;
-    Dense_factors factors;
-    return factors.set_matrix(matrix) && factors.solve(right_hand_side, solution);
-  }
-
   Iterative_solution::Status solve_iteratively(const Block_matrix<2>& matrix,
                                                const Eigen::VectorXd& right_hand_side,
                                                Eigen::VectorXd& solution)

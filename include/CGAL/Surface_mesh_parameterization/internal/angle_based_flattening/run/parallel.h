@@ -28,17 +28,14 @@ struct Cancelled
 {};
 
 // Calls `f(b)` for each b in [0, n), in parallel if TBB is available. An exception in one thread also stops the loops that others run
-// at the time within the same loop. They would go on behind a loop that was not done. A single call needs no task.
+// at the time within the same loop. They would go on behind a loop that was not done.
 template <typename Function>
 void parallel_for(int n, const Function& f)
 {
-  if(n == 1)
-    f(0);
-  else
-    CGAL::for_each<CGAL::Parallel_if_available_tag>(boost::irange(0, n), [&](int b) {
-      f(b);
-      return true;
-    });
+  CGAL::for_each<CGAL::Parallel_if_available_tag>(boost::irange(0, n), [&](int b) {
+    f(b);
+    return true;
+  });
 #ifdef CGAL_LINKED_WITH_TBB
   if(tbb::is_current_task_group_canceling())
     throw Cancelled();
