@@ -162,9 +162,9 @@ Model_texture texture_of(const Model& model, const Mesh& mesh, const Corner_orig
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
 std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
-                                     const Atlas& atlas)
+                                     const Atlas& atlas, const SMP::Atlas_report& report)
 {
-  if(command.output.empty() || file_format(command.output) == "glb") {
+  if(command.output.empty() || file_format(command.output) == "glb" || !report.has_atlas()) {
     return {};
   }
   std::vector<bool> is_divided =
@@ -321,7 +321,7 @@ Exit_status run_atlas(const Command_line& command)
     baked = bake_textures(command, input, atlas, notes);
     record.baking = baked.record;
   }
-  const std::vector<bool> is_divided = polygons_to_divide(command, input, atlas);
+  const std::vector<bool> is_divided = polygons_to_divide(command, input, atlas, record.report);
   if(const std::string text = polygons_text(record.report.number_of_mended_polygons, is_divided);
      !text.empty()) {
     notes.add(text);

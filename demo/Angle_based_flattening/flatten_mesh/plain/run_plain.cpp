@@ -111,8 +111,12 @@ std::vector<bool> polygons_to_divide(const Command_line& command, const Surface&
   if(command.output.empty() || file_format(command.output) == "glb" || !flattening.succeeded()) {
     return {};
   }
-  return concave_polygons(with_split_sides(surface.soup, surface.input, surface.chart), surface.mesh(),
-                          surface.chart, flattening);
+  const Polygon_soup soup = with_split_sides(surface.soup, surface.input, surface.chart);
+  std::vector<bool> is_divided = concave_polygons(soup, surface.mesh(), surface.chart, flattening);
+  for(std::size_t p = 0; p < is_divided.size(); ++p) { // the corner that splits a straight side is no fault
+    is_divided[p] = is_divided[p] && soup.polygons[p].size() == surface.soup.polygons[p].size();
+  }
+  return is_divided;
 }
 
 // OBJ contains the repaired surface, the other formats the model in the file.
