@@ -14,6 +14,7 @@
 
 #include <boost/locale/utf.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
@@ -76,17 +77,14 @@ void read(std::string_view content, const std::string& format, bool repair)
   try {
     read_content(content, format, Degenerate_faces::KEPT, model, notes);
     require_consistent(model);
-    Polygon_soup soup = polygon_soup(model);
-    internal::valences(soup);
-    const std::size_t polygons = soup.polygons.size();
-    std::size_t left_out = 0;
-    for(const Skipped_part& part : set_aside(soup, repair))
-      left_out += part.faces;
-    require(soup.polygons.size() + left_out == polygons, "a lost polygon");
-    if(repair && !soup.polygons.empty())
-      weld_soup(soup, notes);
-    if(!soup.polygons.empty())
-      internal::build_separated_polygon_mesh(model, soup, repair, notes);
+    const Atlas_input input = atlas_input_of(model, repair, notes);
+    std::vector<Index> polygons = polygons_of_faces(input.model, input.mesh, input.origins);
+    std::sort(polygons.begin(), polygons.end());
+    std::size_t found =
+        static_cast<std::size_t>(std::unique(polygons.begin(), polygons.end()) - polygons.begin());
+    for(const Skipped_part& part : input.set_aside)
+      found += part.faces;
+    require(found == model.number_of_polygons(), "a lost polygon");
   } catch(const Input_error& error) {
     require(*error.what() != '\0', "an error without a message");
     require_utf_8(internal::json_text(error.what()));
