@@ -64,7 +64,8 @@ struct Atlas_report
     EQUAL_LENGTHS, ///< They have. The map is that of ABF++, or a piece of it.
     NOT_WANTED,    ///< `parameters::equal_seam_lengths()` is `false`.
     OTHER_METHOD, ///< The map, or that of which it is a piece, is hierarchical or injective. These do not keep lengths of seams.
-    NO_EQUATIONS, ///< The seams are such that there are no equations for their lengths.
+    NOT_TRIED, ///< The part has more than 32 handles and borders, and its map without equal lengths overlaps itself. The chart is a piece of that.
+    NO_EQUATIONS,  ///< The seams are such that there are no equations for their lengths.
     NOT_CONVERGED, ///< The solver does not reach equal lengths. The map was made without them.
     TOO_MUCH_DISTORTION ///< Around handles or between borders, equal lengths take more than 1.1 times the energy. The map was made
     ///< without them.
@@ -255,6 +256,8 @@ inline std::string to_string(Atlas_report::Seam_lengths lengths)
     return "NOT_WANTED";
   case Atlas_report::OTHER_METHOD:
     return "OTHER_METHOD";
+  case Atlas_report::NOT_TRIED:
+    return "NOT_TRIED";
   case Atlas_report::NO_EQUATIONS:
     return "NO_EQUATIONS";
   case Atlas_report::NOT_CONVERGED:

@@ -77,11 +77,9 @@ public:
     const int panel = largest_panel(width(options.panel_width, is_symmetric() ? 1 : superlu::sp_ienv(1)));
     if(panel == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
-    // two arrays of reals, two of integers, the work arrays, and a dozen vectors; also the buffer that OpenBLAS
-    // allocates at its first use: it would wait forever if that failed
-    const double blas_buffer = 1.5e8;
+    // two arrays of reals, two of integers, the work arrays, and a dozen vectors
     const SuperLU_memory memory(2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) +
-                                64. * size() + blas_buffer);
+                                64. * size() + SuperLU_blas_buffer());
     if(!memory.is_there())
       return false;
 

@@ -13,6 +13,11 @@
 #define CGAL_SUPERLU_CAN_FIND_OPENBLAS
 #endif
 
+#ifdef __linux__
+#include <fstream>
+#include <sys/resource.h>
+#endif
+
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -85,6 +90,27 @@ private:
 #endif
   }
 };
+
+// The number of bytes of the buffer that OpenBLAS allocates at its first use in a thread, and for which it would wait forever. It is 0
+// where that cannot fail: address space is then not limited, and asking for it would take longer than a small factorization.
+inline double SuperLU_blas_buffer()
+{
+  const double bytes = 1.5e8;
+#ifdef __linux__
+  static const bool is_overcommitted = [] {
+    std::ifstream file("/proc/sys/vm/overcommit_memory");
+    int mode = 2;
+    return file >> mode && mode != 2;
+  }();
+  const auto is_unlimited = [](auto resource) {
+    rlimit limit;
+    return getrlimit(resource, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+  };
+  if(is_overcommitted && is_unlimited(RLIMIT_AS) && is_unlimited(RLIMIT_DATA))
+    return 0;
+#endif
+  return bytes;
+}
 
 // Memory that a call of SuperLU is going to allocate. To find out whether it is available, it is allocated and freed,
 // together with the memory for other calls that have not returned yet. Several threads may call SuperLU at the same

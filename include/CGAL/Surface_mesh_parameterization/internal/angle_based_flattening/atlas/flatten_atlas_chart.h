@@ -158,7 +158,7 @@ private:
     if(equal.number_of_loops > many_loops && !m_options.separates) {
       free = direct_flattening(chart);
       if(!free->succeeded() || !free->report.border_is_simple)
-        return result(*std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::OTHER_METHOD);
+        return result(*std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::NOT_TRIED);
     }
     ABF_plus_plus_options options = direct_options(m_options);
     options.visitor = m_visitor;
