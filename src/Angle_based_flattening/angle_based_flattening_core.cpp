@@ -3,8 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/all_strategies.h>
 
 template std::shared_ptr<const CGAL::Surface_mesh_parameterization::internal::ABF::Solver_source>
 CGAL::Surface_mesh_parameterization::internal::ABF::solver_source(const CGAL::SuperLU_solver_traits<>&);

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -25,6 +26,10 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#endif
 
 /// \file Hierarchical_parameterizer_3.h
 

@@ -24,6 +24,10 @@
 #include <utility>
 #include <vector>
 
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/all_strategies.h>
+#endif
+
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // A map of a disk, in the units of the surface

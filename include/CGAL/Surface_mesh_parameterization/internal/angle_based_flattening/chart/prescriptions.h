@@ -9,18 +9,16 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_angle_sums.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_surface_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -120,39 +118,9 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   return {};
 }
 
-// Adds an angle to all copies of the largest sum.
-inline void add_to_largest(double angle, const Seam_places& places, std::vector<double>& sums)
-{
-  const auto rank = [](double sum) { return std::isfinite(sum) ? sum : -1; };
-  const auto largest =
-      std::max_element(sums.begin(), sums.end(), [&](double a, double b) { return rank(a) < rank(b); });
-  const int place = places.of(static_cast<int>(largest - sums.begin()));
-  for(std::size_t v = 0; v < sums.size(); ++v)
-    if(std::isfinite(sums[v]) && places.of(static_cast<int>(v)) == place)
-      sums[v] += angle;
-}
-
-// Sets the prescribed angles of a chart, if there are some that can be met. What rounding left of a total goes onto the largest
-// angle: the equations cannot be met otherwise.
-inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
-{
-  const Seam_places places(chart);
-  (chart.has_equal_seams ? chart.surface_sums : chart.angle_sums) = std::move(sums);
-  if(chart.has_equal_seams) {
-    const Surface_sum_check check(chart);
-    if(Chart_defect defect = check.run())
-      return defect;
-    add_to_largest(check.missing_angle(), places, chart.surface_sums);
-  } else {
-    const Angle_sum_check check(chart);
-    if(Chart_defect defect = check.run())
-      return defect;
-    if(is_whole_border_prescribed(chart))
-      add_to_largest(check.missing_angle(), places, chart.angle_sums);
-  }
-  find_nodes(chart);
-  return {};
-}
+// Sets the prescribed angles of a chart, if there are some that can be met. Null in programs that do not prescribe angles:
+// the check needs a maximum flow.
+inline Chart_defect (*optional_angle_sums)(std::vector<double> sums, Chart& chart) = nullptr;
 
 // Reads the prescribed angles of a mesh whose chart knows its seams of equal sides.
 template <typename TriangleMesh>
@@ -171,7 +139,15 @@ read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::ve
       has_some = true;
     }
   // On the surface before the cut, vertices of seams have 2 pi if nothing else is said.
-  return has_some || chart.has_equal_seams ? set_angle_sums(std::move(sums), chart) : Chart_defect();
+  if(!has_some && !chart.has_equal_seams)
+    return {};
+  if(optional_angle_sums == nullptr)
+    return {
+        Flattening_report::WRONG_OPTION,
+        "prescribed angle sums need #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>",
+        {},
+        {}};
+  return optional_angle_sums(std::move(sums), chart);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

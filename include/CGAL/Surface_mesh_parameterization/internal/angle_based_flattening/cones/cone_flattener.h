@@ -32,6 +32,10 @@
 #include <utility>
 #include <vector>
 
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/set_angle_sums.h>
+#endif
+
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Chooses cones, leads seams through them, and flattens what these leave. Writes seams and coordinates if all that succeeds.

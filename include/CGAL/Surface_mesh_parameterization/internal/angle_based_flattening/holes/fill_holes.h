@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
@@ -24,16 +23,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The weight of patches that hardly stiffen a chart. With 1e-2 and less Newton's method does not converge.
-inline constexpr double soft_patch_weight = 0.1;
-
 // The targets of patches are at least this large where the surface leaves them nothing of the full turn.
 inline constexpr double least_patch_angle = 0.02;
-
-inline bool are_holes_filled(const Chart& chart, const Flattening_options& options)
-{
-  return options.holes == Flattening_options::FILL && chart.borders.size() > 1;
-}
 
 // Makes a disk of a chart with holes, by patches over all borders but the first one.
 class Hole_filler
@@ -209,16 +200,9 @@ private:
 
 // A disk whose first vertices and triangles are those of a chart with holes that `diagnose()` found flawless. The weight of a patch
 // is `weight` times the mean of that of the triangles around it.
-inline Chart fill_holes(const Chart& chart, double weight = soft_patch_weight)
+inline Chart fill_holes(const Chart& chart, double weight)
 {
   return Hole_filler(chart).run(weight);
-}
-
-// The same patches, so many times as stiff.
-inline void stiffen_patches(const Chart& chart, double factor, Chart& filled)
-{
-  for(int t = chart.number_of_triangles(); t < filled.number_of_triangles(); ++t)
-    filled.weight[t] *= factor;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

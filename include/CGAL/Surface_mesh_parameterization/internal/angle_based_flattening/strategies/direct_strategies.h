@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #include <algorithm>
 #include <optional>
@@ -17,23 +17,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns nothing
-// if double precision does not hold that.
-inline std::optional<std::vector<Chart::Point_2>> progressive_embedding(Chart chart,
-                                                                        const ABF_plus_plus_options& options)
-{
-  Hierarchical_options hierarchical;
-  hierarchical.barrier = options.barrier;
-  hierarchical.angle_sweeps = 10;
-  hierarchical.max_retries = 0;
-  hierarchical.visitor = options.visitor;
-  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, hierarchical, no_solver);
-  if(!result.succeeded())
-    return std::nullopt;
-  return std::move(result.uv);
-}
 
 // The strategies of the direct method, one after the other until one gives a valid map. A feasible chart with one border has
 // a valid map, which the last one finds unless the range of numbers is too small for it.
@@ -58,10 +41,8 @@ public:
     if(m_options.fallbacks && can_fallbacks_help(result)) {
       note_failure(result);
       result = raise_barrier();
-      if(!result.succeeded()) {
-        note_failure(result);
-        result = start_from_embedding();
-      }
+      if(!result.succeeded())
+        result = start_from_embedding(std::move(result));
     }
     return finished(std::move(result));
   }
@@ -113,9 +94,17 @@ protected:
     return result;
   }
 
-  Direct_flattening start_from_embedding()
+  // What is left when all else has failed
+  Direct_flattening start_from_embedding(Direct_flattening failed)
   {
-    std::optional<std::vector<Chart::Point_2>> embedding = progressive_embedding(m_chart, m_options);
+    if(optional_strategies.embed_progressively == nullptr) {
+      fail(failed.report, failed.report.diagnosis,
+           needs_strategies(failed.report.message + "; the last fallback"));
+      return failed;
+    }
+    note_failure(failed);
+    std::optional<std::vector<Chart::Point_2>> embedding =
+        optional_strategies.embed_progressively(m_chart, m_options);
     if(!embedding) {
       Direct_flattening result;
       result.report = report_of<Report>(m_part);

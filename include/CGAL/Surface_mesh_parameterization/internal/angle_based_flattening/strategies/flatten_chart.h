@@ -24,6 +24,7 @@ flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Li
 
 // The same by way of a coarser chart; `solvers` solve the linear systems of polishing. The connectivity of the chart is
 // changed on the way, and is as before if a valid map was found.
+// Programs without the compiled library include the header of that name to have it.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
@@ -33,7 +34,6 @@ flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
 #endif
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/hole_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/make_injective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #include <utility>
 
@@ -42,7 +42,9 @@ flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Li
               Rounding round)
 {
   Flattening<ABF_plus_plus_report> result = locally_injective_map(chart, options, solvers, round);
-  return options.injective ? made_injective(chart, options, solvers, round, std::move(result)) : result;
+  return options.injective
+             ? optional_strategies.make_injective(chart, options, solvers, round, std::move(result))
+             : result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -9,14 +9,13 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/flatten_injectively.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/certify_refined_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #include <optional>
 #include <utility>
@@ -76,7 +75,7 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
 {
   // The range of scale is predicted on the coarse chart: on the fine one, that would take longer than all the rest.
   if(options.injective)
-    return flatten_injectively(chart, options, solvers);
+    return optional_strategies.flatten_injectively(chart, options, solvers);
   Hierarchical_report prediction;
   const Coarse_flattening flatten_if_possible =
       [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
@@ -103,7 +102,7 @@ inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
   double seconds = 0;
   {
     const Stage stage(nullptr, Flattening_visitor::COARSEN, seconds);
-    filled = fill_holes(chart);
+    filled = optional_strategies.fill_holes(chart, soft_patch_weight);
   }
   Flattening<Hierarchical_report> result = refined_map(filled, options, flatten_coarse, solvers);
   result.report.seconds.coarsen += seconds;
@@ -131,12 +130,18 @@ inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
                                                               const Coarse_flattening& flatten_coarse,
                                                               const Linear_solvers& solvers)
 {
-  if(options.injective || are_holes_filled(chart, options) || has_many_holes(chart, options))
+  const bool can_fill = optional_strategies.fill_holes != nullptr;
+  if(options.injective || are_holes_filled(chart, options) || (can_fill && has_many_holes(chart, options)))
     return refined_map_of_filled(chart, options, flatten_coarse, solvers);
   const Chart original = chart;
   Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);
   if(result.report.diagnosis != Flattening_report::NO_CONVERGENCE)
     return result;
+  if(!can_fill) {
+    fail(result.report, result.report.diagnosis,
+         needs_strategies(result.report.message + "; filling the holes instead"));
+    return result;
+  }
   chart = original;
   return refined_map_of_filled(chart, options, flatten_coarse, solvers);
 }

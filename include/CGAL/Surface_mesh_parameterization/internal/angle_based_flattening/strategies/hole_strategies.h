@@ -8,13 +8,20 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The same patches, so many times as stiff.
+inline void stiffen_patches(const Chart& chart, double factor, Chart& filled)
+{
+  for(int t = chart.number_of_triangles(); t < filled.number_of_triangles(); ++t)
+    filled.weight[t] *= factor;
+}
 
 // The strategies for a chart with holes. The filled chart is a disk, so that the last one finds a valid map.
 class Hole_strategies : Direct_strategies
@@ -37,6 +44,11 @@ public:
       fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
     if(!m_options.fallbacks || !can_patches_help(result))
       return finished(std::move(result));
+    if(optional_strategies.fill_holes == nullptr) {
+      fail(result.report, result.report.diagnosis,
+           needs_strategies(result.report.message + "; filling the holes instead"));
+      return finished(std::move(result));
+    }
     note_failure(result);
     result = flatten_filled();
     if(result.succeeded()) {
@@ -82,7 +94,7 @@ private:
   {
     {
       const Stage stage(m_options.visitor, Flattening_visitor::TARGET_ANGLES, m_seconds.targets);
-      m_filled = fill_holes(m_part);
+      m_filled = optional_strategies.fill_holes(m_part, soft_patch_weight);
       m_beta = target_angles(m_filled);
     }
     return flatten_with_patches(Report::SOFT_PATCHES);
@@ -105,8 +117,7 @@ private:
     result = flatten_with_patches(Report::STIFF_PATCHES);
     if(result.succeeded())
       return result;
-    note_failure(result);
-    return start_from_embedding();
+    return start_from_embedding(std::move(result));
   }
 
   Chart& m_filled;

@@ -17,7 +17,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -202,7 +203,9 @@ run_parameterizer(const TriangleMesh& mesh,
                   VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
                   const Options& options, const Flatten& flatten)
 {
-  const std::string wrong = wrong_option(options);
+  std::string wrong = wrong_option(options);
+  if(wrong.empty())
+    wrong = missing_strategy(options);
   if(!wrong.empty()) {
     Outcome<TriangleMesh, Report> outcome;
     fail(outcome.report, Report::WRONG_OPTION, wrong);

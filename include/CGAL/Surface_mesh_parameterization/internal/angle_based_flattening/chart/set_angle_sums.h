@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SET_ANGLE_SUMS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SET_ANGLE_SUMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/check_surface_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Adds an angle to all copies of the largest sum.
+inline void add_to_largest(double angle, const Seam_places& places, std::vector<double>& sums)
+{
+  const auto rank = [](double sum) { return std::isfinite(sum) ? sum : -1; };
+  const auto largest =
+      std::max_element(sums.begin(), sums.end(), [&](double a, double b) { return rank(a) < rank(b); });
+  const int place = places.of(static_cast<int>(largest - sums.begin()));
+  for(std::size_t v = 0; v < sums.size(); ++v)
+    if(std::isfinite(sums[v]) && places.of(static_cast<int>(v)) == place)
+      sums[v] += angle;
+}
+
+// Sets the prescribed angles of a chart, if there are some that can be met. What rounding left of a total goes onto the largest
+// angle: the equations cannot be met otherwise.
+inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
+{
+  const Seam_places places(chart);
+  (chart.has_equal_seams ? chart.surface_sums : chart.angle_sums) = std::move(sums);
+  if(chart.has_equal_seams) {
+    const Surface_sum_check check(chart);
+    if(Chart_defect defect = check.run())
+      return defect;
+    add_to_largest(check.missing_angle(), places, chart.surface_sums);
+  } else {
+    const Angle_sum_check check(chart);
+    if(Chart_defect defect = check.run())
+      return defect;
+    if(is_whole_border_prescribed(chart))
+      add_to_largest(check.missing_angle(), places, chart.angle_sums);
+  }
+  find_nodes(chart);
+  return {};
+}
+
+inline const bool has_angle_sums = (optional_angle_sums = &set_angle_sums, true);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SET_ANGLE_SUMS_H

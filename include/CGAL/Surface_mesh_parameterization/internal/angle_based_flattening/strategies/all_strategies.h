@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/set_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/flatten_injectively.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/make_injective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The methods with all that their options can ask for. The initialization runs before `main()`, and more than once if several shared
+// libraries include this header, with the same result.
+inline const bool has_all_strategies = [] {
+  optional_strategies = {&fill_holes, &progressive_embedding, &made_injective, &flatten_injectively};
+  return true;
+}();
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H

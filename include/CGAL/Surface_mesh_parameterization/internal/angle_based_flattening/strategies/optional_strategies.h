@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flattening.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What the methods call only where their options ask for it, or where their own map is not valid. Programs that do not need it do not
+// compile it: the header of each function enters it here, and <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>
+// includes all of these headers. The compiled library has all functions.
+struct Optional_strategies
+{
+  Chart (*fill_holes)(const Chart& chart, double weight) = nullptr;
+
+  std::optional<std::vector<Chart::Point_2>> (*embed_progressively)(
+      Chart chart, const ABF_plus_plus_options& options) = nullptr;
+
+  Flattening<ABF_plus_plus_report> (*make_injective)(const Chart& chart, const ABF_plus_plus_options& options,
+                                                     const Linear_solvers& solvers, Rounding round,
+                                                     Flattening<ABF_plus_plus_report> direct) = nullptr;
+
+  Flattening<Hierarchical_report> (*flatten_injectively)(Chart& chart, const Hierarchical_options& options,
+                                                         const Linear_solvers& solvers) = nullptr;
+};
+
+inline Optional_strategies optional_strategies;
+
+inline std::string needs_strategies(const std::string& what)
+{
+  return what + " needs #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>";
+}
+
+// Returns which option cannot be served, or an empty string.
+inline std::string missing_strategy(const Flattening_options& options)
+{
+  if(options.injective && optional_strategies.make_injective == nullptr)
+    return needs_strategies("the option 'injective'");
+  if(options.holes == Flattening_options::FILL && optional_strategies.fill_holes == nullptr)
+    return needs_strategies("filling holes");
+  return std::string();
+}
+
+// The weight of patches that hardly stiffen a chart. With 1e-2 and less Newton's method does not converge.
+inline constexpr double soft_patch_weight = 0.1;
+
+inline bool are_holes_filled(const Chart& chart, const Flattening_options& options)
+{
+  return options.holes == Flattening_options::FILL && chart.borders.size() > 1;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
