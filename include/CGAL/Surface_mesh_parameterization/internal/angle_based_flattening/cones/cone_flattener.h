@@ -33,7 +33,7 @@
 #include <vector>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/set_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
 #endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTENING_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTENING_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FLATTENING_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FLATTENING_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -35,4 +35,4 @@ typedef std::function<std::optional<std::vector<Chart::Point_2>>(const Chart&)> 
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTENING_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FLATTENING_H
