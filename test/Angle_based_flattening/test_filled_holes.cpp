@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(takes_vertices_at_one_point)
   for(int c : chart.borders[1]) {
     Chart degenerate = chart;
     degenerate.points[chart.edge_source(c)] = chart.points[chart.edge_target(c)];
-    BOOST_TEST(abf::fill_holes(degenerate).borders.size() == 1u);
+    BOOST_TEST(abf::fill_holes(degenerate, abf::soft_patch_weight).borders.size() == 1u);
     BOOST_TEST(flatten(degenerate).succeeded());
   }
 }
@@ -206,13 +206,13 @@ BOOST_AUTO_TEST_CASE(fans_are_the_way_out)
     p = Point_3(p.x(), 0.5, 0);
   }
   for(const Chart& chart : {slit, annulus(abf::largest_patch + 1)}) {
-    const Chart filled = abf::fill_holes(chart);
+    const Chart filled = abf::fill_holes(chart, abf::soft_patch_weight);
     check_filled(chart, filled);
     BOOST_TEST(filled.number_of_vertices() == chart.number_of_vertices() + 1);
     BOOST_TEST(flatten(chart).succeeded());
   }
   const Chart ring = annulus(20);
-  BOOST_TEST(abf::fill_holes(ring).number_of_vertices() == ring.number_of_vertices());
+  BOOST_TEST(abf::fill_holes(ring, abf::soft_patch_weight).number_of_vertices() == ring.number_of_vertices());
 }
 
 // A square hole, one of whose diagonals is an edge of the surface around it
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(edges_of_the_surface_are_not_repeated)
     std::swap(chart.borders[0], chart.borders[1]);
   std::swap(chart.borders[0], chart.borders[1]);
   BOOST_TEST_REQUIRE(!abf::diagnose(chart, true));
-  const Chart filled = abf::fill_holes(chart);
+  const Chart filled = abf::fill_holes(chart, abf::soft_patch_weight);
   check_filled(chart, filled);
 }
 

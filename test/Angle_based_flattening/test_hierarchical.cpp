@@ -307,7 +307,8 @@ BOOST_AUTO_TEST_CASE(kept_rings_give_the_same_map)
     coarsening.coarsen(300, extreme_angle);
     const Chart& coarse = coarsening.mesh().chart();
     std::vector<Planar_point> kept = planar_points(coarse), other = kept, before = kept;
-    abf::Relaxation with_rings(coarsening, kept), without_rings(coarsening, other);
+    abf::Local_border kept_border(coarsening, kept), other_border(coarsening, other);
+    abf::Relaxation with_rings(coarsening, kept, kept_border), without_rings(coarsening, other, other_border);
     abf::relax_level(coarsening, with_rings, 3);
     for(int sweep = 0; sweep < 3; ++sweep)
       without_rings.sweep(abf::MIPS_star());

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 
@@ -45,13 +46,30 @@ public:
   Border_contact contact() const { return measure_contact(*m_border, m_clearance); }
 
   // Takes the border vertices that are there now, and all positions.
-  void take(const Border_cycles& cycles, const std::vector<Planar_point>& uv)
+  void take(const Coarsening& coarsening, const std::vector<Planar_point>& uv)
   {
-    m_border.emplace(cycles, uv);
+    m_border.emplace(coarsening.borders(), uv);
   }
 
   bool touches_at(int v) const { return m_border->touches_at(m_border->number(v)); }
 
+  bool has_moved(int v, const Planar_point&, const Planar_point& now) { return try_to_move(v, now); }
+
+  // Relaxes a vertex, on the border with a barrier around it. Returns `false` if it does not move.
+  template <typename Star>
+  bool relax(const Star& star, int v, Planar_point& position)
+  {
+    if(!star.on_border)
+      return relax_vertex_repeatedly(star, position, [](const Planar_point&) { return true; }) < 1;
+    const int i = m_border->number(v);
+    m_barrier.gather(*m_border, i, m_clearance, m_clearance * m_border->local_length(i));
+    const auto accept = [&](const Planar_point& x) { return try_to_move(v, x); };
+    if(m_barrier.empty())
+      return relax_vertex_repeatedly(star, position, accept) < 1;
+    return relax_vertex_repeatedly(Repelled_star<Star>{star, m_barrier}, position, accept) < 1;
+  }
+
+private:
   // Moves a vertex on the border to `x` if its edges touch nothing there. Returns whether it did.
   bool try_to_move(int v, const Planar_point& x)
   {
@@ -65,19 +83,6 @@ public:
     return false;
   }
 
-  // Relaxes a border vertex, with a barrier around it. Returns `false` if it does not move.
-  template <typename Star>
-  bool relax(const Star& star, int v, Planar_point& position)
-  {
-    const int i = m_border->number(v);
-    m_barrier.gather(*m_border, i, m_clearance, m_clearance * m_border->local_length(i));
-    const auto accept = [&](const Planar_point& x) { return try_to_move(v, x); };
-    if(m_barrier.empty())
-      return relax_vertex_repeatedly(star, position, accept) < 1;
-    return relax_vertex_repeatedly(Repelled_star<Star>{star, m_barrier}, position, accept) < 1;
-  }
-
-private:
   double m_clearance;
   std::optional<Planar_border> m_border;
   Vertex_barrier m_barrier;

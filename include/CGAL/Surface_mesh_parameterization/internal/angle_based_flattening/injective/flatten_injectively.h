@@ -44,7 +44,7 @@ public:
   Injective_flattening(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
       : m_weights(chart), m_coarsening(chart), m_keeper(options.clearance), m_options(options),
         m_solvers(solvers), m_most_newton_vertices(most_newton_vertices(chart)),
-        m_report(report_of<Hierarchical_report>(chart)), m_relaxation(m_coarsening, m_uv, &m_keeper)
+        m_report(report_of<Hierarchical_report>(chart)), m_relaxation(m_coarsening, m_uv, m_keeper)
   {}
 
   Flattening<Hierarchical_report> run()
@@ -297,7 +297,7 @@ private:
   int m_most_newton_vertices;
   Hierarchical_report m_report;
   std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
-  Relaxation m_relaxation;
+  Relaxation<Border_keeper> m_relaxation;
 };
 
 // Flattens a disk that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a map was found,

@@ -40,6 +40,7 @@ public:
 
   // Stretches the whole map and relaxes each vertex, in turn, until the energy falls by less than the fraction
   // `tolerance` of it. Returns the number of sweeps over the vertices, which is at most `sweeps`.
+  template <typename Relaxation>
   int run(Relaxation& relaxation, int sweeps, double tolerance)
   {
     m_model = model(m_uv);

@@ -102,7 +102,8 @@ struct Kept_MIPS_star : MIPS_star
 };
 
 // Sweeps over what is left of a chart, as similar to the surface as possible
-inline void relax_level(const Coarsening& coarsening, Relaxation& relaxation, int sweeps)
+template <typename Relaxation>
+void relax_level(const Coarsening& coarsening, Relaxation& relaxation, int sweeps)
 {
   if(sweeps == 1)
     return relaxation.sweep(MIPS_star());

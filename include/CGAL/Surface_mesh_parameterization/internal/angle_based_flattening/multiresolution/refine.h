@@ -24,6 +24,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Inserts the removed vertices again, level by level, and relaxes the map after each level (Section 5.2).
+template <typename Relaxation>
 class Refinement
 {
 public:

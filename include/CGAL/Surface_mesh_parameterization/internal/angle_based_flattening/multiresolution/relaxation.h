@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
@@ -33,13 +32,87 @@ inline int begin_of_vertex_block(int b, int blocks, int n)
   return static_cast<int>(std::int64_t(n) * b / blocks);
 }
 
-// Moves the vertices of a map, one by one, to where the energy of their stars is lower.
+// Lets the border of a map overlap itself, but not around a border vertex where it did not. `Border_keeper` keeps all of it simple.
+class Local_border
+{
+public:
+  Local_border(const Coarsening& coarsening, std::vector<Planar_point>& uv)
+      : m_coarsening(coarsening), m_uv(uv)
+  {}
+
+  void take(const Coarsening&, const std::vector<Planar_point>&) {}
+  bool touches_at(int) const { return false; }
+  bool has_moved(int v, const Planar_point& before, const Planar_point&) { return !overlaps(v, before); }
+
+  // Relaxes a vertex. Returns `false` if it does not move.
+  template <typename Star>
+  bool relax(const Star& star, int v, Planar_point& position)
+  {
+    const Planar_point before = position;
+    const auto accept = [](const Planar_point&) { return true; };
+    if(!(relax_vertex(star, position, accept) < 1))
+      return false;
+    if(!star.on_border || has_moved(v, before, position))
+      return true;
+    position = before;
+    return false;
+  }
+
+private:
+  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, nearly take a full
+  // turn now, but did not take one with `v` at `before`. The chart could then overlap itself there although all
+  // triangles are positively oriented. A position is not refused where the chart overlaps itself anyway. The rest of
+  // the turn is for vertices that are still to be inserted.
+  bool overlaps(int v, const Planar_point& before)
+  {
+    const unsigned now = wide_angles(v, 2 * pi - 1e-2);
+    if(now == 0)
+      return false;
+    const Planar_point position = m_uv[v];
+    m_uv[v] = before;
+    const unsigned then = wide_angles(v, 2 * pi);
+    m_uv[v] = position;
+    return (now & ~then) != 0;
+  }
+
+  // One bit for border vertex `v` and one for each of its neighbours on the border
+  unsigned wide_angles(int v, double limit) const
+  {
+    const Chart& chart = m_coarsening.mesh().chart();
+    const int first = m_coarsening.mesh().first_corner(v);
+    int last = first;
+    for(int c = first; c >= 0; c = chart.rotate(c))
+      last = c;
+    unsigned bits = 0;
+    for(int w : {v, chart.vertex[previous_corner(first)], chart.vertex[next_corner(last)]})
+      bits = 2 * bits + (turn(w) > limit);
+    return bits;
+  }
+
+  // The sum of the angles of all triangles around `v`
+  double turn(int v) const
+  {
+    double result = 0;
+    const Chart& chart = m_coarsening.mesh().chart();
+    m_coarsening.mesh().for_each_corner(v, [&](int c) {
+      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
+                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
+      result += std::atan2(cross(a, b), a.dot(b));
+    });
+    return result;
+  }
+
+  const Coarsening& m_coarsening;
+  std::vector<Planar_point>& m_uv;
+};
+
+// Moves the vertices of a map, one by one, to where the energy of their stars is lower. `Border` says where those on the border may be.
+template <typename Border>
 class Relaxation
 {
 public:
-  // With a `keeper`, the border stays simple. Otherwise it stays simple around each border vertex if it was.
-  Relaxation(const Coarsening& coarsening, std::vector<Planar_point>& uv, Border_keeper* keeper = nullptr)
-      : m_coarsening(coarsening), m_uv(uv), m_keeper(keeper)
+  Relaxation(const Coarsening& coarsening, std::vector<Planar_point>& uv, Border& border)
+      : m_coarsening(coarsening), m_uv(uv), m_border(border)
   {}
 
   int moves() const { return m_moves; }
@@ -88,26 +161,20 @@ public:
     Star star = empty;
     for(int v : vertices) {
       star.gather(mesh(), m_uv, v);
-      ++(is_relaxed(star, v) ? m_moves : m_rejected_moves);
+      ++(m_border.relax(star, v, m_uv[v]) ? m_moves : m_rejected_moves);
     }
   }
 
-  // Tells the keeper of the border about vertices that were inserted, or moved by others.
-  void take_border()
-  {
-    if(m_keeper != nullptr)
-      m_keeper->take(m_coarsening.borders(), m_uv);
-  }
+  // Tells the border about vertices that were inserted, or moved by others.
+  void take_border() { m_border.take(m_coarsening, m_uv); }
 
-  // Whether the border touches itself at a border vertex, if there is someone who keeps it simple.
-  bool border_touches(int v) const { return m_keeper != nullptr && m_keeper->touches_at(v); }
+  bool border_touches(int v) const { return m_border.touches_at(v); }
 
   // Moves a border vertex from `before` to its position in the map, or back if the chart would overlap itself there. Returns
   // whether it stays.
   bool keep_border_position(int v, const Planar_point& before)
   {
-    const bool is_kept =
-        m_keeper != nullptr ? m_keeper->try_to_move(v, m_uv[v]) : !border_overlaps(v, before);
+    const bool is_kept = m_border.has_moved(v, before, m_uv[v]);
     if(!is_kept)
       m_uv[v] = before;
     return is_kept;
@@ -125,66 +192,12 @@ private:
   template <typename Star>
   void relax(const Star& star, int v, Block& result)
   {
-    ++(is_relaxed(star, v) ? result.moves : result.rejected_moves);
-  }
-
-  template <typename Star>
-  bool is_relaxed(const Star& star, int v)
-  {
-    const auto accept = [](const Planar_point&) { return true; };
-    if(m_keeper != nullptr)
-      return star.on_border ? m_keeper->relax(star, v, m_uv[v])
-                            : relax_vertex_repeatedly(star, m_uv[v], accept) < 1;
-    const Planar_point before = m_uv[v];
-    return relax_vertex(star, m_uv[v], accept) < 1 && (!star.on_border || keep_border_position(v, before));
-  }
-
-  // Whether the triangles around border vertex `v`, or around one of its neighbours on the border, nearly take a full
-  // turn now, but did not take one with `v` at `before`. The chart could then overlap itself there although all
-  // triangles are positively oriented. A position is not refused where the chart overlaps itself anyway. The rest of
-  // the turn is for vertices that are still to be inserted.
-  bool border_overlaps(int v, const Planar_point& before)
-  {
-    const unsigned now = wide_angles(v, 2 * pi - 1e-2);
-    if(now == 0)
-      return false;
-    const Planar_point position = m_uv[v];
-    m_uv[v] = before;
-    const unsigned then = wide_angles(v, 2 * pi);
-    m_uv[v] = position;
-    return (now & ~then) != 0;
-  }
-
-  // One bit for border vertex `v` and one for each of its neighbours on the border
-  unsigned wide_angles(int v, double limit) const
-  {
-    const Chart& chart = mesh().chart();
-    const int first = mesh().first_corner(v);
-    int last = first;
-    for(int c = first; c >= 0; c = chart.rotate(c))
-      last = c;
-    unsigned bits = 0;
-    for(int w : {v, chart.vertex[previous_corner(first)], chart.vertex[next_corner(last)]})
-      bits = 2 * bits + (turn(w) > limit);
-    return bits;
-  }
-
-  // The sum of the angles of all triangles around `v`
-  double turn(int v) const
-  {
-    double result = 0;
-    const Chart& chart = mesh().chart();
-    mesh().for_each_corner(v, [&](int c) {
-      const Planar_point a = m_uv[chart.vertex[next_corner(c)]] - m_uv[v],
-                         b = m_uv[chart.vertex[previous_corner(c)]] - m_uv[v];
-      result += std::atan2(cross(a, b), a.dot(b));
-    });
-    return result;
+    ++(m_border.relax(star, v, m_uv[v]) ? result.moves : result.rejected_moves);
   }
 
   const Coarsening& m_coarsening;
   std::vector<Planar_point>& m_uv;
-  Border_keeper* m_keeper;
+  Border& m_border;
   int m_moves = 0, m_rejected_moves = 0;
 };
 

@@ -85,7 +85,8 @@ private:
 
   bool undo_all_levels()
   {
-    Relaxation relaxation(m_coarsening, m_uv);
+    Local_border border(m_coarsening, m_uv);
+    Relaxation relaxation(m_coarsening, m_uv, border);
     Refinement refinement(m_coarsening, m_uv, relaxation);
     const bool is_refined = refinement.run(m_options.sweeps, m_options.visitor);
     if(is_refined && m_options.angle_sweeps > 0)
@@ -96,6 +97,7 @@ private:
     return is_refined;
   }
 
+  template <typename Relaxation>
   void lower_energy(Relaxation& relaxation)
   {
     Angle_descent descent(m_coarsening.mesh().chart(), m_options.barrier, m_uv);
