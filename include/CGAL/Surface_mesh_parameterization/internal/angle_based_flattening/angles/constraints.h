@@ -40,8 +40,10 @@ inline void set_hole_residuals(const Chart& chart, const std::vector<double>& al
   residual.conservativeResize(number_of_constraints(chart));
   const std::vector<Hole_equations> holes = hole_equations(chart, alpha);
   for(int k = 0; k < h; ++k) {
-    residual.segment<2>(2 * (n + k)) << holes[k].rotation, holes[k].scale;
-    residual.segment<2>(2 * (n + h + k)) << holes[k].gap.real(), holes[k].gap.imag();
+    residual[2 * (n + k)] = holes[k].rotation;
+    residual[2 * (n + k) + 1] = holes[k].scale;
+    residual[2 * (n + h + k)] = holes[k].gap.real();
+    residual[2 * (n + h + k) + 1] = holes[k].gap.imag();
   }
 }
 
@@ -89,13 +91,14 @@ inline double largest_violation(const Chart& chart, const Constraint_vector& res
   const Eigen::Index gaps = 2 * chart.number_of_holes(), others = residual.size() - gaps;
   double largest = others > 0 ? residual.head(others).cwiseAbs().maxCoeff() : 0;
   for(Eigen::Index i = others; i < residual.size(); i += 2)
-    largest = (std::max)(largest, 10 * residual.segment<2>(i).norm());
+    largest =
+        (std::max)(largest, 10 * std::sqrt(residual[i] * residual[i] + residual[i + 1] * residual[i + 1]));
   return largest;
 }
 
-inline Eigen::Vector3d cotangents(const std::vector<double>& alpha, int triangle)
+inline Vector_3 cotangents(const std::vector<double>& alpha, int triangle)
 {
-  Eigen::Vector3d result;
+  Vector_3 result;
   for(int k = 0; k < 3; ++k)
     result[k] = std::cos(alpha[3 * triangle + k]) / std::sin(alpha[3 * triangle + k]);
   return result;

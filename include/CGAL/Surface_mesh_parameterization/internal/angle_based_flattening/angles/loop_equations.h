@@ -55,7 +55,7 @@ inline double largest_seam_difference(const Chart& chart, const std::vector<doub
 // The loops through the triangles of a chart
 class Loop_equations
 {
-  typedef Eigen::RowVector2d Plane_row;
+  typedef Small_matrix<1, 2> Plane_row;
   typedef std::vector<Loop_crossing>::const_iterator Iterator;
 
 public:
@@ -81,11 +81,11 @@ public:
   }
 
   // The gradient of the loops times their multipliers, in the plane of the steps that keep the sum of a triangle's angles
-  Eigen::Vector2d gradient(int t, const Eigen::Vector3d& cotangents, const Eigen::VectorXd& multipliers) const
+  Vector_2 gradient(int t, const Vector_3& cotangents, const Eigen::VectorXd& multipliers) const
   {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    Vector_2 sum = Vector_2::zero();
     for_each_crossing(t, [&](const Loop_crossing& crossing) {
-      sum += multiplier(multipliers, crossing) * row(crossing, cotangents).transpose();
+      sum += multiplier(multipliers, crossing) * transposed(row(crossing, cotangents));
     });
     return sum;
   }
@@ -100,17 +100,19 @@ public:
       const int t = crossing.triangle(), j = m_chart.node_of_loop(crossing.loop);
       const auto& of_triangle = local(t);
       const auto rows = jacobian(t);
-      const Eigen::Vector2d column = of_triangle.inverse * row(crossing, of_triangle.cotangents).transpose();
-      right_hand_side[2 * j + 1] += column.dot(of_triangle.force);
+      const Vector_2 column = of_triangle.inverse * transposed(row(crossing, of_triangle.cotangents));
+      right_hand_side[2 * j + 1] += (transposed(column) * of_triangle.force)[0];
       for(int k = 0; k < 3; ++k)
         if(const int i = m_chart.node_of_corner(3 * t + k); i >= 0) {
-          const Eigen::Vector2d coupling = rows.template middleRows<2>(2 * k) * column;
-          assembly.block(i, j).col(1) += coupling;
-          assembly.block(j, i).row(1) += coupling.transpose();
+          const Vector_2 coupling = rows_of<2>(rows, 2 * k) * column;
+          for(int l = 0; l < 2; ++l) {
+            assembly.block(i, j)(l, 1) += coupling[l];
+            assembly.block(j, i)(1, l) += coupling[l];
+          }
         }
       for_each_crossing(t, [&](const Loop_crossing& other) {
         assembly.block(m_chart.node_of_loop(other.loop), j)(1, 1) +=
-            row(other, of_triangle.cotangents) * column;
+            (row(other, of_triangle.cotangents) * column)[0];
       });
     }
   }
@@ -122,11 +124,11 @@ private:
   }
 
   // A loop's derivatives by the angles of a triangle, in the plane of steps
-  static Plane_row row(const Loop_crossing& crossing, const Eigen::Vector3d& cotangents)
+  static Plane_row row(const Loop_crossing& crossing, const Vector_3& cotangents)
   {
     const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
     const int in = crossing.in % 3, out = crossing.out % 3;
-    return cotangents[out] * basis.row(out) - cotangents[in] * basis.row(in);
+    return cotangents[out] * rows_of<1>(basis, out) - cotangents[in] * rows_of<1>(basis, in);
   }
 
   template <typename Visitor>

@@ -20,6 +20,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -97,15 +98,14 @@ public:
   const Newton_equation& equation() const { return m_equation; }
 
 private:
-  typedef Eigen::Matrix<double, 6, 1> Local_constraints;
-  typedef Eigen::Matrix<double, 6, 2> Plane_jacobian;
+  typedef Small_matrix<6, 2> Plane_jacobian;
 
   // All that the assembly and the substitution need of a triangle
   struct Local_system
   {
-    Eigen::Vector3d cotangents;
-    Eigen::Matrix<double, 2, 2, Eigen::DontAlign> inverse; // (T' H T)^-1
-    Eigen::Matrix<double, 2, 1, Eigen::DontAlign> force;   // T' r
+    Vector_3 cotangents;
+    Matrix_2 inverse; // (T' H T)^-1
+    Vector_2 force;   // T' r
   };
 
   static std::vector<int> holes_of_bound_nodes(const Chart& chart)
@@ -142,9 +142,9 @@ private:
     m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Local_system& local = m_local[c / 3];
       const Plane_jacobian jacobian = plane_jacobian(c / 3, local.cotangents);
-      const auto rows = jacobian.middleRows<2>(2 * (c % 3));
-      right_hand_side.segment<2>(2 * m_chart.node_of_corner(c)) += rows * (local.inverse * local.force);
-      return jacobian * (rows * local.inverse).transpose();
+      const Matrix_2 rows = rows_of<2>(jacobian, 2 * (c % 3));
+      add_to_block(rows * (local.inverse * local.force), m_chart.node_of_corner(c), right_hand_side);
+      return jacobian * transposed(rows * local.inverse);
     });
     m_loops.assemble([&](int t) -> const Local_system& { return m_local[t]; },
                      [&](int t) { return plane_jacobian(t, m_local[t].cotangents); }, m_assembly,
@@ -154,15 +154,17 @@ private:
   }
 
   // B T: rows 2k and 2k + 1 are those of the node of corner k, also where there is none, which nobody asks for.
-  Plane_jacobian plane_jacobian(int t, const Eigen::Vector3d& cotangents) const
+  Plane_jacobian plane_jacobian(int t, const Vector_3& cotangents) const
   {
     const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
     Plane_jacobian jacobian;
     for(int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3, previous = (k + 2) % 3;
-      jacobian.row(2 * k) = basis.row(k);
-      jacobian.row(2 * k + 1) =
-          cotangents[next] * basis.row(next) - cotangents[previous] * basis.row(previous);
+      for(int j = 0; j < 2; ++j) {
+        jacobian(2 * k, j) = basis(k, j);
+        jacobian(2 * k + 1, j) =
+            cotangents[next] * basis(next, j) - cotangents[previous] * basis(previous, j);
+      }
     }
     if(!m_incomplete_nodes.empty())
       remove_absent_rows(t, jacobian);
@@ -173,8 +175,10 @@ private:
   {
     for(int k = 0; k < 3; ++k)
       if(const int i = m_chart.node_of_corner(3 * t + k); i >= 0) {
-        jacobian.row(2 * k) *= m_chart.nodes[i].has_planarity;
-        jacobian.row(2 * k + 1) *= m_chart.nodes[i].has_reconstruction;
+        for(int j = 0; j < 2; ++j) {
+          jacobian(2 * k, j) *= m_chart.nodes[i].has_planarity;
+          jacobian(2 * k + 1, j) *= m_chart.nodes[i].has_reconstruction;
+        }
       }
   }
 
@@ -195,7 +199,7 @@ private:
   {
     Local_system local;
     local.cotangents = cotangents(alpha, t);
-    Eigen::Vector3d energy_gradient, energy_curvature, curvature;
+    Vector_3 energy_gradient, energy_curvature, curvature;
     const double weight = m_chart.weight_of_triangle(t);
     for(int k = 0; k < 3; ++k) {
       const int c = 3 * t + k;
@@ -204,7 +208,7 @@ private:
       if(m_with_constraint_curvature)
         curvature[k] += constraint_curvature(m_chart, multipliers, c, local.cotangents[k]);
     }
-    local.force = -basis_of_sum_preserving_steps().transpose() * energy_gradient -
+    local.force = -1 * transposed(basis_of_sum_preserving_steps()) * energy_gradient -
                   gradient(t, local.cotangents, multipliers);
     local.inverse = reduced_hessian_inverse(energy_curvature, curvature);
     return local;
@@ -218,31 +222,37 @@ private:
     const Constraint_vector& multipliers = m_binding ? expanded : step.multipliers;
     step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const Local_system& local = m_local[t];
-      const Eigen::Vector2d force = local.force - gradient(t, local.cotangents, multipliers);
-      const Eigen::Vector2d d = local.inverse * force;
-      Eigen::Map<Eigen::Vector3d>(&step.angles[3 * t]) = basis_of_sum_preserving_steps() * d;
-      return d.dot(force) / 2;
+      const Vector_2 force = local.force - gradient(t, local.cotangents, multipliers);
+      const Vector_2 d = local.inverse * force;
+      const Vector_3 angles = basis_of_sum_preserving_steps() * d;
+      std::copy_n(angles.entry, 3, &step.angles[3 * t]);
+      return (d[0] * force[0] + d[1] * force[1]) / 2;
     });
   }
 
   // The gradient of the constraints times their multipliers, in the plane of steps
-  Eigen::Vector2d gradient(int t, const Eigen::Vector3d& cotangents,
-                           const Constraint_vector& multipliers) const
+  Vector_2 gradient(int t, const Vector_3& cotangents, const Constraint_vector& multipliers) const
   {
-    Eigen::Vector2d sum = plane_jacobian(t, cotangents).transpose() * gather(t, multipliers);
+    const Plane_jacobian jacobian = plane_jacobian(t, cotangents);
+    const Small_matrix<6, 1> local = gather(t, multipliers);
+    Vector_2 sum;
+    for(int j = 0; j < 2; ++j) {
+      const auto term = [&](int i) { return jacobian(i, j) * local[i]; };
+      sum[j] = (term(0) + (term(2) + term(4))) + (term(1) + (term(3) + term(5)));
+    }
     if(m_chart.number_of_loops > 0)
       sum += m_loops.gradient(t, cotangents, multipliers);
     return sum;
   }
 
   // The six entries of a vector that belong to the vertices of triangle `t`; zero where there is no node.
-  Local_constraints gather(int t, const Constraint_vector& vector) const
+  Small_matrix<6, 1> gather(int t, const Constraint_vector& vector) const
   {
-    Local_constraints local = Local_constraints::Zero();
+    Small_matrix<6, 1> local = Small_matrix<6, 1>::zero();
     for(int k = 0; k < 3; ++k) {
       const int i = m_chart.node_of_corner(3 * t + k);
       if(i >= 0)
-        local.segment<2>(2 * k) = vector.segment<2>(2 * i);
+        std::copy_n(&vector[2 * i], 2, &local[2 * k]);
     }
     return local;
   }

@@ -45,9 +45,12 @@ public:
   void add(const int* vertices, const Triangle_derivatives& derivatives)
   {
     for(int k = 0; k < 3; ++k) {
-      m_gradient.segment<2>(2 * vertices[k]) += derivatives.gradient.segment<2>(2 * k);
+      const auto& [gradient, hessian] = derivatives;
+      add_to_block({{gradient[2 * k], gradient[2 * k + 1]}}, vertices[k], m_gradient);
       for(int l = 0; l < 3; ++l)
-        add(m_columns[vertices[k]], vertices[l], derivatives.hessian.block<2, 2>(2 * l, 2 * k));
+        add(m_columns[vertices[k]], vertices[l],
+            {{hessian(2 * l, 2 * k), hessian(2 * l + 1, 2 * k), hessian(2 * l, 2 * k + 1),
+              hessian(2 * l + 1, 2 * k + 1)}});
     }
   }
 
@@ -89,8 +92,12 @@ inline Block_matrix<2> damped(Block_matrix<2> matrix, double fraction)
 {
   for(int v = 0; v < matrix.columns_of_blocks(); ++v)
     for(int e = matrix.begin[v]; e < matrix.begin[v + 1]; ++e)
-      if(matrix.row[e] == v)
-        matrix.block[e] += fraction * matrix.block[e].trace() * Block_matrix<2>::Block::Identity();
+      if(matrix.row[e] == v) {
+        Block_matrix<2>::Block& block = matrix.block[e];
+        const double damping = fraction * (block(0, 0) + block(1, 1));
+        block(0, 0) += damping;
+        block(1, 1) += damping;
+      }
   return matrix;
 }
 

@@ -99,7 +99,7 @@ private:
       }
       for(const auto& [row, value] : column) {
         matrix.row.push_back(row);
-        matrix.block.push_back(Block_matrix<1>::Block::Constant(value));
+        matrix.block.push_back({{value}});
       }
       matrix.begin.push_back(static_cast<int>(matrix.row.size()));
     }

@@ -125,7 +125,7 @@ inline std::vector<double> cotangents(const std::vector<double>& alpha)
   std::vector<double> result(alpha.size());
   parallel_for_blocks(static_cast<int>(alpha.size()) / 3, [&](int begin, int end) {
     for(int t = begin; t < end; ++t)
-      Eigen::Map<Eigen::Vector3d>(result.data() + 3 * t) = cotangents(alpha, t);
+      std::copy_n(cotangents(alpha, t).entry, 3, result.data() + 3 * t);
   });
   return result;
 }
@@ -136,7 +136,7 @@ inline Triangle_assembly<1> cotangent_laplacian(const Chart& chart, const std::v
 {
   Triangle_assembly<1> laplacian(chart.vertex, unknown, n);
   laplacian.assemble([&](int c) {
-    Eigen::Vector3d column;
+    Vector_3 column;
     column[c % 3] = weights[next_corner(c)] + weights[previous_corner(c)];
     column[next_corner(c) % 3] = -weights[previous_corner(c)];
     column[previous_corner(c) % 3] = -weights[next_corner(c)];

@@ -75,8 +75,8 @@ public:
     const int n = m_chart.number_of_vertices() - 2;
     Triangle_assembly<2> normal_matrix(m_chart.vertex, m_unknown, n);
     normal_matrix.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
-      const Eigen::Matrix<double, 2, 6> row = real_row(c / 3);
-      return row.transpose() * row.middleCols<2>(2 * (c % 3));
+      const Small_matrix<6, 2> columns = transposed(real_row(c / 3));
+      return columns * transposed(rows_of<2>(columns, 2 * (c % 3)));
     });
     const std::unique_ptr<Linear_solver> system = solvers->full_precision();
     if(!system->set_matrix(normal_matrix.matrix()))
@@ -124,12 +124,14 @@ private:
   }
 
   // The complex equation of triangle `t` as two real ones.
-  Eigen::Matrix<double, 2, 6> real_row(int t) const
+  Small_matrix<2, 6> real_row(int t) const
   {
-    Eigen::Matrix<double, 2, 6> row;
+    Small_matrix<2, 6> row;
     for(int k = 0; k < 3; ++k) {
       const Complex a = m_coefficients[3 * t + k];
-      row.block<2, 2>(0, 2 * k) << a.real(), -a.imag(), a.imag(), a.real();
+      row(0, 2 * k) = row(1, 2 * k + 1) = a.real();
+      row(0, 2 * k + 1) = -a.imag();
+      row(1, 2 * k) = a.imag();
     }
     return row;
   }

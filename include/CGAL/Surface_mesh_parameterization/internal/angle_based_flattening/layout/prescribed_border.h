@@ -11,9 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/border_walk.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
-#include <Eigen/Core>
-#include <Eigen/LU>
-
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -47,16 +44,21 @@ inline Border_walk walk_along_prescribed_border(const Chart& chart, const std::v
 // the sense of least squares with the lengths as weights.
 inline void close_by_lengths(const Chart::Kernel::Vector_2& gap, std::vector<Chart::Kernel::Vector_2>& edges)
 {
-  Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
+  Matrix_2 matrix = Matrix_2::zero();
   for(const Chart::Kernel::Vector_2& edge : edges) {
-    const Eigen::Vector2d e(edge.x(), edge.y());
-    if(const double length = e.norm(); length > 0)
-      matrix += e * e.transpose() / length;
+    const Vector_2 e = {{edge.x(), edge.y()}};
+    if(const double length = std::sqrt(e[0] * e[0] + e[1] * e[1]); length > 0)
+      for(int j = 0; j < 2; ++j)
+        for(int i = 0; i < 2; ++i)
+          matrix(i, j) += e[i] * e[j] / length;
   }
-  const Eigen::Vector2d multipliers = matrix.inverse() * Eigen::Vector2d(gap.x(), gap.y());
+  const double factor = 1 / (matrix(0, 0) * matrix(1, 1) - matrix(1, 0) * matrix(0, 1));
+  const Matrix_2 inverse = {
+      {matrix(1, 1) * factor, -matrix(1, 0) * factor, -matrix(0, 1) * factor, matrix(0, 0) * factor}};
+  const Vector_2 multipliers = inverse * Vector_2{{gap.x(), gap.y()}};
   for(Chart::Kernel::Vector_2& edge : edges)
     if(const double length = std::sqrt(edge.squared_length()); length > 0)
-      edge = edge * (1 - (multipliers.x() * edge.x() + multipliers.y() * edge.y()) / length);
+      edge = edge * (1 - (multipliers[0] * edge.x() + multipliers[1] * edge.y()) / length);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

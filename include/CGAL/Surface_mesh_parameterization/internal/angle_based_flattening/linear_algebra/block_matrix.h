@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 template <int BlockSize>
 struct Block_matrix
 {
-  typedef Eigen::Matrix<double, BlockSize, BlockSize> Block;
+  typedef Small_matrix<BlockSize, BlockSize> Block;
 
   std::vector<int> begin = {0}; // of each column of blocks: its first entry; and the end of the last column
   std::vector<int> row;         // of each entry, ascending in a column
@@ -37,10 +38,15 @@ struct Block_matrix
     product.resize(x.size());
     parallel_for_blocks(columns_of_blocks(), [&](int first, int last) {
       for(int j = first; j < last; ++j) {
-        Block sum = Block::Zero(); // of products that do not wait for one another
+        Block sum = Block::zero(); // of products that do not wait for one another
         for(int e = begin[j]; e < begin[j + 1]; ++e)
-          sum += x.template segment<BlockSize>(BlockSize * row[e]).asDiagonal() * block[e];
-        product.template segment<BlockSize>(BlockSize * j) = sum.colwise().sum();
+          for(int k = 0; k < BlockSize * BlockSize; ++k)
+            sum[k] += x[BlockSize * row[e] + k % BlockSize] * block[e][k];
+        for(int k = 0; k < BlockSize; ++k) {
+          double& entry = product[BlockSize * j + k] = sum(0, k);
+          for(int i = 1; i < BlockSize; ++i)
+            entry += sum(i, k);
+        }
       }
     });
   }

@@ -28,12 +28,6 @@ class Block_preconditioner
 {
   typedef Preconditioning_system System;
 
-  template <typename Vector>
-  static auto every_other(Vector& vector, int first)
-  {
-    return vector(Eigen::seqN(first, vector.size() / 2, 2));
-  }
-
 public:
   explicit Block_preconditioner(const Linear_solvers& solvers)
       : m_solvers(solvers), m_first(solvers, solvers->low_precision())
@@ -60,21 +54,25 @@ public:
 
   bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
   {
-    const int number_of_systems = m_second ? 2 : 1;
-    const Eigen::Index n = residual.size() / number_of_systems;
-    Eigen::VectorXd sorted(residual.size());
-    sorted << every_other(residual, 0), every_other(residual, 1);
+    const int systems = m_second ? 2 : 1;
+    const Eigen::Index half = residual.size() / 2, n = residual.size() / systems;
+    std::array<Eigen::VectorXd, 2> sorted, solution;
     std::array<bool, 2> done = {true, true};
-    parallel_for(number_of_systems, [&](int k) {
-      Eigen::VectorXd solution;
-      done[k] = system(k).solve(sorted.segment(k * n, n), solution);
-      if(done[k])
-        sorted.segment(k * n, n) = solution;
+    parallel_for(systems, [&](int k) {
+      sorted[k].resize(n);
+      for(Eigen::Index i = 0; i < n;
+          ++i) // one system gets the first unknowns of all blocks before the second ones
+        sorted[k][i] = residual[2 * (i % half) + (i < half ? k : 1)];
+      done[k] = system(k).solve(sorted[k], solution[k]);
     });
+    if(!done[0] || !done[1])
+      return false;
     correction.resize(residual.size());
-    every_other(correction, 0) = sorted.head(residual.size() / 2);
-    every_other(correction, 1) = sorted.tail(residual.size() / 2);
-    return done.front() && done.back();
+    for(Eigen::Index i = 0; i < residual.size(); ++i) {
+      const Eigen::Index k = i % 2;
+      correction[i] = systems == 2 ? solution[k][i / 2] : solution[0][k * half + i / 2];
+    }
+    return true;
   }
 
   // Factorizations of the last matrix that low precision was not enough for

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
@@ -35,7 +36,7 @@ public:
   // `hole` is the hole of each block of `matrix` behind the free ones. The pattern of the matrix stays the same.
   Bound_matrix(std::vector<int> hole, int number_of_holes, const Block_matrix<2>& matrix)
       : m_free(matrix.columns_of_blocks() - static_cast<int>(hole.size())), m_holes(number_of_holes),
-        m_hole(std::move(hole)), m_translation(m_hole.size(), Block::Zero())
+        m_hole(std::move(hole)), m_translation(m_hole.size(), Block::zero())
   {
     find_pattern(matrix);
   }
@@ -43,17 +44,18 @@ public:
   // Sets the position of the vertex of bound block number `i`.
   void set_position(int i, const std::complex<double>& q)
   {
-    m_translation[i] << -q.imag(), q.real(), q.real(), q.imag();
+    m_translation[i] = {{-q.imag(), q.real(), q.real(), q.imag()}};
   }
 
   // Z x
   Eigen::VectorXd expand(const Eigen::VectorXd& x) const
   {
     Eigen::VectorXd all(2 * (m_free + number_of_bound_blocks()));
-    all.head(2 * m_free) = x.head(2 * m_free);
-    for(int i = 0; i < number_of_bound_blocks(); ++i)
-      all.segment<2>(2 * (m_free + i)) =
-          x.segment<2>(2 * rotation(i)) + m_translation[i] * x.segment<2>(2 * translation(i));
+    std::copy_n(x.data(), 2 * m_free, all.data());
+    for(int i = 0; i < number_of_bound_blocks(); ++i) {
+      const Vector_2 own = block_of(x, rotation(i)) + m_translation[i] * block_of(x, translation(i));
+      std::copy_n(own.entry, 2, &all[2 * (m_free + i)]);
+    }
     return all;
   }
 
@@ -61,11 +63,11 @@ public:
   Eigen::VectorXd bind(const Eigen::VectorXd& x) const
   {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(2 * (m_free + 2 * m_holes));
-    sums.head(2 * m_free) = x.head(2 * m_free);
+    std::copy_n(x.data(), 2 * m_free, sums.data());
     for(int i = 0; i < number_of_bound_blocks(); ++i) {
-      const Eigen::Vector2d own = x.segment<2>(2 * (m_free + i));
-      sums.segment<2>(2 * rotation(i)) += own;
-      sums.segment<2>(2 * translation(i)) += m_translation[i] * own; // which is symmetric
+      const Vector_2 own = block_of(x, m_free + i);
+      add_to_block(own, rotation(i), sums);
+      add_to_block(m_translation[i] * own, translation(i), sums); // which is symmetric
     }
     return sums;
   }
@@ -78,10 +80,10 @@ public:
       for(int j = first; j < last; ++j) {
         const auto begin = s.block.begin() + s.begin[j], bound = s.block.begin() + first_bound_entry(s, j);
         const auto out = std::copy(begin, bound, m_matrix.block.begin() + m_matrix.begin[j]);
-        std::fill(out, m_matrix.block.begin() + m_matrix.begin[j + 1], Block::Zero());
+        std::fill(out, m_matrix.block.begin() + m_matrix.begin[j + 1], Block::zero());
       }
     });
-    std::fill(m_matrix.block.begin() + m_matrix.begin[m_free], m_matrix.block.end(), Block::Zero());
+    std::fill(m_matrix.block.begin() + m_matrix.begin[m_free], m_matrix.block.end(), Block::zero());
     for(int j = 0; j < number_of_bound_blocks(); ++j)
       for(int e = s.begin[m_free + j]; e < s.begin[m_free + j + 1]; ++e) {
         if(s.row[e] < m_free)
@@ -119,9 +121,9 @@ private:
   {
     const Block moved = block * m_translation[j];
     entry(row, rotation(j)) += block;
-    entry(rotation(j), row) += block.transpose();
+    entry(rotation(j), row) += transposed(block);
     entry(row, translation(j)) += moved;
-    entry(translation(j), row) += moved.transpose();
+    entry(translation(j), row) += transposed(moved);
   }
 
   void add_bound(int i, int j, const Block& block)

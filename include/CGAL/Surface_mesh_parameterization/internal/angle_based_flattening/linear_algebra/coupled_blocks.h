@@ -39,7 +39,7 @@ inline void add_rings(const Block_matrix<2>& pattern, int rings, std::vector<cha
 // How strongly a block's two unknowns are coupled to those of the other kind, compared with its diagonal
 inline double relative_coupling(const Block_matrix<2>& matrix, int j)
 {
-  Block_matrix<2>::Block diagonal = Block_matrix<2>::Block::Identity();
+  Block_matrix<2>::Block diagonal = {{1, 0, 0, 1}};
   double first = 0, second = 0;
   for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e) {
     const Block_matrix<2>::Block& block = matrix.block[e];

@@ -62,14 +62,14 @@ public:
   {
     Eigen::VectorXd part(2 * m_blocks.size());
     for(std::size_t i = 0; i < m_blocks.size(); ++i)
-      part.segment<2>(2 * i) = x.segment<2>(2 * m_blocks[i]);
+      std::copy_n(&x[2 * m_blocks[i]], 2, &part[2 * i]);
     return part;
   }
 
   void add(const Eigen::VectorXd& part, Eigen::VectorXd& x) const
   {
     for(std::size_t i = 0; i < m_blocks.size(); ++i)
-      x.segment<2>(2 * m_blocks[i]) += part.segment<2>(2 * i);
+      add_to_block(block_of(part, static_cast<int>(i)), m_blocks[i], x);
   }
 
   // Subtracts from `x` the columns of the part times `part`.
@@ -77,7 +77,7 @@ public:
   {
     for(std::size_t i = 0; i < m_blocks.size(); ++i)
       for(int e = matrix.begin[m_blocks[i]]; e < matrix.begin[m_blocks[i] + 1]; ++e)
-        x.segment<2>(2 * matrix.row[e]) -= matrix.block[e] * part.segment<2>(2 * i);
+        subtract(matrix.block[e] * block_of(part, static_cast<int>(i)), &x[2 * matrix.row[e]]);
   }
 
   // Subtracts from `part` the rows of the part times `x`. They are the columns, for the matrix is symmetric.
@@ -85,10 +85,16 @@ public:
   {
     for(std::size_t i = 0; i < m_blocks.size(); ++i)
       for(int e = matrix.begin[m_blocks[i]]; e < matrix.begin[m_blocks[i] + 1]; ++e)
-        part.segment<2>(2 * i) -= matrix.block[e].transpose() * x.segment<2>(2 * matrix.row[e]);
+        subtract(transposed(matrix.block[e]) * block_of(x, matrix.row[e]), &part[2 * i]);
   }
 
 private:
+  static void subtract(const Vector_2& block, double* from)
+  {
+    from[0] -= block[0];
+    from[1] -= block[1];
+  }
+
   std::vector<int> m_blocks; // ascending
   std::vector<int> m_rank;   // of each block of the whole: that in `m_blocks`, or -1
 };

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
@@ -36,7 +37,7 @@ template <int BlockSize>
 class Triangle_assembly
 {
 public:
-  typedef Eigen::Matrix<double, 3 * BlockSize, BlockSize> Local_columns;
+  typedef Small_matrix<3 * BlockSize, BlockSize> Local_columns;
 
   // `vertex` is the vertex of each corner; `unknown` of each vertex the number of its block of unknowns, less than `n`,
   // or -1. Both are referred to later. The pattern has room for `extra` unknowns, which are sorted by triangles.
@@ -57,7 +58,7 @@ public:
     parallel_for_blocks(m_matrix.columns_of_blocks(), [&](int first, int last) {
       for(int j = first; j < last; ++j) {
         std::fill(m_matrix.block.begin() + m_matrix.begin[j], m_matrix.block.begin() + m_matrix.begin[j + 1],
-                  Block_matrix<BlockSize>::Block::Zero());
+                  Block_matrix<BlockSize>::Block::zero());
         for(const int c : corners(j))
           add(j, c, columns(c));
       }
@@ -86,7 +87,7 @@ private:
   {
     for(int a = 0; a < 3; ++a)
       if(const int row = unknown(corner / 3 * 3 + a); row >= 0) {
-        m_matrix.block[entry(row, column)] += local.template middleRows<BlockSize>(BlockSize * a);
+        m_matrix.block[entry(row, column)] += rows_of<BlockSize>(local, BlockSize * a);
       }
   }
 
