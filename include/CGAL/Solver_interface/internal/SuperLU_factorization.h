@@ -19,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace internal {
@@ -31,8 +32,7 @@ template <class FT>
 class SuperLU_factorization
 {
   typedef SuperLU_matrix<FT> Columns;
-  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
-  typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> Dense_matrix;
+  typedef std::vector<FT> Vector;
   typedef SuperLU_tolerances<FT> Tolerances;
 
 public:
@@ -69,11 +69,12 @@ public:
     if(!solve_scaled(b))
       return false;
     m_scaling.scale_columns(b);
-    return b.allFinite();
+    return largest(b.data(), b.size()) < infinity;
   }
 
 private:
   static constexpr FT precision = std::numeric_limits<FT>::epsilon();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr int refinement_steps = 5;
 
   Result factor_with_pivots_checked(const Columns& a, FT sign)
@@ -81,7 +82,7 @@ private:
     const FT significant =
         16 * precision; // smaller pivots may be rounding errors, so their sign means nothing
     const bool definite = m_factors.factor(a, m_options) && pivots_have_sign(sign) &&
-                          least_relative_pivot(a.diagonal().cwiseAbs()) > significant;
+                          least_relative_pivot(absolute_diagonal(a)) > significant;
     if(definite)
       m_factors.keep_lower_factor_only();
     return definite ? FACTORED : NOT_DEFINITE;
@@ -111,7 +112,7 @@ private:
     m_scaling.equilibrate(scaled);
     const FT significant = 64 * precision;
     const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, m_options) &&
-                      least_relative_pivot(Vector::Ones(size())) > significant &&
+                      least_relative_pivot(Vector(size(), FT(1))) > significant &&
                       (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
                       is_accurate(scaled);
     return good ? FACTORED : FAILED;
@@ -144,13 +145,53 @@ private:
   // that consists of rounding errors, so the condition number is estimated only if a pivot is small.
   bool has_suspicious_pivot(const Columns& a) const
   {
-    return !(least_relative_pivot(a.diagonal().cwiseAbs()) > Tolerances::suspicious_pivot);
+    return !(least_relative_pivot(absolute_diagonal(a)) > Tolerances::suspicious_pivot);
   }
 
   bool is_ill_conditioned(const Columns& a) const
   {
-    const FT norm = (Vector::Ones(a.rows()).transpose() * a.cwiseAbs()).maxCoeff();
+    FT norm = 0;
+    for(int j = 0; j < a.cols(); ++j) {
+      FT sum = 0;
+      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
+        sum += std::abs(a.valuePtr()[k]);
+      norm = (std::max)(norm, sum);
+    }
     return !(m_factors.reciprocal_condition(norm) > precision);
+  }
+
+  static Vector absolute_diagonal(const Columns& a)
+  {
+    Vector diagonal(a.cols(), FT(0));
+    for(int j = 0; j < a.cols(); ++j)
+      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
+        if(a.innerIndexPtr()[k] == j)
+          diagonal[j] = std::abs(a.valuePtr()[k]);
+    return diagonal;
+  }
+
+  // The largest absolute number; infinity if one is not finite
+  static double largest(const FT* x, std::ptrdiff_t size)
+  {
+    double result = 0;
+    for(std::ptrdiff_t i = 0; i < size; ++i) {
+      if(!std::isfinite(x[i]))
+        return infinity;
+      result = (std::max)(result, static_cast<double>(std::abs(x[i])));
+    }
+    return result;
+  }
+
+  static double largest(const Vector& x) { return largest(x.data(), static_cast<std::ptrdiff_t>(x.size())); }
+
+  // Squares must not leave the range of the numbers.
+  static FT norm(const Vector& x)
+  {
+    const double scale = largest(x);
+    double sum = 0;
+    for(FT value : x)
+      sum += (value / scale) * (value / scale);
+    return static_cast<FT>(scale > 0 && std::isfinite(scale) ? scale * std::sqrt(sum) : scale);
   }
 
   // The least absolute eigenvalue of the factored symmetric matrix, scaled to a unit diagonal; 0 if it is NaN.
@@ -158,18 +199,20 @@ private:
   // number, it does not depend on scaling.
   FT least_scaled_eigenvalue(const Columns& a) const
   {
-    const Vector root = a.diagonal().cwiseAbs().cwiseSqrt();
-    Vector x = root.cwiseProduct(test_vector()).stableNormalized();
-    FT growth = 0;
+    Vector root = absolute_diagonal(a), x = test_vector();
+    for(int i = 0; i < size(); ++i)
+      x[i] *= root[i] = std::sqrt(root[i]);
+    FT growth = norm(x);
     for(int step = 0; step < 3; ++step) {
-      x.array() *= root.array();
-      if(!m_factors.solve(Block(x.data(), x.rows(), 1)))
+      for(int i = 0; i < size(); ++i)
+        x[i] = x[i] / growth * root[i];
+      if(!solve_with_factors(x))
         return 0;
-      x.array() *= root.array();
-      growth = x.stableNorm();
+      for(int i = 0; i < size(); ++i)
+        x[i] *= root[i];
+      growth = norm(x);
       if(!std::isfinite(growth) || growth == 0)
         return 0;
-      x /= growth;
     }
     return 1 / growth;
   }
@@ -186,9 +229,10 @@ private:
   // Solves one system to find out whether solutions need refinement. If they do, keeps the matrix.
   bool is_accurate(const Columns& a)
   {
-    const Dense_matrix b = a * test_vector();
-    Dense_matrix x = b;
-    if(!m_factors.solve(Block(x.data(), x.rows(), x.cols())))
+    Vector b(size(), FT(0)), x = test_vector();
+    add_product(a, FT(1), x, b);
+    x = b;
+    if(!solve_with_factors(x))
       return false;
     if(residual(a, b, x) <= Tolerances::good_residual)
       return true;
@@ -196,48 +240,68 @@ private:
     return refine(b, x);
   }
 
+  bool solve_with_factors(Vector& x) const
+  {
+    return m_factors.solve(Block(x.data(), static_cast<Eigen::Index>(x.size()), 1));
+  }
+
   bool solve_scaled(Block b) const
   {
     if(m_matrix == nullptr)
       return m_factors.solve(b);
-    const Dense_matrix right_side = b;
+    const Vector right_sides(b.data(), b.data() + b.size());
     if(!m_factors.solve(b))
       return false;
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
-      Dense_matrix x = b.col(k);
-      if(!refine(right_side.col(k), x))
+      FT* const begin = b.data() + k * size();
+      const auto right_side = right_sides.begin() + k * size();
+      Vector x(begin, begin + size());
+      if(!refine(Vector(right_side, right_side + size()), x))
         return false;
-      b.col(k) = x;
+      std::copy(x.begin(), x.end(), begin);
     }
     return true;
   }
 
-  // The backward error of the solution in the maximum norm; infinity instead of NaN. For badly scaled matrices, the
-  // product of norms exceeds the range of float.
-  static double residual(const Columns& a, const Dense_matrix& b, const Dense_matrix& x)
+  // Adds the product of the matrix and `factor * x` to `sum`.
+  static void add_product(const Columns& a, FT factor, const Vector& x, Vector& sum)
   {
-    const double defect = (a * x - b).cwiseAbs().maxCoeff();
-    const Vector row_sums = a.cwiseAbs() * Vector::Ones(a.cols());
-    const double norm = row_sums.maxCoeff();
-    const double scale = norm * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff();
-    if(!x.allFinite() || !std::isfinite(defect) || !std::isfinite(scale))
-      return std::numeric_limits<double>::infinity();
-    return scale > 0 ? defect / scale : 0.;
+    for(int j = 0; j < a.cols(); ++j)
+      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
+        sum[a.innerIndexPtr()[k]] += a.valuePtr()[k] * (factor * x[j]);
   }
 
-  bool refine(const Dense_matrix& b, Dense_matrix& x) const
+  // The backward error of the solution in the maximum norm; infinity instead of NaN. For badly scaled matrices, the
+  // product of norms exceeds the range of float.
+  static double residual(const Columns& a, const Vector& b, const Vector& x)
+  {
+    Vector defect(b.size(), FT(0)), row_sums(b.size(), FT(0));
+    add_product(a, FT(1), x, defect);
+    for(std::size_t i = 0; i < b.size(); ++i)
+      defect[i] -= b[i];
+    for(Eigen::Index k = 0; k < a.nonZeros(); ++k)
+      row_sums[a.innerIndexPtr()[k]] += std::abs(a.valuePtr()[k]);
+    const double error = largest(defect), scale = largest(row_sums) * largest(x) + largest(b);
+    if(!std::isfinite(error) || !std::isfinite(scale))
+      return infinity;
+    return scale > 0 ? error / scale : 0.;
+  }
+
+  bool refine(const Vector& b, Vector& x) const
   {
     double error = residual(*m_matrix, b, x);
     for(int step = 0; step < refinement_steps && error > Tolerances::good_residual && std::isfinite(error);
         ++step) {
-      Dense_matrix correction = b - *m_matrix * x;
-      if(!m_factors.solve(Block(correction.data(), correction.rows(), correction.cols())))
+      Vector candidate = b;
+      add_product(*m_matrix, FT(-1), x, candidate);
+      if(!solve_with_factors(candidate))
         return false;
-      const Dense_matrix candidate = x + correction;
+      for(std::size_t i = 0; i < x.size(); ++i)
+        candidate[i] += x[i];
       const double candidate_error = residual(*m_matrix, b, candidate);
       if(!(candidate_error < error))
         break;
-      x = candidate;
+      x = std::move(candidate);
       error = candidate_error;
     }
     return error <= Tolerances::fair_residual;

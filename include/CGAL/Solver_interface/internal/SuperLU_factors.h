@@ -134,12 +134,15 @@ public:
     if(m_upper.Store != nullptr)
       return solve_with_both_factors(b);
     const Supernodal_solution<FT, SuperLU_factors> solution(*this);
-    const auto order = Eigen::Map<const Eigen::VectorXi>(m_analysis->permutation().data(), size());
-    Eigen::Matrix<FT, Eigen::Dynamic, 1> permuted(size());
+    const std::vector<int>& order = m_analysis->permutation();
+    std::vector<FT> permuted(size());
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
-      permuted(order) = b.col(k);
-      solution.solve(permuted);
-      b.col(k) = permuted(order);
+      FT* const column = b.data() + k * size();
+      for(int i = 0; i < size(); ++i)
+        permuted[order[i]] = column[i];
+      solution.solve(permuted.data());
+      for(int i = 0; i < size(); ++i)
+        column[i] = permuted[order[i]];
     }
     return true;
   }

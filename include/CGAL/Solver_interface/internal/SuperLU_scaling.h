@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace internal {
@@ -27,12 +29,11 @@ public:
   template <class FT>
   void equilibrate(SuperLU_matrix<FT>& a)
   {
-    m_row = Eigen::VectorXi::Zero(a.rows());
-    m_column = Eigen::VectorXi::Zero(a.cols());
+    m_row.assign(a.rows(), 0);
+    m_column.assign(a.cols(), 0);
     const int none = (std::numeric_limits<int>::min)();
     for(int pass = 0; pass < 12; ++pass) {
-      Eigen::VectorXi row = Eigen::VectorXi::Constant(a.rows(), none);
-      Eigen::VectorXi column = Eigen::VectorXi::Constant(a.cols(), none);
+      std::vector<int> row(a.rows(), none), column(a.cols(), none);
       for_each_entry(a, [&](int i, int j, FT& value) {
         if(value != 0) {
           const int exponent = std::ilogb(value);
@@ -40,15 +41,10 @@ public:
           column[j] = (std::max)(column[j], exponent);
         }
       });
-      for(int i = 0; i < a.rows(); ++i)
-        row[i] = row[i] == none ? 0 : -row[i] / 2;
-      for(int j = 0; j < a.cols(); ++j)
-        column[j] = column[j] == none ? 0 : -column[j] / 2;
-      if(row.isZero() && column.isZero())
+      const bool is_changed = add_scales(row, none, m_row) | add_scales(column, none, m_column);
+      if(!is_changed)
         return;
       for_each_entry(a, [&](int i, int j, FT& value) { value = std::ldexp(value, row[i] + column[j]); });
-      m_row += row;
-      m_column += column;
     }
   }
 
@@ -84,6 +80,18 @@ public:
   }
 
 private:
+  // Replaces exponents by those of scales, and adds them to `sums`. Returns whether there is one that is not zero.
+  static bool add_scales(std::vector<int>& exponents, int none, std::vector<int>& sums)
+  {
+    bool result = false;
+    for(std::size_t i = 0; i < exponents.size(); ++i) {
+      exponents[i] = exponents[i] == none ? 0 : -exponents[i] / 2;
+      sums[i] += exponents[i];
+      result = result || exponents[i] != 0;
+    }
+    return result;
+  }
+
   template <class FT, class Function>
   static void for_each_entry(SuperLU_matrix<FT>& a, const Function& function)
   {
@@ -94,9 +102,9 @@ private:
   }
 
   template <class Block>
-  static void scale(Block& b, const Eigen::VectorXi& exponents)
+  static void scale(Block& b, const std::vector<int>& exponents)
   {
-    if(exponents.size() == 0) // nothing was scaled
+    if(exponents.empty()) // nothing was scaled
       return;
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
       for(Eigen::Index i = 0; i < b.rows(); ++i)
@@ -104,7 +112,7 @@ private:
     }
   }
 
-  Eigen::VectorXi m_row, m_column;
+  std::vector<int> m_row, m_column;
 };
 
 } // namespace internal

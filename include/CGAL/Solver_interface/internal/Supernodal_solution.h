@@ -38,14 +38,14 @@ public:
   explicit Supernodal_solution(const Supernodes& supernodes) : m_supernodes(supernodes) {}
 
   // Replaces `x` by the solution, in the order of the pivots.
-  void solve(Vector& x) const
+  void solve(FT* x) const
   {
     std::vector<FT> rows(m_supernodes.size());
     const int number = m_supernodes.number_of_supernodes();
     for(int s = 0; s < number; ++s)
-      forward(m_supernodes.supernode(s), x.data(), rows.data());
+      forward(m_supernodes.supernode(s), x, rows.data());
     for(int s = number - 1; s >= 0; --s)
-      divide_and_go_backward(m_supernodes.supernode(s), x.data(), rows.data());
+      divide_and_go_backward(m_supernodes.supernode(s), x, rows.data());
   }
 
 private:
