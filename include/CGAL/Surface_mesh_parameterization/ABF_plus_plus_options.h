@@ -83,7 +83,7 @@ struct ABF_plus_plus_options : Flattening_options
 
   /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
   /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
-  /// error.
+  /// error. Programs without the compiled library include `ABF_plus_plus_strategies.h` for the last of them.
   bool fallbacks = true;
 };
 

@@ -149,6 +149,9 @@ public:
   /// \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
   /// `Flattening_report::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
   ///
+  /// Programs without the compiled library include `polygon_angles.h` or `ABF_plus_plus_strategies.h`: the check of the angles needs a
+  /// maximum flow. Without it, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Flattening_report::WRONG_OPTION`.
+  ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
   ///

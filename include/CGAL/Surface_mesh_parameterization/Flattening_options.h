@@ -51,7 +51,8 @@ struct Flattening_options
   /// result is an injective map or an error. The hierarchical method starts from Tutte's map of a coarse chart, stays injective on
   /// each level, and does not call the coarse parameterizer. The direct method gives its own map if that does not overlap itself,
   /// and otherwise the injective map of the hierarchical method, polished. Holes are filled meanwhile (`FILL`), unless they are
-  /// solved by the direct method and its map does not overlap.
+  /// solved by the direct method and its map does not overlap. Programs without the compiled library include
+  /// `ABF_plus_plus_strategies.h` for it.
   bool injective = false;
 
   /// How much injective maps keep areas, from 0 to 1: the exponent \f$\theta\f$ in the energy
