@@ -31,6 +31,23 @@ compile() { # DIR [CMAKE_BUILD_OPTION...]
   quietly "$dir/build.log" cmake --build "$dir" --parallel "$(parallel_jobs)" "$@"
 }
 
+# Runs all tests, and in CI, fails if one was skipped. Only the reference disks, which are beside the checkout, need not be
+# there.
+run_tests() { # DIR [CTEST_OPTION...]
+  local dir=$1 skipped
+  shift
+  ctest --test-dir "$dir" --output-on-failure --no-tests=error --parallel "$(nproc)" "$@" | tee "$dir/test.log" || return
+  [[ ${CI:-} == true ]] || return 0
+  skipped=$(sed -n 's/^.* - \([^ ]*\) (\(Skipped\|Disabled\|Not Run\)).*/\1/p' "$dir/test.log")
+  if [[ ! -d $root/../shared/data ]]; then
+    skipped=$(sed '/_of_reference_disks$/d' <<<"$skipped")
+  fi
+  if [[ -n $skipped ]]; then
+    printf 'skipped, though what they need should be there:\n%s\n' "$skipped" >&2
+    return 1
+  fi
+}
+
 # As many as there are cores, but compiling a file of CGAL takes up to 2 GB of memory.
 parallel_jobs() {
   local cores memory limit

@@ -28,7 +28,7 @@ class AngleBasedFlatteningConan(ConanFile):
 
     def requirements(self):
         self.requires("cgal/[>=5.5]", transitive_headers=True)
-        self.requires("eigen/[>=3.4 <4]", transitive_headers=True)
+        self.requires("eigen/[>=3.4 <6]", transitive_headers=True)
         if self.options.with_tbb:
             self.requires("onetbb/[>=2021]", transitive_headers=True)
 

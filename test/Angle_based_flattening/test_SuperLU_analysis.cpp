@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "random_charts.h"
+#include "test_data.h"
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
@@ -130,27 +131,27 @@ Columns read_matrix_market(const std::string& file)
   return a;
 }
 
-std::vector<std::string> files_in(const char* variable)
+// All meshes of a folder that are not too large. The number of them is returned.
+int check_meshes(const test_data::Folder& folder)
 {
-  std::vector<std::string> files;
-  if(const char* folder = std::getenv(variable))
-    for(const auto& entry : std::filesystem::directory_iterator(folder))
-      files.push_back(entry.path().string());
-  return files;
+  const std::size_t largest = std::getenv("ABF_TEST_QUICK") ? 20000 : 100000;
+  int meshes = 0;
+  for(const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    if(!entry.is_regular_file() || entry.file_size() > 50 * largest)
+      continue;
+    const std::string file = entry.path().string();
+    const Columns a = laplacian(file);
+    if(a.rows() == 0)
+      continue;
+    BOOST_TEST_INFO_SCOPE(file);
+    ++meshes;
+    for(int relax : {1, 6, 10, 20})
+      check_that_nothing_grows<float>(a, relax, 1 + (meshes + relax) % 20);
+  }
+  return meshes;
 }
 
 } // namespace
-
-BOOST_AUTO_TEST_CASE(matrix_that_overflowed)
-{
-  const char* folder = std::getenv("ABF_SHARED_DATA_DIR");
-  const std::string file = std::string(folder ? folder : "") + "/overflowing_laplacian.mtx";
-  if(folder == nullptr || !std::filesystem::exists(file))
-    return;
-  const Columns a = read_matrix_market(file);
-  for(int relax = 1; relax <= 20; ++relax)
-    check_that_nothing_grows<double>(a, relax, 4);
-}
 
 // The interior vertices and all vertices of random charts, as in the two kinds of systems
 BOOST_AUTO_TEST_CASE(random_charts)
@@ -167,23 +168,9 @@ BOOST_AUTO_TEST_CASE(random_charts)
   }
 }
 
-BOOST_AUTO_TEST_CASE(meshes_at_hand)
+BOOST_AUTO_TEST_CASE(meshes_of_examples)
 {
-  const std::size_t largest = std::getenv("ABF_TEST_QUICK") ? 20000 : 100000;
-  int meshes = 0;
-  for(const char* variable : {"ABF_EXAMPLES_DIR", "ABF_DATA_DIR", "ABF_SHARED_DATA_DIR"})
-    for(const std::string& file : files_in(variable)) {
-      if(!std::filesystem::is_regular_file(file) || std::filesystem::file_size(file) > 50 * largest)
-        continue;
-      const Columns a = laplacian(file);
-      if(a.rows() == 0)
-        continue;
-      BOOST_TEST_INFO_SCOPE(file);
-      ++meshes;
-      for(int relax : {1, 6, 10, 20})
-        check_that_nothing_grows<float>(a, relax, 1 + (meshes + relax) % 20);
-    }
-  BOOST_TEST(meshes >= 2);
+  BOOST_TEST(check_meshes(test_data::examples) >= 2);
 }
 
 // The bound is tight: chains, stars and grids need exactly the predicted size.
@@ -226,5 +213,30 @@ BOOST_AUTO_TEST_CASE(arrays_that_grow)
   }
   BOOST_TEST(grown > 0);
 }
+
+BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))
+
+BOOST_AUTO_TEST_CASE(nothing_grows)
+{
+  BOOST_TEST(check_meshes(test_data::CGAL_meshes) >= 20);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(of_reference_disks, *test_data::needs(test_data::reference_disks))
+
+BOOST_AUTO_TEST_CASE(matrix_that_overflowed)
+{
+  const Columns a = read_matrix_market(test_data::reference_disks / "overflowing_laplacian.mtx");
+  for(int relax = 1; relax <= 20; ++relax)
+    check_that_nothing_grows<double>(a, relax, 4);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_grows)
+{
+  BOOST_TEST(check_meshes(test_data::reference_disks) >= 2);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

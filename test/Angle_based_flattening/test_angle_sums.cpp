@@ -13,6 +13,7 @@
 #include "mesh_of_chart.h"
 #include "random_charts.h"
 #include "test_charts.h"
+#include "test_data.h"
 #include "test_meshes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -352,63 +353,6 @@ BOOST_AUTO_TEST_CASE(with_holes)
     check_angles(map, angles);
     check_rectangle(map, corners);
   }
-}
-
-struct Disk
-{
-  const char* file;
-  int triangles;
-};
-
-BOOST_AUTO_TEST_CASE(of_reference_disks)
-{
-  const char* directory = std::getenv("ABF_SHARED_DATA_DIR");
-  const int most = is_quick ? 6000 : 1000000;
-  if(directory == nullptr) {
-    BOOST_TEST_MESSAGE("skipped: no reference disks");
-    return;
-  }
-  std::mt19937 random(9);
-  for(const Disk& disk :
-      {Disk{"cow", 5804}, Disk{"dino", 7828}, Disk{"lionhead", 16674}, Disk{"camel", 19536},
-       Disk{"armadillo", 52000}, Disk{"bunny", 75408}, Disk{"horse", 96966}})
-    if(disk.triangles <= most) {
-      Mesh mesh;
-      BOOST_REQUIRE(
-          CGAL::IO::read_polygon_mesh(std::string(directory) + "/" + disk.file + "_disk.ply", mesh));
-      for(int i = 0; i < (disk.triangles < 20000 ? 5 : 1); ++i)
-        BOOST_TEST_CONTEXT(disk.file << " " << i)
-      check_rectangle_of(mesh, random_corners(border_vertices(mesh, longest_border(mesh)), random));
-    }
-}
-
-// A face with corners a quarter of its border apart
-BOOST_AUTO_TEST_CASE(of_the_lion_head_is_hardly_distorted)
-{
-  const char* directory = std::getenv("ABF_SHARED_DATA_DIR");
-  if(directory == nullptr)
-    return;
-  Mesh mesh;
-  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(std::string(directory) + "/lionhead_disk.ply", mesh));
-  const Halfedge border = longest_border(mesh);
-  std::array<Vertex, 4> corners;
-  double length = 0;
-  const double whole = CGAL::Polygon_mesh_processing::face_border_length(border, mesh);
-  int next = 0;
-  for(Halfedge h : CGAL::halfedges_around_face(border, mesh)) {
-    if(next < 4 && length >= next * whole / 4)
-      corners[next++] = mesh.source(h);
-    length += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
-  }
-  const Angles angles = SMP::rectangle_angles(mesh, corners);
-  SMP::split_flat_chords(mesh, border, angles);
-  Options options;
-  options.tolerance = 1e-9;
-  const Prescribed map(mesh, angles, options);
-  check_angles(map, angles);
-  check_rectangle(map, corners);
-  BOOST_TEST(map.report.iterations <= 6);
-  BOOST_TEST(SMP::measure_flattening(map.mesh, map.border, map.uv).angular_distortion < 0.0057);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -776,6 +720,61 @@ BOOST_AUTO_TEST_CASE(overlaps_are_an_error_of_injective_maps)
   const Prescribed injective(mesh, angles, options);
   BOOST_TEST(injective.report.diagnosis == Report::OVERLAPPING);
   BOOST_TEST(!injective.report.injective);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(of_reference_disks, *test_data::needs(test_data::reference_disks))
+
+using rectangles::check_rectangle_of;
+
+struct Disk
+{
+  const char* file;
+  int triangles;
+};
+
+BOOST_AUTO_TEST_CASE(become_rectangles)
+{
+  const int most = is_quick ? 6000 : 1000000;
+  std::mt19937 random(9);
+  for(const Disk& disk :
+      {Disk{"cow", 5804}, Disk{"dino", 7828}, Disk{"lionhead", 16674}, Disk{"camel", 19536},
+       Disk{"armadillo", 52000}, Disk{"bunny", 75408}, Disk{"horse", 96966}})
+    if(disk.triangles <= most) {
+      Mesh mesh;
+      BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(
+          test_data::reference_disks / (disk.file + std::string("_disk.ply")), mesh));
+      for(int i = 0; i < (disk.triangles < 20000 ? 5 : 1); ++i)
+        BOOST_TEST_CONTEXT(disk.file << " " << i)
+      check_rectangle_of(mesh, random_corners(border_vertices(mesh, longest_border(mesh)), random));
+    }
+}
+
+// A face with corners a quarter of its border apart
+BOOST_AUTO_TEST_CASE(the_lion_head_is_hardly_distorted)
+{
+  Mesh mesh;
+  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::reference_disks / "lionhead_disk.ply", mesh));
+  const Halfedge border = longest_border(mesh);
+  std::array<Vertex, 4> corners;
+  double length = 0;
+  const double whole = CGAL::Polygon_mesh_processing::face_border_length(border, mesh);
+  int next = 0;
+  for(Halfedge h : CGAL::halfedges_around_face(border, mesh)) {
+    if(next < 4 && length >= next * whole / 4)
+      corners[next++] = mesh.source(h);
+    length += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
+  }
+  const Angles angles = SMP::rectangle_angles(mesh, corners);
+  SMP::split_flat_chords(mesh, border, angles);
+  Options options;
+  options.tolerance = 1e-9;
+  const Prescribed map(mesh, angles, options);
+  check_angles(map, angles);
+  check_rectangle(map, corners);
+  BOOST_TEST(map.report.iterations <= 6);
+  BOOST_TEST(SMP::measure_flattening(map.mesh, map.border, map.uv).angular_distortion < 0.0057);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,7 @@
 
 #include "atlas_check.h"
 #include "atlas_surfaces.h"
+#include "test_data.h"
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
@@ -744,12 +745,11 @@ BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
   BOOST_TEST(bool(make_atlas_of(mesh, parameters::resolution(256)).report));
 }
 
+BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))
+
 // Longer seams and more stretch than these, which were measured before the function was there, would be noticed.
 BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
 {
-  const char* folder = std::getenv("ABF_DATA_DIR");
-  if(folder == nullptr)
-    return;
   struct Target
   {
     std::string name;
@@ -764,7 +764,7 @@ BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
     BOOST_TEST_CONTEXT(target.name)
     {
       Mesh mesh;
-      BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(folder + ("/" + target.name), mesh));
+      BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / target.name, mesh));
       const Atlas_run run = make_atlas_of(mesh);
       BOOST_TEST(bool(run.report), run.report.message);
       check_atlas(run, Wishes());
@@ -773,5 +773,7 @@ BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
       BOOST_TEST(run.report.measures.l2_stretch < 1.02 * target.stretch);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

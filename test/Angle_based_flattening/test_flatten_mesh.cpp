@@ -438,32 +438,6 @@ BOOST_AUTO_TEST_CASE(names_with_blanks_and_quotes)
   BOOST_TEST(json().get<std::string>("input") == input);
 }
 
-// As --help says: at most 20 % above the energy of the direct method.
-BOOST_AUTO_TEST_CASE(auto_on_large_terrains)
-{
-  if(std::getenv("ABF_TEST_QUICK") != nullptr) {
-    return;
-  }
-  for(const double noise : {0., 0.3, 1.5}) {
-    BOOST_TEST_CONTEXT("noise of " << noise)
-    {
-      const std::string input = write("terrain.off", terrain(noise));
-      run(quoted(input) + " --method direct --json " + quoted(file("flat.json")));
-      const double least = json().get<double>("energy");
-      run(quoted(input) + " --json " + quoted(file("flat.json")));
-      BOOST_TEST(json().get<std::string>("method") == "hierarchical");
-      BOOST_TEST(json().get<double>("energy") >= 0.99 * least);
-      BOOST_TEST(json().get<double>("energy") <= 1.2 * least);
-      BOOST_TEST(json().get_child("notes").size() == 0u);
-    }
-  }
-  // What is too coarse is noticed.
-  run(quoted(file("terrain.off")) + " --angle-sweeps 1 --json " + quoted(file("flat.json")));
-  BOOST_TEST(json().get<std::string>("method") == "direct");
-  BOOST_TEST(json().get_child("notes").size() == 1u);
-  check_told("direct");
-}
-
 BOOST_AUTO_TEST_CASE(an_overlap_is_told_with_both_ways_to_get_rid_of_it)
 {
   const std::string input = write("spiral.off", spiral());
@@ -578,6 +552,33 @@ BOOST_AUTO_TEST_CASE(wrong_values_of_injective_maps_name_the_option)
   check_refusal({"--clearance"});
   flatten(input, "--injective --split-overlaps");
   check_refusal({"--injective", "--split-overlaps"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(of_large_surfaces, Plain_folder)
+
+// As --help says: at most 20 % above the energy of the direct method.
+BOOST_AUTO_TEST_CASE(auto_on_terrains)
+{
+  for(const double noise : {0., 0.3, 1.5}) {
+    BOOST_TEST_CONTEXT("noise of " << noise)
+    {
+      const std::string input = write("terrain.off", terrain(noise));
+      run(quoted(input) + " --method direct --json " + quoted(file("flat.json")));
+      const double least = json().get<double>("energy");
+      run(quoted(input) + " --json " + quoted(file("flat.json")));
+      BOOST_TEST(json().get<std::string>("method") == "hierarchical");
+      BOOST_TEST(json().get<double>("energy") >= 0.99 * least);
+      BOOST_TEST(json().get<double>("energy") <= 1.2 * least);
+      BOOST_TEST(json().get_child("notes").size() == 0u);
+    }
+  }
+  // What is too coarse is noticed.
+  run(quoted(file("terrain.off")) + " --angle-sweeps 1 --json " + quoted(file("flat.json")));
+  BOOST_TEST(json().get<std::string>("method") == "direct");
+  BOOST_TEST(json().get_child("notes").size() == 1u);
+  check_told("direct");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Both parameterizers, measures and certificates with every usual kernel, and with points that belong to no kernel.
+// Both parameterizers, measures, certificates and atlases with every kernel that the manual names, and with points that belong
+// to no kernel.
 
 #include <boost/test/unit_test.hpp>
 
@@ -16,7 +17,9 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -81,6 +84,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Some_kernel, Kernels)
   typedef CGAL::Surface_mesh<typename Some_kernel::Point_3> Some_mesh;
   check_mesh_type<Direct<Some_mesh>, Some_kernel>();
   check_mesh_type<Hierarchical<Some_mesh>, Some_kernel>();
+}
+
+// Seams, map and packing of a closed surface
+BOOST_AUTO_TEST_CASE_TEMPLATE(atlases, Some_kernel, Kernels)
+{
+  typedef typename Some_kernel::Point_3 Point;
+  typedef CGAL::Surface_mesh<Point> Some_mesh;
+  Some_mesh mesh;
+  CGAL::make_tetrahedron(Point(1, 1, 1), Point(-1, 1, -1), Point(-1, -1, 1), Point(1, -1, -1), mesh);
+  const auto uv =
+      mesh.template add_property_map<typename Some_mesh::Halfedge_index, typename Some_kernel::Point_2>(
+              "h:uv")
+          .first;
+  const SMP::Atlas_report report = SMP::make_atlas(mesh, uv);
+  BOOST_TEST(bool(report), report.message);
+  BOOST_TEST(report.charts.size() == 1u);
+  for(const auto h : mesh.halfedges()) {
+    BOOST_TEST((uv[h].x() >= 0 && uv[h].x() <= 1 && uv[h].y() >= 0 && uv[h].y() <= 1));
+    BOOST_TEST((CGAL::orientation(uv[h], uv[mesh.next(h)], uv[mesh.prev(h)]) == CGAL::LEFT_TURN));
+  }
 }
 
 // The map's kernel need not be that of the mesh, and the mesh need not have one.

@@ -53,11 +53,9 @@ Measured measure(const Chart& chart, const std::vector<Point_2>& uv)
 
 void check(double value, double expected)
 {
-  if(value == expected) // infinities
-    BOOST_TEST(true);
-  else
-    BOOST_TEST(std::abs(value - expected) <= 1e-12 * (std::max)(1., std::abs(expected)),
-               value << " is not " << expected);
+  const bool is_close = value == expected || // infinities
+                        std::abs(value - expected) <= 1e-12 * (std::max)(1., std::abs(expected));
+  BOOST_TEST(is_close, value << " is not " << expected);
 }
 
 // The measures that do not depend on the direction of the axes.

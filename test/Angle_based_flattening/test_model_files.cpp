@@ -1124,13 +1124,6 @@ BOOST_AUTO_TEST_CASE(glb_with_any_name_of_material)
 }
 
 #endif
-#else
-
-BOOST_AUTO_TEST_CASE(read_back_by_assimp)
-{
-  BOOST_TEST_MESSAGE("skipped: libassimp-dev is not installed");
-}
-
 #endif
 
 BOOST_AUTO_TEST_SUITE_END()

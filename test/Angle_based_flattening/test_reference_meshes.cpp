@@ -3,11 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Real meshes, compared with the values of an independent prototype. They are not part of the repository. Without
-// them, these tests are skipped.
+// Real meshes, compared with the values of an independent prototype. They are not part of the repository.
 
 #include <boost/test/unit_test.hpp>
 #include <boost/test/data/test_case.hpp>
+
+#include "test_data.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -19,10 +20,11 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <complex>
 #include <cstdlib>
+#include <iterator>
 #include <ostream>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_reference_meshes)
@@ -43,7 +45,6 @@ struct Expected
 
 struct Reference
 {
-  const char* directory; // an environment variable
   const char* file;
   int triangles;
   Expected expected[2];
@@ -54,32 +55,29 @@ std::ostream& operator<<(std::ostream& out, const Reference& reference)
   return out << reference.file;
 }
 
-const std::vector<Reference> references = {
-    {"ABF_SHARED_DATA_DIR", "cow_disk.ply", 5804, {{0, 1.3023e-2, 108.01}, {0.1, 1.3030e-2, 95.53}}},
-    {"ABF_SHARED_DATA_DIR", "dino_disk.ply", 7828, {{0, 1.4370e-2, 281.62}, {0.1, 1.4375e-2, 246.24}}},
-    {"ABF_SHARED_DATA_DIR", "lionhead_disk.ply", 16674, {{0, 1.4823e-3, 1.1680}, {0.1, 1.4825e-3, 1.1672}}},
-    {"ABF_SHARED_DATA_DIR", "camel_disk.ply", 19536, {{0, 3.8661e-3, 2.4888}, {0.1, 3.8664e-3, 2.4746}}},
-    {"ABF_SHARED_DATA_DIR", "armadillo_disk.ply", 52000, {{0, 2.1907e-3, 7.4768}, {0.1, 2.1909e-3, 7.3048}}},
-    {"ABF_SHARED_DATA_DIR", "bunny_disk.ply", 75408, {{0, 1.4634e-4, 1.1178}, {0.1, 1.4634e-4, 1.1178}}},
-    {"ABF_SHARED_DATA_DIR", "horse_disk.ply", 96966, {{0, 3.5586e-4, 0}, {0.1, 3.5611e-4, 1.1867}}},
-    {"ABF_DATA_DIR", "nefertiti.off", 562, {{0, 1.0172e-3, 1.0221}, {0.1, 1.0172e-3, 1.0221}}},
-    {"ABF_DATA_DIR", "three_peaks.off", 3671, {{0, 7.5754e-3, 9.879}, {0.1, 7.5788e-3, 9.450}}},
-    {"ABF_DATA_DIR", "lion-head.off", 16674, {{0, 2.2778e-3, 5.606}, {0.1, 2.2779e-3, 5.601}}},
-    {"ABF_DATA_DIR", "mannequin-devil.off", 25888, {{0, 5.4465e-3, 12.47}, {0.1, 5.4483e-3, 12.32}}},
+const std::vector<Reference> disks = {
+    {"cow_disk.ply", 5804, {{0, 1.3023e-2, 108.01}, {0.1, 1.3030e-2, 95.53}}},
+    {"dino_disk.ply", 7828, {{0, 1.4370e-2, 281.62}, {0.1, 1.4375e-2, 246.24}}},
+    {"lionhead_disk.ply", 16674, {{0, 1.4823e-3, 1.1680}, {0.1, 1.4825e-3, 1.1672}}},
+    {"camel_disk.ply", 19536, {{0, 3.8661e-3, 2.4888}, {0.1, 3.8664e-3, 2.4746}}},
+    {"armadillo_disk.ply", 52000, {{0, 2.1907e-3, 7.4768}, {0.1, 2.1909e-3, 7.3048}}},
+    {"bunny_disk.ply", 75408, {{0, 1.4634e-4, 1.1178}, {0.1, 1.4634e-4, 1.1178}}},
+    {"horse_disk.ply", 96966, {{0, 3.5586e-4, 0}, {0.1, 3.5611e-4, 1.1867}}},
+};
+const std::vector<Reference> CGAL_meshes = {
+    {"nefertiti.off", 562, {{0, 1.0172e-3, 1.0221}, {0.1, 1.0172e-3, 1.0221}}},
+    {"three_peaks.off", 3671, {{0, 7.5754e-3, 9.879}, {0.1, 7.5788e-3, 9.450}}},
+    {"lion-head.off", 16674, {{0, 2.2778e-3, 5.606}, {0.1, 2.2779e-3, 5.601}}},
+    {"mannequin-devil.off", 25888, {{0, 5.4465e-3, 12.47}, {0.1, 5.4483e-3, 12.32}}},
 };
 
-// Returns `false` with a message if the mesh is not available.
-bool read(const Reference& reference, Mesh& mesh)
+std::vector<Reference> chosen(const std::vector<Reference>& all)
 {
-  const char* directory = std::getenv(reference.directory);
   const int most = std::getenv("ABF_TEST_QUICK") ? 10000 : 1000000;
-  if(directory == nullptr || reference.triangles > most) {
-    BOOST_TEST_MESSAGE("skipped: " << reference.file);
-    return false;
-  }
-  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(std::string(directory) + "/" + reference.file, mesh));
-  BOOST_REQUIRE_EQUAL(static_cast<int>(num_faces(mesh)), reference.triangles);
-  return true;
+  std::vector<Reference> result;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+               [=](const Reference& reference) { return reference.triangles <= most; });
+  return result;
 }
 
 // Largest distance between two layouts after the best similarity, relative to the first one's size.
@@ -104,13 +102,11 @@ void check(const SMP::Flattening_measures& measures, const Expected& expected)
     BOOST_TEST(measures.l2_stretch == expected.l2_stretch, boost::test_tools::tolerance(5e-3));
 }
 
-} // namespace
-
-BOOST_DATA_TEST_CASE(reference_values, boost::unit_test::data::make(references), reference)
+void check(const test_data::Folder& folder, const Reference& reference)
 {
   Mesh mesh;
-  if(!read(reference, mesh))
-    return;
+  BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(folder / reference.file, mesh));
+  BOOST_TEST_REQUIRE(static_cast<int>(num_faces(mesh)) == reference.triangles);
   const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   for(const Expected& expected : reference.expected) {
     UV_map uv[2] = {mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:exact").first,
@@ -127,5 +123,25 @@ BOOST_DATA_TEST_CASE(reference_values, boost::unit_test::data::make(references),
     BOOST_TEST(distance_up_to_similarity(mesh, uv[0], uv[1]) < 1e-6);
   }
 }
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))
+
+BOOST_DATA_TEST_CASE(values, boost::unit_test::data::make(chosen(CGAL_meshes)), reference)
+{
+  check(test_data::CGAL_meshes, reference);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(of_reference_disks, *test_data::needs(test_data::reference_disks))
+
+BOOST_DATA_TEST_CASE(values, boost::unit_test::data::make(chosen(disks)), reference)
+{
+  check(test_data::reference_disks, reference);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

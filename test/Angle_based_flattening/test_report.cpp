@@ -494,11 +494,12 @@ BOOST_AUTO_TEST_CASE(a_hundred_thousand_triangles_take_twelve_megabytes)
   BOOST_TEST(fs::file_size(file("page.html")) <= 12000000u);
 }
 
-BOOST_AUTO_TEST_CASE(large_surfaces_are_thinned)
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(of_large_surfaces, Report_folder)
+
+BOOST_AUTO_TEST_CASE(are_thinned)
 {
-  if(std::getenv("ABF_TEST_QUICK") != nullptr) {
-    return;
-  }
   Sheet sheet;
   sheet.columns = 500;
   sheet.rows = 260;

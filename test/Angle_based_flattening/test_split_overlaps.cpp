@@ -20,6 +20,7 @@
 #include "hard_charts.h"
 #include "immersed_charts.h"
 #include "mesh_of_chart.h"
+#include "test_data.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -720,19 +721,18 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
     BOOST_TEST(other == pieces.front());
 }
 
+BOOST_AUTO_TEST_SUITE(of_reference_disks, *test_data::needs(test_data::reference_disks))
+
 // Most maps of real surfaces overlap themselves. Nothing is measured but how much longer borders become.
 BOOST_AUTO_TEST_CASE(maps_of_real_surfaces_need_short_seams)
 {
-  const char* folder = std::getenv("ABF_SHARED_DATA_DIR");
-  if(folder == nullptr)
-    return;
   std::vector<std::string> files{"cow_disk.ply", "dino_disk.ply"};
   if(std::getenv("ABF_TEST_QUICK") == nullptr)
     files.insert(files.end(), {"lionhead_disk.ply", "camel_disk.ply", "armadillo_disk.ply"});
   double sum = 0;
   for(const std::string& file : files) {
     Flat_mesh flat;
-    BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(folder + ("/" + file), flat.mesh));
+    BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::reference_disks / file, flat.mesh));
     flat.add_maps();
     const auto map = flat.mesh.add_property_map<Vertex, Point_2>("v:map").first;
     SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
@@ -750,5 +750,7 @@ BOOST_AUTO_TEST_CASE(maps_of_real_surfaces_need_short_seams)
   }
   BOOST_TEST(sum / static_cast<double>(files.size()) < 0.15);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()
