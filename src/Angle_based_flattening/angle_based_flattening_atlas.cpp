@@ -3,9 +3,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The numerics of seams, packing and atlases: a file of its own, which compiles beside the other one.
-
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/patch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
 #include <CGAL/centroid.h>
 
@@ -200,7 +201,7 @@ private:
 
 // A disk whose first vertices and triangles are those of a chart with holes that `diagnose()` found flawless. The weight of a patch
 // is `weight` times the mean of that of the triangles around it.
-inline Chart fill_holes(const Chart& chart, double weight)
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart fill_holes(const Chart& chart, double weight)
 {
   return Hole_filler(chart).run(weight);
 }

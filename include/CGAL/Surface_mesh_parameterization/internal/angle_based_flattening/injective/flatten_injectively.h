@@ -302,8 +302,8 @@ private:
 
 // Flattens a disk that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a map was found,
 // which is not certified yet.
-inline Flattening<Hierarchical_report> flatten_injectively(Chart& chart, const Hierarchical_options& options,
-                                                           const Linear_solvers& solvers)
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
+flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
 {
   return Injective_flattening(chart, options, solvers).run();
 }

@@ -9,13 +9,14 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/flatten_injectively.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/make_injective.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+#endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 

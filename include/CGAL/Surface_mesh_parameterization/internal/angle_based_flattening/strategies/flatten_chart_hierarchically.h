@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/certify_refined_map.h>
@@ -157,6 +158,23 @@ flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
   if(result.succeeded())
     certify(chart, options, round, result);
   return result;
+}
+
+// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns nothing
+// if double precision does not hold that.
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::optional<std::vector<Chart::Point_2>>
+progressive_embedding(Chart chart, const ABF_plus_plus_options& options)
+{
+  Hierarchical_options hierarchical;
+  hierarchical.barrier = options.barrier;
+  hierarchical.angle_sweeps = 10;
+  hierarchical.max_retries = 0;
+  hierarchical.visitor = options.visitor;
+  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
+  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, hierarchical, no_solver);
+  if(!result.succeeded())
+    return std::nullopt;
+  return std::move(result.uv);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -187,23 +187,6 @@ flatten_hierarchically(Chart& chart, const Hierarchical_options& options, const 
   return Hierarchical_flattening(chart, options, solve).run();
 }
 
-// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns nothing
-// if double precision does not hold that.
-inline std::optional<std::vector<Chart::Point_2>> progressive_embedding(Chart chart,
-                                                                        const ABF_plus_plus_options& options)
-{
-  Hierarchical_options hierarchical;
-  hierarchical.barrier = options.barrier;
-  hierarchical.angle_sweeps = 10;
-  hierarchical.max_retries = 0;
-  hierarchical.visitor = options.visitor;
-  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, hierarchical, no_solver);
-  if(!result.succeeded())
-    return std::nullopt;
-  return std::move(result.uv);
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H

@@ -17,12 +17,16 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 
 #include <optional>
 #include <utility>
 #include <vector>
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -46,10 +50,9 @@ inline bool can_become_injective(const Flattening<ABF_plus_plus_report>& result,
 }
 
 // The direct method's own map if that is injective, and else the polished injective map of the hierarchical method.
-inline Flattening<ABF_plus_plus_report> made_injective(const Chart& chart,
-                                                       const ABF_plus_plus_options& options,
-                                                       const Linear_solvers& solvers, Rounding round,
-                                                       Flattening<ABF_plus_plus_report> direct)
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
+made_injective(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+               Rounding round, Flattening<ABF_plus_plus_report> direct)
 {
   direct.report.injective = direct.succeeded() && direct.report.border_is_simple;
   if(direct.report.injective || !can_become_injective(direct, options.fallbacks))

@@ -22,22 +22,27 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart fill_holes(const Chart& chart, double weight);
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::optional<std::vector<Chart::Point_2>>
+progressive_embedding(Chart chart, const ABF_plus_plus_options& options);
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
+made_injective(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
+               Rounding round, Flattening<ABF_plus_plus_report> direct);
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
+flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers);
+
 // What the methods call only where their options ask for it, or where their own map is not valid. Programs that do not need it do not
-// compile it: the header of each function enters it here, and <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>
-// includes all of these headers. The compiled library has all functions.
+// compile it: <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h> enters the functions here. The compiled library has
+// all of them.
 struct Optional_strategies
 {
-  Chart (*fill_holes)(const Chart& chart, double weight) = nullptr;
-
-  std::optional<std::vector<Chart::Point_2>> (*embed_progressively)(
-      Chart chart, const ABF_plus_plus_options& options) = nullptr;
-
-  Flattening<ABF_plus_plus_report> (*make_injective)(const Chart& chart, const ABF_plus_plus_options& options,
-                                                     const Linear_solvers& solvers, Rounding round,
-                                                     Flattening<ABF_plus_plus_report> direct) = nullptr;
-
-  Flattening<Hierarchical_report> (*flatten_injectively)(Chart& chart, const Hierarchical_options& options,
-                                                         const Linear_solvers& solvers) = nullptr;
+  decltype(&ABF::fill_holes) fill_holes = nullptr;
+  decltype(&ABF::progressive_embedding) embed_progressively = nullptr;
+  decltype(&ABF::made_injective) make_injective = nullptr;
+  decltype(&ABF::flatten_injectively) flatten_injectively = nullptr;
 };
 
 inline Optional_strategies optional_strategies;

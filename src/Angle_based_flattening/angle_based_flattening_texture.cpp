@@ -3,6 +3,5 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Baking: a file of its own, for CGAL's tree takes a while to compile.
-
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack_impl.h>
