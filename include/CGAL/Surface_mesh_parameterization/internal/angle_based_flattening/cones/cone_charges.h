@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/growing_cholesky.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/scale_response.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
 
@@ -23,6 +22,36 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The Cholesky factor of a small dense matrix that gets one row and column after the other
+class Growing_cholesky
+{
+public:
+  // Appends the last column of a larger matrix. Returns `false` if that is not positive definite.
+  bool append(const Eigen::VectorXd& column)
+  {
+    const Eigen::Index n = m_factor.rows();
+    const Eigen::VectorXd row =
+        m_factor.triangularView<Eigen::Lower>().solve(Eigen::VectorXd(column.head(n)));
+    const double square = column[n] - row.squaredNorm();
+    if(!(square > 0))
+      return false;
+    m_factor.conservativeResize(n + 1, n + 1);
+    m_factor.row(n).head(n) = row.transpose();
+    m_factor(n, n) = std::sqrt(square);
+    return true;
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const
+  {
+    Eigen::VectorXd solution = m_factor.triangularView<Eigen::Lower>().solve(right_hand_side);
+    m_factor.triangularView<Eigen::Lower>().transpose().solveInPlace(solution);
+    return solution;
+  }
+
+private:
+  Eigen::MatrixXd m_factor; // its lower triangle
+};
 
 // Where the log scale varies no more than that, no vertex is better than another one.
 inline constexpr double least_log_scale = 1e-9;
