@@ -13,6 +13,11 @@
     "CGAL::SuperLU_solver_traits needs SuperLU: link with the CMake target CGAL::SuperLU_support, or define CGAL_SUPERLU_ENABLED and link with SuperLU and a BLAS."
 #endif
 
+#if !__has_include(<Eigen/Core>)
+#error                                                                                                       \
+    "CGAL::SuperLU_solver_traits needs Eigen 3.4 or later: link with the CMake target CGAL::Eigen3_support, or tell the compiler in which folder Eigen is."
+#endif
+
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Eigen_vector.h>
 #include <CGAL/SuperLU_options.h>
