@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+// SuperLU's functions by number type, and what calls of them need around: one thread of the BLAS, and memory that is there.
+// `SuperLU_factors.h` makes all its calls through it.
+
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_LIBRARY_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_LIBRARY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The energy of angles: the relative squares of Eq. 1, and a barrier that keeps angles from vanishing.
+// `solve_angles()` minimizes it, and injective maps and relaxed vertices do in the plane. `measure_chart.h` reports it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_ENERGY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_ENERGY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A maximum flow that tells whether planar angles with prescribed sums exist, and if not, at which vertices the conflict is.
+// The last test of `check_angle_sums.h` and `check_surface_sums.h`, where no simpler reason was found.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_FLOW_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_FLOW_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The edges of a border in the plane, as the angles alone determine them: by turns at the vertices, and the sine rule.
+// Holes and seams need it for their equations (`hole_equations.h`, `loop_equations.h`), and the layout to place the border.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_BORDER_WALK_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_BORDER_WALK_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Tells whether prescribed angles along the outer border are possible, so that Newton's method is not asked for what cannot be.
+// Called by `set_angle_sums()`. Circle packings show that the test suffices (Thurston 1978, Chow and Luo 2003).
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
 

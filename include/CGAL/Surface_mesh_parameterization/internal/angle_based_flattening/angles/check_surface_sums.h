@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Tells whether prescribed angles at vertices of the surface before the cut, such as cones, are possible.
+// Called by `set_angle_sums()` for charts with seams of equal sides; `check_angle_sums.h` is its counterpart for other borders.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_SURFACE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_SURFACE_SUMS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The constraints at the nodes: planarity (Eq. 3) and reconstruction (Eq. 4), the latter in logarithms. Holes and loops join them here.
+// `solve_angles.h` looks at their residuals, and `newton_step.h` needs their derivatives. The exact layout takes its cotangents from here.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H
 

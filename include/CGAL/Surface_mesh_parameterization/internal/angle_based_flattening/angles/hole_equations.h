@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The four equations that close the surface around a hole: rotation, scale and translation. The paper flattens disks and has none.
+// `constraints.h` puts them in place of those of the hole's vertices, and the exact layout walks around holes with them.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_HOLE_EQUATIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_HOLE_EQUATIONS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Eq. 4 along loops through seams, so that both sides of a seam get equal lengths around handles, too.
+// `constraints.h` adds their residuals, and `newton_step.h` their rows and columns to Eq. 16.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H
 

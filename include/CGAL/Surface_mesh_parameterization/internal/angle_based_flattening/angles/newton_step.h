@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// One step of Newton's method: sums up the matrix of Eq. 16 over triangles, has it solved, and substitutes back (Eqs. 10 and 17).
+// `solve_angles()` calls it in every iteration. The matrix splits of a single triangle are in `reduced_hessian.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
 

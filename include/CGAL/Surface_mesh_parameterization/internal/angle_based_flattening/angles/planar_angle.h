@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Angles of triangles in the plane, whichever way these are oriented.
+// The certificate, the measures of distortion, and the stages that move vertices in the plane get the angles of a map from here.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Takes prescribed angles into a chart: checks that they are possible, and gives what rounding left of the total to the largest one.
+// `cone_flattener.h`, `polygon_angles.h` and `all_strategies.h` include it. To other programs, `prescriptions.h` has but a null pointer.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SET_ANGLE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SET_ANGLE_SUMS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Target angles of a chart: the surface's own, scaled around each node to the sum that the plane demands (the beta of Eq. 1).
+// Where the direct method, `measure_chart.h`, the layout and the ranks of collapses start.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
 

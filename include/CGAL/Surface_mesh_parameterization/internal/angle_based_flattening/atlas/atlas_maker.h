@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The side of `make_atlas()` that knows the caller's mesh: reads options, components and weights, and writes coordinates and charts.
+// Included by `make_atlas.h`. The atlas itself is made by `build_atlas()`, which sees only charts.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The options of an atlas, and what follows from them for the direct and the hierarchical method.
+// All stages of `atlas/` that flatten or measure charts take their options from here.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_OPTIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_OPTIONS_H
 

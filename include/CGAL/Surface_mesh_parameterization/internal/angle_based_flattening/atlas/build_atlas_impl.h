@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// All stages of an atlas in their order: charts of all parts, polygons, packing, certificate and measures.
+// Included at the end of `build_atlas.h`, or by the source file of the compiled library. Parts come from `divided_part_atlas.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H
 

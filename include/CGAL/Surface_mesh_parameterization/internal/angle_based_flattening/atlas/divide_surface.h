@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Divides a surface into regions around triangles that are far apart, for surfaces that no single disk flattens well.
+// Called by `divided_part_atlas.h`, which makes the atlas of each region.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDE_SURFACE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDE_SURFACE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The atlas of a connected surface: in one piece if that is good enough, otherwise of regions, whose atlases are joined here.
+// `build_atlas_impl.h` calls it for each part. `divide_surface.h` finds the regions, and `part_atlas_maker.h` flattens them.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDED_PART_ATLAS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDED_PART_ATLAS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// How much a map stretches a chart as a whole, and around each vertex.
+// The makers of parts compare maps by it, `add_terminals.h` finds the next ends of seams, and `measure_atlas.h` reports it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Fills the report of an atlas: the distortion of each chart relative to its own scale, that of all of them, and seams.
+// The last stage of `build_atlas_impl.h`, after the final coordinates were certified.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MEASURE_ATLAS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MEASURE_ATLAS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Cuts a connected surface to disks and flattens them. Adds seams, or weight for areas, until the map stretches little enough.
+// `divided_part_atlas.h` calls it for the whole surface, and for each of its regions. Maps come from `flatten_atlas_chart.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The interface of baking without the caller's types, so that it can be compiled once in the library.
+// `bake_mesh.h` calls `bake()`. Baked normals are what the paper shows in Section 6.1 and Figure 9.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Tells which point of the simple surface belongs to each texel, in bands of rows that threads take one by one.
+// `bake_impl.h` starts its rays from these points.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_CHART_TEXELS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_CHART_TEXELS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Continues the textures beyond the borders of charts, so that filters of viewers do not mix in the background at seams.
+// The last step of `bake_impl.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FILL_GUTTER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FILL_GUTTER_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The two searches on the fine surface: along a ray to both sides, and for the closest point. Rays do not slip through common edges.
+// `fine_surface_tree.h` runs them in CGAL's tree.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FINE_SURFACE_SEARCHES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FINE_SURFACE_SEARCHES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// CGAL's tree over the triangles of the fine surface, with searches that tell front faces from back faces.
+// `bake_impl.h` asks it once or twice for each texel.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FINE_SURFACE_TREE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FINE_SURFACE_TREE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Reads points, normals and triangles of any mesh into arrays, and names the first defect that makes baking impossible.
+// `bake_mesh.h` reads the simple and the fine mesh with it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_READ_SHADED_MESH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_READ_SHADED_MESH_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The data of baking: options, a surface with normals, the simple one with its charts, and the fine one with colors.
+// The other headers of `baking/` know both meshes only in this form.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_SHADED_SURFACES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_SHADED_SURFACES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Normals of vertices, and tangents of corners: the directions that normals in tangent space refer to.
+// `bake_impl.h` bakes with these frames and hands them out, so that viewers can use the same.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_TANGENT_FRAMES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_TANGENT_FRAMES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Finds the pairs of border edges that touch, and tells by exact predicates whether the border of a map is simple.
+// `certify_chart.h`, `planar_map.h` and `measure_chart.h` ask it; so do `separate_overlaps.h` and injective maps.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_CROSSINGS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_CROSSINGS_H
 

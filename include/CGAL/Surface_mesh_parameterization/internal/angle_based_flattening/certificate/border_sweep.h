@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Decides exactly whether border edges touch, and whether they bound a region, by the sweep of Shamos and Hoey (1976).
+// `border_crossings.h` and the certificate of an atlas need it, and injective maps while their border moves (`planar_border.h`).
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H
 

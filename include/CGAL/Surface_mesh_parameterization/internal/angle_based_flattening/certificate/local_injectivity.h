@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Exact orientations of triangles, and winding numbers of vertices: what makes a map injective near every point.
+// The rest of the certificate builds on it, and so do overlaps, polygons and injective maps.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_LOCAL_INJECTIVITY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_LOCAL_INJECTIVITY_H
 

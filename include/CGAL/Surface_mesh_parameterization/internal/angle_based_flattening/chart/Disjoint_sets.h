@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Union and find over numbers. Boost's own class does not compile behind some headers that CGAL includes.
+// Used where vertices or triangles are merged to classes: places of seams, components of surfaces, and their cuts.
+
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ABF_DISJOINT_SETS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ABF_DISJOINT_SETS_H
 

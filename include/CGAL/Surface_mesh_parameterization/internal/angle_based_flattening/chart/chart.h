@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The corner table that all stages work on, with its borders, seams and constraint nodes. It is independent of the caller's mesh.
+// Made by `read_chart.h` and `read_surface.h`. A node has the equations that the paper has for each interior vertex (Eqs. 3 and 4).
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Numbers the faces of a mesh in the order of a breadth-first search, so that neighbours are close in memory.
+// `read_chart.h` and `read_surface.h` make their corner tables from it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ENTERED_FACES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_ENTERED_FACES_H
 

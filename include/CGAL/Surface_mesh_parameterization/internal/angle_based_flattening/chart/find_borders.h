@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Finds border cycles and interior vertices of a corner table, and decides which vertices get the equations of Eqs. 3 and 4.
+// Called wherever a chart is made or changed: by the readers, for filled holes, coarse charts and patches.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FIND_BORDERS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FIND_BORDERS_H
 

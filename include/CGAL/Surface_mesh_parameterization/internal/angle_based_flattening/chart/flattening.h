@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// What a method returns for a chart: coordinates, or the reason why there are none.
+// The methods of `strategies/`, the injective maps and the parameterizers pass it on.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FLATTENING_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FLATTENING_H
 

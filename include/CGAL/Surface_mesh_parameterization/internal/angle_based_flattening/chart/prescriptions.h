@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// What callers prescribe for a mesh: importance of faces, sums of angles, and both sides of seams, with the types of their maps hidden.
+// `run_parameterizer.h`, cones and atlas charts take it into the chart, before target angles are computed.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
 

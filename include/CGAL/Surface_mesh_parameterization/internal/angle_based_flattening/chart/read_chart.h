@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Copies the connected component of a border halfedge from the caller's mesh into a chart, and links the sides of seams.
+// The first stage of every parameterizer (`run_parameterizer.h`), and of `measure_flattening.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The equations of the surface before it was cut: Eqs. 3 and 4 around vertices of seams, and loops where these are not enough.
+// `find_nodes()` in `find_borders.h` calls it for charts whose seams have equal sides; the paper leaves seams free.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H
 

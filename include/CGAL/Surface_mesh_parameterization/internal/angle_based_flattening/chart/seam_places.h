@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Tells which vertices of a cut chart were one vertex of the surface before.
+// Equations and angles at seams (`seam_nodes.h`, `set_angle_sums.h`) and the report of `border_shape.h` rely on it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_PLACES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_PLACES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Rounds coordinates to the caller's points, and writes them to the mesh.
+// The last stage of parameterizers, cones, atlases and packing. The certificate sees the rounded coordinates.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_WRITE_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_WRITE_CHART_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The interface of the choice of cones without the caller's types: options, and the chosen vertices with their angles.
+// `select_cones_of_mesh.h` calls `choose_cones()`; the definition is in `choose_cones_impl.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_H
 

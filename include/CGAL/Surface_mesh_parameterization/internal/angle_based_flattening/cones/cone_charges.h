@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Chooses vertices as cones, each where the predicted scale is farthest from 1, and computes their charges.
+// `choose_cones_impl.h` asks it first. The prediction is a Poisson equation, solved by `scale_response.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_CHARGES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_CHARGES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// All of `flatten_with_cones()`: selects cones, cuts through them, and flattens with equal sides of seams and the angles of the cones.
+// Included by `flatten_with_cones.h`. The map comes from ABF++ with the equations of `chart/seam_nodes.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Rounds the charges of cones to whole quanta, with a given total on closed surfaces.
+// `choose_cones_impl.h` calls it for patterns that must come back to themselves after a quarter turn, say.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_ROUND_CHARGES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_ROUND_CHARGES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Solves for the log scale of a conformal map that curvature at some vertices causes, many times with one factorization.
+// `cone_charges.h` asks it for each cone.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_SCALE_RESPONSE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_SCALE_RESPONSE_H
 

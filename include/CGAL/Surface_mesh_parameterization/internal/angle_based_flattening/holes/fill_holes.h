@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Makes a disk of a chart with holes: covers these with triangles of a chosen weight in Eq. 1.
+// Called by `hole_strategies.h` and `flatten_chart_hierarchically.h`, by way of `all_strategies.h`. Patches come from `patch.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Triangles for a ring of vertices: the patch that bends least, or a fan where there is none.
+// `fill_holes.h` asks for one patch for each hole.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_PATCH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_PATCH_H
 

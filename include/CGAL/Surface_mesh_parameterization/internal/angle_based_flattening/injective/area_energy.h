@@ -3,6 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The energy of one triangle in an injective map: MIPS (Hormann and Greiner 2000) times a power of an area term, with derivatives.
+// It grows without bound as a triangle collapses, so descents never turn one over. `area_objective.h` sums it over a map,
+// `area_star.h` over the triangles around a vertex.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_ENERGY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_ENERGY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The energy of `area_energy.h` of a whole map, triangle by triangle, as `Injective_descent` asks for it.
+// `flatten_injectively.h` minimizes it on coarse charts, where Newton's method on all vertices at once is affordable.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_OBJECTIVE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_OBJECTIVE_H
 

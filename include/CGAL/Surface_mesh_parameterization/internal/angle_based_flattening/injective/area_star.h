@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The energy of `area_energy.h` around a single vertex, with derivatives by the position of that vertex.
+// `flatten_injectively.h` relaxes vertex by vertex with it, where a chart is too large for `injective_descent.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_STAR_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_STAR_H
 

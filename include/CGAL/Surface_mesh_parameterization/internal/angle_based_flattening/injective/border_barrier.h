@@ -3,6 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The barrier of Smith and Schaefer (2015), which repels parts of the border that come near one another through the outside.
+// `injective_descent.h` adds it to the energy of the whole map, `border_keeper.h` to that of one vertex. It shapes the map; what keeps
+// the border simple are the exact tests of `planar_border.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
 

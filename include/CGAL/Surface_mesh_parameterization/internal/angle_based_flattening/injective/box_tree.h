@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A tree of bounding boxes that finds edges near a given box, and follows single edges that move.
+// `planar_border.h` keeps the edges of the border in it, so that a test of one edge does not look at all others.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BOX_TREE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BOX_TREE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Gradient and Hessian of a sum of energies of three vertices each, assembled by blocks for Newton's method on positions.
+// `injective_descent.h` sums triangles and border pairs in it, each without its negative eigenvalues: the sum is semidefinite.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
 

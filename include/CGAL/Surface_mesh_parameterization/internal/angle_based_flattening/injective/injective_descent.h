@@ -3,6 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Projected Newton steps that lower the energy of a map and keep it injective: no triangle turns over, the border stays simple.
+// `flatten_injectively.h` runs it on coarse charts with `Area_objective`, and with `Angle_objective` to polish. The barrier is that of
+// Smith and Schaefer (2015); the exact test of the border, not the barrier, makes the steps safe.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H
 

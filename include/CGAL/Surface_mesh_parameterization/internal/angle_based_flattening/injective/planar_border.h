@@ -3,6 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The border of a map while its vertices move, with exact tests whether it is simple and a search for edges nearby.
+// `border_keeper.h` tests single moves with it, `injective_descent.h` whole steps, and `border_barrier.h` finds its pairs. If triangles
+// are positively oriented, a simple border makes the map of a disk injective (Lipman 2014).
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The first injective map: Tutte (1963) with the border on a circle and all weights equal.
+// `flatten_injectively.h` starts its descent there, on the coarse chart, because it is injective on any disk without parallel edges.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// How much the scale of a conformal map will vary over a chart with holes, from one Poisson equation and without a map.
+// `strategies/limit_scale.h` refuses charts by it, such as long tubes, whose coordinates no number type can hold usefully.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PREDICT_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PREDICT_SCALE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The walk along an outer border with prescribed angles: turns are exactly those prescribed, and lengths alone close the polygon.
+// `exact_layout.h` calls it, so that straight sides stay straight although the angles are solved to a tolerance only.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Preconditioned conjugate gradients that stop by the preconditioned norm, in which large multipliers at slivers hide nothing.
+// They solve Eq. 16 iteratively (`newton_equation.h`), refine low precision, and solve the steps of injective maps.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H
 

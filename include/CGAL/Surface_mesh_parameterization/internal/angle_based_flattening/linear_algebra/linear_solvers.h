@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Hides the types of the caller's solver traits, and of their counterpart of lower precision, so that numerics are compiled only once.
+// Every stage that solves a linear system gets its solvers from here: angles, layouts, seams, cones and injective maps.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Completes `block_preconditioner.h` near slivers, steep cones and holes by solving the whole matrix there (multiplicative Schwarz).
+// `newton_equation.h` applies it to Eq. 16. Without it, these few vertices would cost most of the steps.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEAR_PRECONDITIONER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEAR_PRECONDITIONER_H
 

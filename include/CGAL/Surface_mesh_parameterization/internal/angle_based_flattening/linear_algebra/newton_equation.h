@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Solves Eq. 16 for the multipliers: by one factorization, as the paper does, or by preconditioned conjugate gradients.
+// `newton_step.h` calls it in each iteration. Factors are kept as long as they precondition well.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEWTON_EQUATION_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEWTON_EQUATION_H
 

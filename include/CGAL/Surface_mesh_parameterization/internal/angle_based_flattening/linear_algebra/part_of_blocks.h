@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Restricts matrices and vectors to some of their blocks, and brings results back.
+// `near_preconditioner.h` cuts out the vertices near slivers and holes with it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_PART_OF_BLOCKS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_PART_OF_BLOCKS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Matrices of a few numbers for single triangles and vertices, which compile faster than Eigen's.
+// `block_matrix.h`, `triangle_assembly.h` and the matrix splits of `reduced_hessian.h` compute with them.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SMALL_MATRIX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SMALL_MATRIX_H
 

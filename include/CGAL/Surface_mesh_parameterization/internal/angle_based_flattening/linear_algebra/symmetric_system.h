@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// One interface for all models of CGAL's solver traits, whether or not they can keep factors or analyze patterns.
+// Callers get it from `linear_solvers.h`. SuperLU, which the paper uses, is among the models.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Sums up a sparse matrix from a small one for each triangle. The pattern is found once, and the order does not depend on threads.
+// `newton_step.h` assembles Eq. 16 with it, and both layouts their systems (Eqs. 19 to 21 in least squares).
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The energy of angles (Eq. 1) around one vertex as a function of its position, with gradient and Gauss-Newton Hessian.
+// `angle_descent.h` moves one vertex after the other by it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_STAR_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_STAR_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Simplification of a chart level by level (Section 5.1), and the way back. The paper collapses one edge at a time.
+// `flatten_hierarchically.h`, `flatten_injectively.h` and `seams/coarse_seams.h` coarsen with it; `refine.h` undoes the levels.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The levels of a coarsening on one copy of the chart (Section 5.1). Each removes independent vertices, the cheapest of a block first.
+// `coarsen.h` chains such stages, and copies the chart in between to keep neighbours close in memory.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSENING_STAGE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSENING_STAGE_H
 

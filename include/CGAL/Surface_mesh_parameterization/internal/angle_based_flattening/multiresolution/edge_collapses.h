@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Half-edge collapses of a corner table that can be undone (Section 5.1), each remembered by a single number.
+// `coarsening_stage.h` collapses and undoes with it. Stars read the connectivity of the present level from it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_EDGE_COLLAPSES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_EDGE_COLLAPSES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The position of a vertex that is put back (Section 5.2): harmonic weights, Eq. 22 at the border, then the kernel of the star.
+// `refine.h` calls it for each vertex of a level. Mean value weights, and points on the way to them, are tried beyond the paper.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The surface data of all stars of a level, kept in one place for several sweeps of relaxation (Section 5.2) over that level.
+// `refine.h` and `flatten_injectively.h` call `relax_level()`, so that several sweeps gather these data once.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_KEPT_RINGS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_KEPT_RINGS_H
 

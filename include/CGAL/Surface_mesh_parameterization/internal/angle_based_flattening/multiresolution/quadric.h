@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The quadratic form that tells which volume a collapse sweeps: a sum of squared products with the normals of a star.
+// `collapse_cost.h` sums one for each vertex, and evaluates it for all its collapses.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_QUADRIC_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_QUADRIC_H
 

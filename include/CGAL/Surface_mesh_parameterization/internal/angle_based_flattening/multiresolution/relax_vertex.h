@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The move of one vertex that makes its star more similar to the surface: the relaxation of Section 5.2, with the energy MIPS.
+// `relaxation.h` and `border_keeper.h` call it. The paper smooths harmonically instead, which lets stretch grow.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A connected part of a chart as a chart of its own, opened along seams, which still knows its triangles in the whole.
+// `separate_overlaps.h` and `minimum_cut.h` cut such patches. `atlas/` opens and divides surfaces with it, `cones/` opens one along seams.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_DUAL_PATCH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_DUAL_PATCH_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The cheapest seam between two sheets of a map that overlap, as a minimum cut of the dual graph.
+// `separate_overlaps.h` makes one such cut after the other. The paper splits its charts by Sheffer and Hart (2002) instead.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_MINIMUM_CUT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_MINIMUM_CUT_H
 

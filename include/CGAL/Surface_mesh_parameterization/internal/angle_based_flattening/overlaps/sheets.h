@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The two sheets of an overlap: sets of triangles that lie over each other, and so have to come apart.
+// `separate_overlaps.h` finds them, and `minimum_cut.h` takes them as source and sink.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_SHEETS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_SHEETS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// `split_overlaps()` for any mesh: reads charts and coordinates, separates their overlaps, and writes seams and pieces.
+// It is the only layer of this folder that knows the mesh; `separate_overlaps.h` sees flat arrays.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_SPLIT_CHARTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_SPLIT_CHARTS_H
 

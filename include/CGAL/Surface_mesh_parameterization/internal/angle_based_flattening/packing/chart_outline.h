@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// What packing keeps of a chart: edges of the outline, hull, area, and the directions in which the bounding box is smallest.
+// `read_outlines.h` fills it, and `chart_shape.h` draws it, at cost of the outline instead of all triangles.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
 

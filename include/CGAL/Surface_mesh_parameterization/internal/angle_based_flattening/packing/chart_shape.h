@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A chart at one angle and scale, drawn as a mask of the cells that it touches.
+// `scaled_charts.h` makes these shapes for all charts and directions that the search tries.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_SHAPE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_SHAPE_H
 

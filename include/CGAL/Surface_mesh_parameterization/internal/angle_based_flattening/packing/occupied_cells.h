@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The cells of the square that are taken, and a fast search for the lowest place where a mask is free of them.
+// `place_charts.h` places one chart after the other with it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_OCCUPIED_CELLS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_OCCUPIED_CELLS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The interface of packing: `pack()` and `certify_packing()` on flat arrays, without a mesh.
+// `pack_mesh.h` and `atlas/build_atlas_impl.h` include it. Without the compiled library it brings in `pack_impl.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_H
 

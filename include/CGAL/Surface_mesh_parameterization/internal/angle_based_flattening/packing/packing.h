@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Options and results of packing, with the similarity that each chart gets, and the outcome of the check.
+// `pack.h` has them in its interface, `scaled_charts.h` reads the options.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACKING_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACKING_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Places all charts at one scale, the largest first, each where a rule finds it lowest.
+// `search_scale.h` tries scales and rules with it, `pack_impl.h` reads the places.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PLACE_CHARTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PLACE_CHARTS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// From the triangles of all charts to their outlines, scaled to the areas that they should have.
+// `pack_impl.h` reads its input by it; `certify_packing_impl.h` shares the lists of triangles by chart.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_READ_OUTLINES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_READ_OUTLINES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The charts of a packing before and after they have a scale: directions to try, order, and masks of their cells.
+// `place_charts.h` takes the masks from it. `search_scale.h` keeps those of the last scale, as the next attempt may have the same.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The search for the largest scale at which all charts find a place, with coarse cells first and finer ones later.
+// `pack_impl.h` runs it. There is no guarantee that smaller scales fit too, so it climbs on after bisection.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SEARCH_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SEARCH_SCALE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Sets of texels as bits, 64 of a row in a word, with dilation by the gutter.
+// `chart_shape.h` draws charts into them, `occupied_cells.h` compares them, and `certify_packing_impl.h` checks the result with them.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
 

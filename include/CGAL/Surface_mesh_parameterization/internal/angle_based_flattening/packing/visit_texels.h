@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// All texels that a triangle or segment touches, none missed whatever the rounding.
+// `chart_shape.h` draws with it, `certify_packing_impl.h` relies on its bounds, and `baking/chart_texels.h` finds what to bake by it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_VISIT_TEXELS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_VISIT_TEXELS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Loops and sums on several threads, in blocks that do not depend on their number: results are the same on any machine.
+// Every stage with long loops includes it. Without TBB the loops are sequential.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PARALLEL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PARALLEL_H
 

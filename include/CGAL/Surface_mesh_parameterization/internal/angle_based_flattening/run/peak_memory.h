@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The largest memory that the process has had, as reports state it.
+// `strategies/run_parameterizer.h` and `cones/cone_flattener.h` ask for it at the end of a run.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PEAK_MEMORY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_PEAK_MEMORY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Which option of a method has a value that it cannot have, as a text for the report.
+// `strategies/run_parameterizer.h`, `cones/cone_flattener.h` and `atlas/atlas_options.h` ask before they read the mesh.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_WRONG_OPTION_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_WRONG_OPTION_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Seams of any mesh: reads its parts, finds seams of each by a given function, marks them, and fills the report.
+// `cut_to_disks.h`, `select_seams.h` and `shorten_seams.h` differ only in that function.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_APPLY_SEAMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_APPLY_SEAMS_H
 

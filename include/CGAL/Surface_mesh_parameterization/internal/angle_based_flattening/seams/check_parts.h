@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Which parts of a surface, opened along seams, are disks that can be flattened, and what is wrong with the others.
+// `is_disk_cut.h` makes the user's report and messages of it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CHECK_PARTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CHECK_PARTS_H
 

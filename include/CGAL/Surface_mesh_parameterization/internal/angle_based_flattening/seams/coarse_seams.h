@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A simplified copy of a large surface, and shortest paths that carry seams of the copy over to the surface.
+// `find_seams_impl.h` selects seams on the copy, where each prediction of the scale costs far less.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_COARSE_SEAMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_COARSE_SEAMS_H
 

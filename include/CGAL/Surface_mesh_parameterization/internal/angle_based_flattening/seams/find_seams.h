@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The interface of the seam search: `find_topological_seams()`, `find_seams()` and `shorten_seams()` on a chart, without a mesh.
+// `apply_seams.h`, `overlaps/separate_overlaps.h` and `atlas/` include it. Their bodies are in `find_seams_impl.h`.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_H
 

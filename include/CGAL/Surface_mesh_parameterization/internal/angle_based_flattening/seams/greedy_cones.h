@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Seams for little stretch: joins the vertex of the most extreme predicted scale to the seams, until the predicted stretch is small.
+// `find_seams_impl.h` runs it, on the surface or on its coarse copy. The scale comes from `log_scale.h`, so no map is made on the way.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A mesh without its seams, as numbered sides and sectors: what becomes of each vertex that seams divide.
+// `check_parts.h` examines its parts, and `make_seam_mesh.h` finds the halfedges of a `Seam_mesh` by it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_OPENED_SURFACE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_OPENED_SURFACE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// From a mesh of any topology to connected parts as flat arrays, with costs of edges, and back from corners to halfedges.
+// `apply_seams.h`, `overlaps/split_charts.h`, `cones/` and `atlas/` read with it. `chart/read_chart.h` does this for a single disk.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Turns seams that nearly open a surface to a disk into ones that do, by taking away and adding as little as possible.
+// `find_seams_impl.h` needs it after `coarse_seams.h`: paths that are drawn on the fine surface may meet or miss one another.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_REPAIR_CUT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_REPAIR_CUT_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A surface opened along seams, as a graph for Boost: nodes are the sectors of a vertex between seams, so no path crosses a seam.
+// `shortest_paths.h` searches it. `repair_cut.h`, `coarse_seams.h` and `atlas/` open and close seams in it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SECTOR_GRAPH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SECTOR_GRAPH_H
 

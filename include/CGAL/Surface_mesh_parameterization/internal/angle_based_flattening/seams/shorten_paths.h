@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Shortens seams by key-path exchange: takes a path between two branches away, and puts the shortest one in its place.
+// `find_seams_impl.h` and `greedy_cones.h` run it after each cut, which is made greedily and is rarely shortest.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEN_PATHS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEN_PATHS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Dijkstra's search on an opened surface, which can be bounded, restricted and repeated at the cost of what it visits.
+// All seam searches use it: `cut_topology.h`, `greedy_cones.h`, `shorten_paths.h`, `coarse_seams.h` and, in `atlas/`, further seams.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEST_PATHS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEST_PATHS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// A mesh as arrays of points and triangles in its own order, for what needs no connectivity.
+// `seam_weights.h` reads the mesh with it, and `visibility.h` shoots its rays at it.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_TRIANGLE_ARRAYS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_TRIANGLE_ARRAYS_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Enters all optional strategies, so that the methods can call what their options or failures ask for.
+// `ABF_plus_plus_strategies.h` and `atlas/flatten_atlas_chart.h` include it, and the compiled library does.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H
 

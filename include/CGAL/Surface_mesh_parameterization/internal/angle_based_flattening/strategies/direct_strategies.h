@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The direct method with its fallbacks: from the surface's angles, with a raised barrier, and from a progressive embedding.
+// `flatten_chart_directly.h` runs it on disks, and `hole_strategies.h` extends it. The paper has the first attempt only (Algorithm 18).
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
 

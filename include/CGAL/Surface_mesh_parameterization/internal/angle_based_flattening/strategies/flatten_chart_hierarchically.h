@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The body of `flatten_chart_hierarchically()` (Section 5): refinement, holes, polishing by the direct solver, and certificate.
+// `Hierarchical_parameterizer_3.h` and `make_injective.h` include it. `direct_strategies.h` falls back on its progressive embedding.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// One attempt of the direct method, from given angles to a certified map: Algorithm 18, then Eqs. 19 to 21 or the exact layout.
+// `direct_strategies.h` makes each attempt but the last with it; `flatten_chart_hierarchically.h` polishes with its parts.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The hierarchical method on a chart (Section 5): coarsens it, has the coarse chart solved, refines and relaxes the map.
+// `flatten_chart_hierarchically.h` adds holes, polishing and the certificate. The coarse solver is any function on charts.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
 

@@ -3,6 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Refuses charts with holes on which any conformal map would shrink some part beyond use.
+// `flatten_chart_directly.h` asks before it solves; `flatten_chart_hierarchically.h` asks on the coarse chart, where that is cheap.
+
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LIMIT_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LIMIT_SCALE_H
 
