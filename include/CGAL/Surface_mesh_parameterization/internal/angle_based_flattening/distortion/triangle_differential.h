@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The derivatives of a map on one triangle, and what follows from them: shear (Eqs. 23 and 24) and stretch.
+// The derivatives of a map on one triangle, and what follows from them: the metric (Eq. 23), shear (Eq. 24) and stretch.
 // `measure_chart.h` and `map_stretch.h` sum these up. Injective maps and the atlas find crushed triangles with it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
