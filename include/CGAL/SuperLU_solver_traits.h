@@ -20,9 +20,11 @@
 
 #include <CGAL/Eigen_sparse_matrix.h>
 #include <CGAL/Eigen_vector.h>
-#include <CGAL/SuperLU_options.h>
+#include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
+#include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_traits_properties.h>
+#include <CGAL/SuperLU_options.h>
 
 #include <algorithm>
 #include <cstddef>

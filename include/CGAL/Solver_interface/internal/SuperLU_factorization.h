@@ -9,10 +9,12 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORIZATION_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORIZATION_H
 
-#include <CGAL/SuperLU_options.h>
+#include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
+#include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_scaling.h>
 #include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
+#include <CGAL/SuperLU_options.h>
 
 #include <Eigen/Core>
 

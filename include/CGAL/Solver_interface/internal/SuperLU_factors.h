@@ -9,10 +9,11 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 
-#include <CGAL/SuperLU_options.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
+#include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_library.h>
 #include <CGAL/Solver_interface/internal/Supernodal_solution.h>
+#include <CGAL/SuperLU_options.h>
 
 #include <Eigen/Core>
 

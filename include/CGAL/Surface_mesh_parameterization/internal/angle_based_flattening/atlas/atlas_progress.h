@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <algorithm>

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/chart_texels.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/fill_gutter.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/fine_surface_searches.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/fine_surface_tree.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/tangent_frames.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>

@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_parameterization/baking_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/read_shaded_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/shaded_surfaces.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

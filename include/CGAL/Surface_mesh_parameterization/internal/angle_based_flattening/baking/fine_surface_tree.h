@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/fine_surface_searches.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/shaded_surfaces.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>

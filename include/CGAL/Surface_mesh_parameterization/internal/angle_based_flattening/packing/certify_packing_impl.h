@@ -11,7 +11,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/read_outlines.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/visit_texels.h>

@@ -11,10 +11,13 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/certify_packing_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_outline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/place_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/read_outlines.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/scaled_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/search_scale.h>
 
 #include <algorithm>

@@ -11,8 +11,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_outline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
