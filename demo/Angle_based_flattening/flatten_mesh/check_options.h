@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_CHECK_OPTIONS_H
 #define FLATTEN_MESH_CHECK_OPTIONS_H
 
-#include "flatten_mesh/plain/border_angles.h"
+#include "flatten_mesh/plain/corner_numbers.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/describe_options.h"

@@ -6,22 +6,15 @@
 #ifndef FLATTEN_MESH_ATLAS_INPUT_H
 #define FLATTEN_MESH_ATLAS_INPUT_H
 
-#include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/Notes.h"
-#include "flatten_mesh/model/build_mesh.h"
-#include "flatten_mesh/model/check_polygons.h"
-#include "flatten_mesh/model/duplicate_polygons.h"
-#include "flatten_mesh/model/read_model.h"
-#include "flatten_mesh/model/separate_soup.h"
-#include "flatten_mesh/model/weld_soup.h"
-#include "flatten_mesh/weld_option.h"
-#include "flatten_mesh/atlas/set_aside.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/Skipped_part.h"
+#include "flatten_mesh/model/Welding.h"
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -35,68 +28,11 @@ struct Atlas_input
   std::vector<Skipped_part> set_aside;
 };
 
-namespace internal {
-
-inline Mesh build_separated_polygon_mesh(const Model& model, Polygon_soup& soup, const bool repair,
-                                         Notes& notes)
-{
-  try {
-    return build_polygon_mesh(soup);
-  } catch(const Input_error&) {
-    if(!repair) {
-      throw;
-    }
-    separate_soup(model, soup, notes);
-    return build_polygon_mesh(soup);
-  }
-}
-
-inline void build_atlas_input(const bool repair, const Welding& welding, Notes& notes, Atlas_input& input)
-{
-  Polygon_soup soup = polygon_soup(input.model);
-  check_not_empty(soup);
-  valences(soup); // throws if a vertex does not exist
-  set_aside(soup, repair);
-  if(repair) {
-    leave_out_duplicates(soup);
-    weld_soup(welding, soup, notes);
-  }
-  while(!soup.polygons.empty() && input.mesh.is_empty()) {
-    std::vector<std::size_t> undivided;
-    Surface_of_model built = end_surface(
-        input.model, soup, build_separated_polygon_mesh(input.model, soup, repair, notes), undivided);
-    if(undivided.empty()) {
-      input.mesh = std::move(built.mesh);
-      input.origins = std::move(built.origins);
-    } else {
-      set_undivided_aside(undivided, soup);
-    }
-  }
-  input.set_aside = std::move(soup.left_out);
-}
-
-} // namespace internal
-
 // Throws an `Input_error` if the model is wrong as a whole.
-inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes,
-                                  const Welding& welding = Welding())
-{
-  Atlas_input input;
-  input.model = std::move(model);
-  internal::build_atlas_input(repair, welding, notes, input);
-  return input;
-}
+Atlas_input atlas_input_of(Model model, bool repair, Notes& notes, const Welding& welding = Welding());
 
 // Throws an `Input_error` if the file cannot be read, or is wrong as a whole.
-inline Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
-{
-  Model model = read_model(command.input, Degenerate_faces::KEPT, notes, command.format);
-  try {
-    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command));
-  } catch(const Input_error& error) {
-    throw Input_error(command.title + ": " + error.what());
-  }
-}
+Atlas_input read_atlas_input(const Command_line& command, Notes& notes);
 
 // The face of the file that a triangle is part of, from 0
 inline std::size_t face_in_file(const Atlas_input& input, const Face f)
@@ -105,5 +41,9 @@ inline std::size_t face_in_file(const Atlas_input& input, const Face f)
 }
 
 } // namespace flatten_mesh
+
+#ifndef FLATTEN_MESH_COMPILED
+#include "flatten_mesh/atlas/Atlas_input_impl.h"
+#endif
 
 #endif // FLATTEN_MESH_ATLAS_INPUT_H

@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/Skipped_part.h"
-#include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/build_mesh_impl.h"
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/texts.h"
 

@@ -5,6 +5,7 @@
 
 #include "flatten_mesh/bake/bake_textures.h"
 
+#include "flatten_mesh/model/read_model.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/IO/Color.h>

@@ -9,6 +9,7 @@
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/Welding.h"
 #include "flatten_mesh/model/duplicate_polygons.h"
+#include "flatten_mesh/model/places_of_points.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_TEXT_READER_H
 #define FLATTEN_MESH_TEXT_READER_H
 
+#include "flatten_mesh/model/Degenerate_faces.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Text_lines.h"
 #include "flatten_mesh/model/text_numbers.h"
@@ -18,14 +19,6 @@
 #include <vector>
 
 namespace flatten_mesh {
-
-// What is done about faces that are none, such as those with two corners or with a corner twice, and about coordinates
-// that are no finite numbers.
-enum class Degenerate_faces
-{
-  REFUSED,
-  KEPT
-};
 
 // A word of a file, for a message
 inline std::string quoted_word(const std::string_view word)

@@ -6,111 +6,29 @@
 #ifndef FLATTEN_MESH_READ_MODEL_H
 #define FLATTEN_MESH_READ_MODEL_H
 
-#include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/file_names.h"
-#include "flatten_mesh/model/file_content.h"
-#include "flatten_mesh/model/formats.h"
-#include "flatten_mesh/model/read_obj.h"
-#include "flatten_mesh/model/read_off.h"
-#include "flatten_mesh/model/read_ply.h"
-#include "flatten_mesh/model/read_stl.h"
-#include "flatten_mesh/model/read_ts.h"
-#include "flatten_mesh/texts.h"
-
-#ifdef CGAL_USE_VTK
-#include "flatten_mesh/model/read_vtp.h"
-#endif
-
-#include <boost/algorithm/string/case_conv.hpp>
+#include "flatten_mesh/model/Degenerate_faces.h"
+#include "flatten_mesh/model/Model.h"
 
 #include <string>
 #include <string_view>
 
 namespace flatten_mesh {
 
-namespace internal {
-
-inline void check_format(const std::string& name, const std::string& format)
-{
-  if(is_format_read(format)) {
-    return;
-  }
-  if(format == "vtp") {
-    throw Input_error("cannot read '" + name +
-                      "': this program was built without VTK; convert the file to PLY");
-  }
-  throw Input_error("cannot tell the format of '" + name + "': its name must end with ." +
-                    formats_text(", .", " or .") + (is_other_file(name) ? ", or --format must tell it" : ""));
-}
-
-inline void check_surface(const Model& model)
-{
-  if(model.points.empty() || model.number_of_polygons() == 0) {
-    throw Input_error("'" + model.file + "': the file has " +
-                      (model.points.empty()
-                           ? "no vertices; export the mesh again"
-                           : "vertices but no faces; a point cloud has to be made into a surface first"));
-  }
-}
-
-} // namespace internal
-
 // Reads the content of a file with everything that can be written again, into a model that has the name of the
 // file. Throws an `Input_error` if it cannot be read. Does not check whether the polygons fit together; of
 // an OBJ file, degenerate faces are refused at once if they are not kept, because then their line is known.
-inline void read_content(const std::string_view content, const std::string& format,
-                         const Degenerate_faces degenerate, Model& model, Notes& notes)
-{
-  const std::string_view text = without_byte_order_mark(content);
-  try {
-    if(format == "obj") {
-      read_obj(text, model, degenerate, notes);
-    } else if(format == "off") {
-      read_off(text, model, degenerate);
-    } else if(format == "ply") {
-      read_ply(text, model, degenerate);
-    } else if(format == "stl") {
-      read_stl(text, model, degenerate);
-    } else if(format == "ts") {
-      read_ts(text, model, degenerate);
-    }
-    internal::check_surface(model);
-  } catch(const Input_error& error) {
-    const std::string kind = kind_of_content(text);
-    if(kind.empty() || boost::algorithm::to_lower_copy(kind) == format) {
-      throw;
-    }
-    throw Input_error(std::string(error.what()) + " (its content looks " + kind + ", not " +
-                      boost::algorithm::to_upper_copy(format) + ")");
-  }
-}
+void read_content(std::string_view content, const std::string& format, Degenerate_faces degenerate,
+                  Model& model, Notes& notes);
 
 // Reads a file. Its name tells the format; of standard input, "-", and of pipes, `format` does.
-inline Model read_model(const std::string& name, const Degenerate_faces degenerate, Notes& notes,
-                        const std::string& format_of_pipe = "")
-{
-  Model model;
-  model.file = name;
-  const bool is_pipe = name == standard_input || is_other_file(name);
-  const std::string format = is_pipe && !format_of_pipe.empty() ? format_of_pipe : file_format(name);
-  internal::check_file_is_there(name);
-  internal::check_format(name, format);
-#ifdef CGAL_USE_VTK
-  if(format == "vtp") { // VTK opens the file itself
-    if(is_pipe) {
-      throw Input_error("'" + name + "' is a pipe, and VTP is read from files only: convert it to PLY");
-    }
-    read_vtp(model);
-    internal::check_surface(model);
-    return model;
-  }
-#endif
-  const std::string content = content_of_file(name);
-  read_content(content, format, degenerate, model, notes);
-  return model;
-}
+Model read_model(const std::string& name, Degenerate_faces degenerate, Notes& notes,
+                 const std::string& format_of_pipe = "");
 
 } // namespace flatten_mesh
+
+#ifndef FLATTEN_MESH_COMPILED
+#include "flatten_mesh/model/read_model_impl.h"
+#endif
 
 #endif // FLATTEN_MESH_READ_MODEL_H

@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_TRIANGULATE_H
 
 #include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Edge_marks.h"
 #include "flatten_mesh/model/triangulate_polygon.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -20,20 +21,6 @@
 #include <vector>
 
 namespace flatten_mesh {
-
-using Edge_marks = Mesh::Property_map<Edge, bool>;
-
-// The edges along which a mesh is cut open.
-inline Edge_marks seam_marks(Mesh& mesh)
-{
-  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_seam", false).first;
-}
-
-// The edges that divide larger polygons into triangles.
-inline Edge_marks diagonals(Mesh& mesh)
-{
-  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_diagonal", false).first;
-}
 
 namespace internal {
 

@@ -6,37 +6,22 @@
 #ifndef FLATTEN_MESH_WRITE_MODEL_H
 #define FLATTEN_MESH_WRITE_MODEL_H
 
+#include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Model_texture.h"
-#include "flatten_mesh/Output_file.h"
-#include "flatten_mesh/file_names.h"
-#include "flatten_mesh/model/write_model_obj.h"
-#include "flatten_mesh/model/write_model_ply.h"
-
-#ifdef ABF_WITH_GLTF
-#include "flatten_mesh/model/write_model_glb.h"
-#endif
 
 #include <string>
 
 namespace flatten_mesh {
 
 // Writes a model with its texture in the format that the name of the file tells: PLY, binary glTF, or else OBJ.
-inline void write_model(Output_file& file, const std::string& name, const Model& model,
-                        const Model_texture& texture)
-{
-  const std::string format = file_format(name);
-  if(format == "ply") {
-    write_model_ply(file, model, texture);
-#ifdef ABF_WITH_GLTF
-  } else if(format == "glb") {
-    write_model_glb(file, name, model, texture);
-#endif
-  } else {
-    write_model_obj(file, name, model, texture);
-  }
-}
+void write_model(Output_file& file, const std::string& name, const Model& model,
+                 const Model_texture& texture);
 
 } // namespace flatten_mesh
+
+#ifndef FLATTEN_MESH_COMPILED
+#include "flatten_mesh/model/write_model_impl.h"
+#endif
 
 #endif // FLATTEN_MESH_WRITE_MODEL_H

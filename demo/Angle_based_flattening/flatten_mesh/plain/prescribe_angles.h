@@ -10,7 +10,7 @@
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Polygon_soup.h"
-#include "flatten_mesh/model/triangulate.h"
+#include "flatten_mesh/model/Edge_marks.h"
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/plain/border_angles.h"
 #include "flatten_mesh/plain/choose_corners.h"

@@ -17,7 +17,6 @@
 #include "flatten_mesh/plain/area.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/divide_polygons.h"
-#include "flatten_mesh/plain/choose_cones.h"
 #include "flatten_mesh/plain/choose_seams.h"
 #include "flatten_mesh/model/components.h"
 #include "flatten_mesh/plain/flatten_along_seams.h"

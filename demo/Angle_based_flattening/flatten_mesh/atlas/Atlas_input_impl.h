@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_ATLAS_INPUT_IMPL_H
+#define FLATTEN_MESH_ATLAS_INPUT_IMPL_H
+
+#include "flatten_mesh/compiled.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/atlas/set_aside.h"
+#include "flatten_mesh/model/build_mesh_impl.h"
+#include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/duplicate_polygons.h"
+#include "flatten_mesh/model/read_model.h"
+#include "flatten_mesh/model/separate_soup.h"
+#include "flatten_mesh/model/weld_soup.h"
+#include "flatten_mesh/weld_option.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+inline Mesh build_separated_polygon_mesh(const Model& model, Polygon_soup& soup, const bool repair,
+                                         Notes& notes)
+{
+  try {
+    return build_polygon_mesh(soup);
+  } catch(const Input_error&) {
+    if(!repair) {
+      throw;
+    }
+    separate_soup(model, soup, notes);
+    return build_polygon_mesh(soup);
+  }
+}
+
+inline void build_atlas_input(const bool repair, const Welding& welding, Notes& notes, Atlas_input& input)
+{
+  Polygon_soup soup = polygon_soup(input.model);
+  check_not_empty(soup);
+  valences(soup); // throws if a vertex does not exist
+  set_aside(soup, repair);
+  if(repair) {
+    leave_out_duplicates(soup);
+    weld_soup(welding, soup, notes);
+  }
+  while(!soup.polygons.empty() && input.mesh.is_empty()) {
+    std::vector<std::size_t> undivided;
+    Surface_of_model built = end_surface(
+        input.model, soup, build_separated_polygon_mesh(input.model, soup, repair, notes), undivided);
+    if(undivided.empty()) {
+      input.mesh = std::move(built.mesh);
+      input.origins = std::move(built.origins);
+    } else {
+      set_undivided_aside(undivided, soup);
+    }
+  }
+  input.set_aside = std::move(soup.left_out);
+}
+
+} // namespace internal
+
+FLATTEN_MESH_INLINE Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes,
+                                               const Welding& welding)
+{
+  Atlas_input input;
+  input.model = std::move(model);
+  internal::build_atlas_input(repair, welding, notes, input);
+  return input;
+}
+
+FLATTEN_MESH_INLINE Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
+{
+  Model model = read_model(command.input, Degenerate_faces::KEPT, notes, command.format);
+  try {
+    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command));
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_ATLAS_INPUT_IMPL_H

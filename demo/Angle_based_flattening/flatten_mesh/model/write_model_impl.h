@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_WRITE_MODEL_IMPL_H
+#define FLATTEN_MESH_WRITE_MODEL_IMPL_H
+
+#include "flatten_mesh/compiled.h"
+#include "flatten_mesh/model/write_model.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/model/write_model_obj.h"
+#include "flatten_mesh/model/write_model_ply.h"
+
+#ifdef ABF_WITH_GLTF
+#include "flatten_mesh/model/write_model_glb.h"
+#endif
+
+#include <string>
+
+namespace flatten_mesh {
+
+FLATTEN_MESH_INLINE void write_model(Output_file& file, const std::string& name, const Model& model,
+                                     const Model_texture& texture)
+{
+  const std::string format = file_format(name);
+  if(format == "ply") {
+    write_model_ply(file, model, texture);
+#ifdef ABF_WITH_GLTF
+  } else if(format == "glb") {
+    write_model_glb(file, name, model, texture);
+#endif
+  } else {
+    write_model_obj(file, name, model, texture);
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_WRITE_MODEL_IMPL_H
