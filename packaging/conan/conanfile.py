@@ -40,6 +40,7 @@ class AngleBasedFlatteningConan(ConanFile):
         toolchain = CMakeToolchain(self)
         for part in ("EXAMPLES", "DEMO", "TESTS", "BENCHMARKS"):
             toolchain.cache_variables["ABF_BUILD_" + part] = False
+        toolchain.cache_variables["ABF_INSTALL_CORE"] = False
         toolchain.generate()
 
     def build(self):
