@@ -137,7 +137,7 @@ private:
     if(!defect && m_options.equal_seam_lengths.value_or(true))
       defect = equalize_seams(chart);
     if(!defect && !m_are_free && chart.has_equal_seams)
-      defect = set_angle_sums(sums_at_seams(chart), chart);
+      defect = optional_angle_sums(sums_at_seams(chart), chart);
     if(defect)
       ABF::fail(m_result.map, defect.diagnosis, defect.message);
     return chart;
