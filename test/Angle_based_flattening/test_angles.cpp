@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "hard_charts.h"
+#include "small_matrices.h"
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
@@ -32,6 +33,8 @@ struct CGAL::Has_independent_copies<test_angles::Double_solver> : std::true_type
 {};
 
 BOOST_AUTO_TEST_SUITE(test_angles)
+
+using small_matrices::small;
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -318,8 +321,9 @@ BOOST_AUTO_TEST_SUITE(reduced_hessian)
 // The P of Eq. 17
 Eigen::Matrix3d inverse_on_plane(const Eigen::Vector3d& energy, const Eigen::Vector3d& hessian)
 {
-  const abf::Sum_preserving_steps& basis = abf::basis_of_sum_preserving_steps();
-  return basis * abf::reduced_hessian_inverse(energy, hessian) * basis.transpose();
+  const Eigen::Matrix<double, 3, 2> basis = small_matrices::eigen(abf::basis_of_sum_preserving_steps());
+  return basis * small_matrices::eigen(abf::reduced_hessian_inverse(small(energy), small(hessian))) *
+         basis.transpose();
 }
 
 BOOST_AUTO_TEST_CASE(invert_the_hessian_on_steps_that_keep_the_sum)
@@ -511,9 +515,7 @@ abf::Block_matrix<BlockSize> chain_of_blocks(int n, Entry entry)
 abf::Block_matrix<2> chain(int n, double diagonal, double coupling)
 {
   return chain_of_blocks<2>(n, [&](int i, int j) {
-    Eigen::Matrix2d block;
-    block << (i == j ? diagonal : -1), coupling, coupling, (i == j ? diagonal + 1 : -1);
-    return block;
+    return abf::Matrix_2{{i == j ? diagonal : -1, coupling, coupling, i == j ? diagonal + 1 : -1}};
   });
 }
 
@@ -526,9 +528,7 @@ Vector product(const abf::Block_matrix<BlockSize>& matrix, const Vector& x)
 BOOST_AUTO_TEST_CASE(blocks_are_multiplied_and_taken_apart)
 {
   const auto blocks = chain_of_blocks<2>(50, [](int i, int j) {
-    Eigen::Matrix2d block;
-    block << 1 + i + j, i - j, j - i, 2 * i * j;
-    return block;
+    return abf::Matrix_2{{1. + i + j, 1. * (j - i), 1. * (i - j), 2. * i * j}};
   });
   const Matrix whole = abf::eigen_matrix<double>(blocks);
   BOOST_TEST(whole.isApprox(whole.transpose()));
@@ -642,7 +642,7 @@ abf::Block_matrix<1> laplacian(int n, double identity)
 {
   return chain_of_blocks<1>(n, [&](int i, int j) {
     const int neighbours = i == 0 || i == n - 1 ? 1 : 2;
-    return abf::Block_matrix<1>::Block(i == j ? neighbours + identity : -1.);
+    return abf::Block_matrix<1>::Block{{i == j ? neighbours + identity : -1.}};
   });
 }
 
@@ -682,8 +682,7 @@ BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
 {
   const auto regular = laplacian(300, 0.1), singular_as_float = laplacian(300, 1e-9);
   const auto both = chain_of_blocks<2>(300, [&, entry = 0](int, int) mutable {
-    Eigen::Matrix2d block;
-    block << regular.block[entry](0), 0, 0, singular_as_float.block[entry](0);
+    const abf::Matrix_2 block = {{regular.block[entry][0], 0, 0, singular_as_float.block[entry][0]}};
     ++entry;
     return block;
   });
@@ -714,7 +713,7 @@ BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
   }
   abf::Two_vectors x;
   auto zero = laplacian(300, 1);
-  std::fill(zero.block.begin(), zero.block.end(), abf::Block_matrix<1>::Block::Zero());
+  std::fill(zero.block.begin(), zero.block.end(), abf::Block_matrix<1>::Block::zero());
   BOOST_TEST(!definite_system().solve(zero, b, x));
 }
 #endif
@@ -769,7 +768,7 @@ BOOST_AUTO_TEST_CASE(adds_up_local_matrices)
         }
     }
     assembly.assemble([&](int c) -> abf::Triangle_assembly<2>::Local_columns {
-      return local[c / 3].middleCols<2>(2 * (c % 3));
+      return small<6, 2>(local[c / 3].middleCols<2>(2 * (c % 3)));
     });
     const auto matrix = abf::eigen_matrix<double>(assembly.matrix());
     BOOST_TEST((Matrix(matrix) - dense).cwiseAbs().maxCoeff() < 1e-14);
@@ -796,7 +795,7 @@ BOOST_AUTO_TEST_CASE(adds_up_at_hubs)
   BOOST_REQUIRE(chart.number_of_interior_vertices == n + 1);
   abf::Triangle_assembly<2> assembly(chart.vertex, chart.node, chart.number_of_nodes());
   assembly.assemble([](int) -> abf::Triangle_assembly<2>::Local_columns {
-    return abf::Triangle_assembly<2>::Local_columns::Ones();
+    return small<6, 2>(Eigen::Matrix<double, 6, 2>::Ones());
   });
   BOOST_TEST(assembly.diagonal_block(0)(0, 0) == n);
   BOOST_TEST(assembly.matrix().begin[1] == n + 1);

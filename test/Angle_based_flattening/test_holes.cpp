@@ -9,6 +9,7 @@
 
 #include "charts_with_holes.h"
 #include "hard_charts.h"
+#include "small_matrices.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(binds_from_both_sides)
   for(int j = 0; j < 7; ++j) {
     for(int i = 0; i < 7; ++i) {
       blocks.row.push_back(i);
-      blocks.block.push_back(whole.block<2, 2>(2 * i, 2 * j));
+      blocks.block.push_back(small_matrices::small<2, 2>(whole.block<2, 2>(2 * i, 2 * j)));
     }
     blocks.begin.push_back(7 * (j + 1));
   }

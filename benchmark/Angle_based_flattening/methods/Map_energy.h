@@ -107,7 +107,10 @@ public:
                        e.by_a_twice * a * a.transpose());
     }
     m_hessian.assemble([&](int c) -> typename abf::Triangle_assembly<2>::Local_columns {
-      return m_local_hessian[c / 3].template middleCols<2>(2 * (c % 3));
+      typename abf::Triangle_assembly<2>::Local_columns columns;
+      Eigen::Map<Eigen::Matrix<double, 6, 2>>(columns.entry) =
+          m_local_hessian[c / 3].template middleCols<2>(2 * (c % 3));
+      return columns;
     });
     return abf::eigen_matrix<double>(m_hessian.matrix());
   }
