@@ -44,8 +44,9 @@ public:
           column[j] = (std::max)(column[j], exponent);
         }
       });
-      const bool is_changed = add_scales(row, none, m_row) | add_scales(column, none, m_column);
-      if(!is_changed)
+      const bool scales_rows = add_scales(row, none, m_row),
+                 scales_columns = add_scales(column, none, m_column);
+      if(!scales_rows && !scales_columns)
         return;
       for_each_entry(a, [&](int i, int j, FT& value) { value = std::ldexp(value, row[i] + column[j]); });
     }
