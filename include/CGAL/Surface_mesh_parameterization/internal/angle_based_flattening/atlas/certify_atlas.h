@@ -42,7 +42,7 @@ inline std::string certify_part(const Part_atlas& part)
     return "the final coordinates have too few digits for " + std::to_string(flipped.size()) +
            " triangle(s), one at the vertex at " + position_text(chart, chart.vertex[3 * flipped.front()]);
   for(const std::vector<Border_edge>& border : borders_of_pieces(part))
-    if(!Border_sweep<Exact_point_2>(border, uv).bounds_region())
+    if(!bounds_region(border, uv))
       return "the final coordinates have too few digits for the border at the vertex at " +
              position_text(chart, border.front().source);
   return "";

@@ -219,8 +219,7 @@ private:
   Part_atlas separated()
   {
     const Chart& chart = m_best.patch.chart;
-    const Separation separation =
-        Overlap_separator<Exact_point_2>(chart, m_cost, exact_points(m_best.map.uv)).run();
+    const Separation separation = separate_overlaps(chart, m_cost, exact_points(m_best.map.uv));
     if(separation.status != Separation::DONE && m_injective.is_valid()) {
       m_best.map = std::move(m_injective);
       return result();

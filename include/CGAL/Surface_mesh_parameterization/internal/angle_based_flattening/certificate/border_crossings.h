@@ -74,13 +74,18 @@ inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
 // another, and turn the other way. With no flipped triangle, the map is then injective: see `Planar_map::is_injective()`.
 inline bool is_border_simple(const Chart& chart, const std::vector<Exact_point_2>& uv)
 {
-  return Border_sweep<Exact_point_2>(border_edges(chart), uv).bounds_region();
+  return bounds_region(border_edges(chart), uv);
 }
 
 inline bool is_border_simple(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
   return is_border_simple(chart, exact_points(uv));
 }
+
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+extern template std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>&,
+                                                                const std::vector<Exact_point_2>&);
+#endif
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -186,6 +186,17 @@ private:
   bool m_touching = false, m_bounds_region = true, m_lowest_goes_right = true;
 };
 
+// Whether `Border_sweep::bounds_region()`
+template <typename Point>
+bool bounds_region(const std::vector<Border_edge>& edges, const std::vector<Point>& uv)
+{
+  return Border_sweep<Point>(edges, uv).bounds_region();
+}
+
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+extern template bool bounds_region(const std::vector<Border_edge>&, const std::vector<Exact_point_2>&);
+#endif
+
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H

@@ -180,6 +180,13 @@ bool is_injective_at_vertices(const std::vector<int>& vertex, const std::vector<
   return true;
 }
 
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+extern template std::vector<int> flipped_triangles(const std::vector<int>&,
+                                                   const std::vector<Exact_point_2>&);
+extern template bool is_injective_at_vertices(const std::vector<int>&, const std::vector<Border_edge>&,
+                                              const std::vector<Exact_point_2>&);
+#endif
+
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_LOCAL_INJECTIVITY_H

@@ -87,7 +87,7 @@ public:
   // two sheets glued crosswise along a cut have two that turn left.
   bool is_injective() const
   {
-    return flipped_triangles(vertex, points).empty() && Border_sweep<Point_2>(border, points).bounds_region();
+    return flipped_triangles(vertex, points).empty() && bounds_region(border, points);
   }
 
   std::vector<face_descriptor> face_descriptors;     // of each triangle

@@ -20,6 +20,13 @@
 #include <limits>
 #include <vector>
 
+// Functions of flat arrays that the compiled library has
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#define CGAL_ANGLE_BASED_FLATTENING_INLINE
+#else
+#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
+#endif
+
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise. (Remainders of unsigned numbers take

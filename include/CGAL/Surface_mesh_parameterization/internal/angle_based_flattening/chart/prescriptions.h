@@ -16,8 +16,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -116,8 +114,7 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
                 "equal lengths of seams need all seams on the outer border, but one is on a hole",
                 {chart.edge_source(c)},
                 {}};
-  chart.has_equal_seams = Seam_places(chart).has_seams();
-  find_nodes(chart);
+  equalize_outer_seams(chart);
   return {};
 }
 

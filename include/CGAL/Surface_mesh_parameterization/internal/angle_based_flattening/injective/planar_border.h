@@ -83,7 +83,7 @@ public:
   bool touches_at(int i) const { return edge_touches(i) || edge_touches(previous(i)); }
 
   // Whether no edges touch, holes are within the outer border and apart. Exact.
-  bool is_simple() const { return Border_sweep<Exact_point_2>(m_edges, m_points).bounds_region(); }
+  bool is_simple() const { return bounds_region(m_edges, m_points); }
 
   // Calls `visit` with the number of each edge whose box meets `box`.
   template <typename Visitor>

@@ -19,12 +19,6 @@
 #include <memory>
 #include <type_traits>
 
-#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE
-#else
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
-#endif
-
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The caller's solver traits, and their counterpart of lower precision, behind an interface: the numerics know neither type.

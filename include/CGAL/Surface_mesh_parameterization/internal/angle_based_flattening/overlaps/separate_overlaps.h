@@ -93,7 +93,7 @@ private:
     std::vector<Point> uv;
     for(int v : patch.origin)
       uv.push_back(m_uv[v]);
-    if(Border_sweep<Point>(border_edges(patch.chart), uv).bounds_region()) {
+    if(bounds_region(border_edges(patch.chart), uv)) {
       if(m_is_disk && patch.euler_characteristic() != 1)
         open_ring(patch);
       else
@@ -213,6 +213,19 @@ private:
   bool m_is_disk = false;
   std::vector<std::vector<int>> m_unchecked; // triangles of pieces that may still overlap or be rings
 };
+
+// Cuts a chart where its map overlaps itself (see `Overlap_separator`).
+template <typename Point>
+Separation separate_overlaps(const Chart& chart, const std::vector<double>& cost,
+                             const std::vector<Point>& uv)
+{
+  return Overlap_separator<Point>(chart, cost, uv).run();
+}
+
+#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+extern template Separation separate_overlaps(const Chart&, const std::vector<double>&,
+                                             const std::vector<Exact_point_2>&);
+#endif
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -67,7 +67,7 @@ public:
       std::vector<Point> uv;
       if(!read_uv(part, uv, report))
         return report;
-      separations.push_back(Overlap_separator<Point>(part.chart, part.cost, uv).run());
+      separations.push_back(separate_overlaps(part.chart, part.cost, uv));
       if(separations.back().status != Separation::DONE) {
         explain_failure(part, separations.back(), report);
         return report;

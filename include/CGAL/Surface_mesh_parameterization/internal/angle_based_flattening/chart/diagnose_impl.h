@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Walks around all vertices of a chart, and counts its handles and borders. These are the bodies of `diagnose.h`, which the compiled
+// library has.
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_IMPL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_IMPL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Chart& chart, int v)
+{
+  std::ostringstream text;
+  const double s = chart.scale;
+  text << '(' << s * chart.points[v].x() << ", " << s * chart.points[v].y() << ", " << s * chart.points[v].z()
+       << ')';
+  return text.str();
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Chart& chart)
+{
+  for(int v = 0; v < chart.number_of_vertices(); ++v)
+    for(int i = 0; i < 3; ++i)
+      if(!std::isfinite(chart.points[v][i]))
+        return {Flattening_report::NON_FINITE_POINT,
+                "a vertex has coordinates " + position_text(chart, v) + ", which are not all finite numbers",
+                {v},
+                {}};
+  return {};
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& chart)
+{
+  std::vector<char> walked(chart.vertex.size(), false);
+  std::vector<char> has_fan(chart.points.size(), false);
+  std::vector<int> neighbour_of(chart.points.size(), -1); // the last vertex that met this one as a neighbour
+
+  auto walk = [&](int first) -> Chart_defect {
+    const int v = chart.vertex[first];
+    if(has_fan[v])
+      return {Flattening_report::NON_MANIFOLD_VERTEX,
+              "the surface is pinched at the vertex at " + position_text(chart, v) +
+                  ": its triangles form more than one fan",
+              {v},
+              {}};
+    has_fan[v] = true;
+    auto meet = [&](int w) {
+      const bool again = w == v || neighbour_of[w] == v;
+      neighbour_of[w] = v;
+      return again;
+    };
+    int c = first;
+    do {
+      walked[c] = true;
+      int w = chart.vertex[previous_corner(c)];
+      bool again = meet(w);
+      const int next = chart.rotate(c);
+      if(next < 0 && !again)
+        again = meet(w = chart.vertex[next_corner(c)]);
+      if(again)
+        return {Flattening_report::PARALLEL_EDGES,
+                "two edges, or a loop, join the vertices at " + position_text(chart, v) + " and " +
+                    position_text(chart, w) +
+                    ": a planar triangulation has at most one edge between two vertices",
+                {v, w},
+                {c / 3}};
+      c = next;
+    } while(c >= 0 && c != first);
+    return {};
+  };
+
+  for(const std::vector<int>& border : chart.borders)
+    for(int c : border)
+      if(Chart_defect defect = walk(previous_corner(c)))
+        return defect;
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(!walked[c])
+      if(Chart_defect defect = walk(c))
+        return defect;
+  return {};
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_wrong_topology(const Chart& chart, bool with_holes)
+{
+  int border_edges = 0;
+  for(const std::vector<int>& border : chart.borders)
+    border_edges += static_cast<int>(border.size());
+  const int edges = (chart.number_of_corners() - border_edges) / 2 + border_edges;
+  const int borders = static_cast<int>(chart.borders.size());
+  const int twice_genus = 2 - borders - (chart.number_of_vertices() - edges + chart.number_of_triangles());
+  if(twice_genus != 0)
+    return {Flattening_report::NONZERO_GENUS,
+            "the surface has " + std::to_string(twice_genus / 2) +
+                " handle(s): cut it open to a disk first, for example by select_seams()",
+            {},
+            {}};
+  if(borders > 1 && !with_holes) {
+    const int v = chart.edge_source(chart.borders[1].front());
+    return {Flattening_report::SEVERAL_BORDERS,
+            "the surface has " + std::to_string(borders) + " borders, a second one at the vertex at " +
+                position_text(chart, v) + ", and holes are refused",
+            {v},
+            {}};
+  }
+  return {};
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect diagnose(const Chart& chart, bool with_holes)
+{
+  if(Chart_defect defect = find_non_finite_point(chart))
+    return defect;
+  if(Chart_defect defect = find_bad_vertex(chart))
+    return defect;
+  return find_wrong_topology(chart, with_holes);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_IMPL_H
