@@ -5,13 +5,13 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/bake_surface.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <png.h>
 
@@ -119,11 +119,11 @@ bool write_gltf(const Surface& surface, const UV_map& uv, const Frame_map& frame
 int main(int argc, char* argv[])
 {
   Surface fine;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", fine)) {
-    std::cerr << "Cannot read the mesh.\n";
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/dinosaur.off", fine) ||
+     !CGAL::is_triangle_mesh(fine)) {
+    std::cerr << "Cannot read a triangle mesh.\n";
     return 1;
   }
-  CGAL::Polygon_mesh_processing::triangulate_faces(fine);
 
   // The simple surface, without faces that are turned over
   const std::size_t wanted = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : fine.number_of_faces() / 8;

@@ -5,7 +5,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 
@@ -44,7 +43,6 @@ int main(int argc, char* argv[])
     std::cerr << "Cannot read the mesh.\n";
     return 1;
   }
-  CGAL::Polygon_mesh_processing::triangulate_faces(surface);
 
   const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
   const SMP::Atlas_report report = SMP::make_atlas(surface, uv);
