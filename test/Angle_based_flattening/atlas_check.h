@@ -231,6 +231,8 @@ inline void check_parts(const Atlas_run& run)
                                       "NO_CUT_ALLOWED",   "LINEAR_SYSTEM_FAILED", "PRECISION_EXCEEDED"};
     BOOST_TEST(known.count(skipped.diagnosis) == 1u, skipped.diagnosis);
     BOOST_TEST(skipped.message != "");
+    BOOST_TEST((skipped.diagnosis == "NOT_TRIANGULATED") ==
+               (skipped.message.find("triangulate_faces()") != std::string::npos));
   }
   const bool are_good = std::all_of(report.charts.begin(), report.charts.end(),
                                     [](const Atlas_report::Chart& chart) { return chart.is_good; });

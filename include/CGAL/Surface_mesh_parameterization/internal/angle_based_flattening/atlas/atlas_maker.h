@@ -231,8 +231,9 @@ private:
     std::ostringstream text;
     text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
          << ", " << CGAL::to_double(p.z()) << ") "
-         << (diagnosis == "NOT_TRIANGULATED" ? "is not a triangle"
-                                             : "has a vertex whose coordinates are not all finite");
+         << (diagnosis == "NOT_TRIANGULATED"
+                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() before"
+                 : "has a vertex whose coordinates are not all finite");
     return text.str();
   }
 
