@@ -186,7 +186,7 @@ private:
   bool m_touching = false, m_bounds_region = true, m_lowest_goes_right = true;
 };
 
-// Whether `Border_sweep::bounds_region()`
+// Whether no two edges touch, and all have the same region of the plane on the same side (see `Border_sweep`)
 template <typename Point>
 bool bounds_region(const std::vector<Border_edge>& edges, const std::vector<Point>& uv)
 {

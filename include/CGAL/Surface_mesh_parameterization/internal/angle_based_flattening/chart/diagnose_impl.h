@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Walks around all vertices of a chart, and counts its handles and borders. These are the bodies of `diagnose.h`, which the compiled
-// library has.
+// Walks around all vertices of a chart, and counts its handles and borders.
+// These are the bodies of `diagnose.h`, which the compiled library has.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_IMPL_H

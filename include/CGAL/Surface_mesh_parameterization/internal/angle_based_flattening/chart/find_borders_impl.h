@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Follows the borders of a chart, and numbers its constraint nodes. These are the bodies of `find_borders.h`, which the compiled
-// library has.
+// Follows the borders of a chart, and numbers its constraint nodes.
+// These are the bodies of `find_borders.h`, which the compiled library has.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FIND_BORDERS_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FIND_BORDERS_IMPL_H
