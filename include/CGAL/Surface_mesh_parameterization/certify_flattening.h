@@ -29,34 +29,34 @@ namespace Surface_mesh_parameterization {
 #ifndef DOXYGEN_RUNNING
 namespace internal::ABF {
 
-template <typename TriangleMesh, typename VertexUVMap>
-Planar_map<TriangleMesh, VertexUVMap> planar_map(const TriangleMesh& mesh, VertexUVMap uvmap)
+template <typename TriangleMesh, typename UVMap>
+Planar_map<TriangleMesh, UVMap> planar_map(const TriangleMesh& mesh, UVMap uvmap)
 {
-  return Planar_map<TriangleMesh, VertexUVMap>(mesh, faces(mesh), uvmap);
+  return Planar_map<TriangleMesh, UVMap>(mesh, faces(mesh), uvmap);
 }
 
-template <typename TriangleMesh, typename VertexUVMap>
-Planar_map<TriangleMesh, VertexUVMap>
-planar_map(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-           VertexUVMap uvmap)
+template <typename TriangleMesh, typename UVMap>
+Planar_map<TriangleMesh, UVMap> planar_map(const TriangleMesh& mesh,
+                                           typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                                           UVMap uvmap)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> component;
   const auto inner = CGAL::is_border(h, mesh) ? opposite(h, mesh) : h;
   if(!CGAL::is_border(inner, mesh))
     Polygon_mesh_processing::connected_component(face(inner, mesh), mesh, std::back_inserter(component));
-  return Planar_map<TriangleMesh, VertexUVMap>(mesh, component, uvmap);
+  return Planar_map<TriangleMesh, UVMap>(mesh, component, uvmap);
 }
 
-template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
-FaceOutputIterator flipped_faces(const Planar_map<TriangleMesh, VertexUVMap>& map, FaceOutputIterator out)
+template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
+FaceOutputIterator flipped_faces(const Planar_map<TriangleMesh, UVMap>& map, FaceOutputIterator out)
 {
   for(int t : flipped_triangles(map.vertex, map.points))
     *out++ = map.face_descriptors[t];
   return out;
 }
 
-template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutputIterator>
-HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, VertexUVMap>& map,
+template <typename TriangleMesh, typename UVMap, typename HalfedgePairOutputIterator>
+HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, UVMap>& map,
                                                  HalfedgePairOutputIterator out)
 {
   for(const auto& [i, j] : touching_edges(map.border, map.points))
@@ -76,21 +76,24 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 /// coordinates. It takes linear time.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
-/// \tparam VertexUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
-///         value type, of any kernel whose number type is exact or has only numbers that `double` has too.
+/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose number
+///         type is exact or has only numbers that `double` has too. The key type is
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`.
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
 ///
 /// \param mesh a triangulated surface.
-/// \param uvmap the coordinates of all vertices of faces. It does not matter which parameterizer computed them.
+/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges. It does not matter which
+///        parameterizer computed them. A halfedge of a face has the coordinates of its target at that face, as
+///        `make_atlas()` writes them. The surface is then cut open along the edges whose two sides have different
+///        coordinates, and each chart between them counts.
 /// \param out receives the faces, in the order of the mesh.
 ///
 /// \return `out`, behind what was written.
 ///
 /// \exception std::invalid_argument if a face is not a triangle.
-template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
-FaceOutputIterator flipped_faces(const TriangleMesh& mesh, VertexUVMap uvmap, FaceOutputIterator out)
+template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
+FaceOutputIterator flipped_faces(const TriangleMesh& mesh, UVMap uvmap, FaceOutputIterator out)
 {
   return internal::ABF::flipped_faces(internal::ABF::planar_map(mesh, uvmap), out);
 }
@@ -99,10 +102,10 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh, VertexUVMap uvmap, Fa
 ///
 /// writes the faces that are not positively oriented, as above, but only those of the connected component of `h`. Use
 /// it for a map of one of several components. `h` may be any halfedge.
-template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
+template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                                 VertexUVMap uvmap, FaceOutputIterator out)
+                                 UVMap uvmap, FaceOutputIterator out)
 {
   return internal::ABF::flipped_faces(internal::ABF::planar_map(mesh, h, uvmap), out);
 }
@@ -117,8 +120,8 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 ///   the vertex in common.
 ///
 /// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and exceptions are those of `flipped_faces()`.
-template <typename TriangleMesh, typename VertexUVMap>
-bool is_locally_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
+template <typename TriangleMesh, typename UVMap>
+bool is_locally_injective(const TriangleMesh& mesh, UVMap uvmap)
 {
   return internal::ABF::planar_map(mesh, uvmap).is_locally_injective();
 }
@@ -126,10 +129,9 @@ bool is_locally_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// returns whether the map is locally injective on the connected component of `h`, as above.
-template <typename TriangleMesh, typename VertexUVMap>
+template <typename TriangleMesh, typename UVMap>
 bool is_locally_injective(const TriangleMesh& mesh,
-                          typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                          VertexUVMap uvmap)
+                          typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, UVMap uvmap)
 {
   return internal::ABF::planar_map(mesh, h, uvmap).is_locally_injective();
 }
@@ -157,8 +159,8 @@ bool is_locally_injective(const TriangleMesh& mesh,
 ///
 /// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
 /// exceptions are those of `flipped_faces()`.
-template <typename TriangleMesh, typename VertexUVMap>
-bool is_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
+template <typename TriangleMesh, typename UVMap>
+bool is_injective(const TriangleMesh& mesh, UVMap uvmap)
 {
   return internal::ABF::planar_map(mesh, uvmap).is_injective();
 }
@@ -166,9 +168,9 @@ bool is_injective(const TriangleMesh& mesh, VertexUVMap uvmap)
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// returns whether the map is injective on the connected component of `h`, as above.
-template <typename TriangleMesh, typename VertexUVMap>
+template <typename TriangleMesh, typename UVMap>
 bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                  VertexUVMap uvmap)
+                  UVMap uvmap)
 {
   return internal::ABF::planar_map(mesh, h, uvmap).is_injective();
 }
@@ -192,8 +194,8 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 /// \return `out`, behind what was written.
 ///
 /// \exception std::invalid_argument if a face is not a triangle.
-template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutputIterator>
-HalfedgePairOutputIterator crossing_border_edges(const TriangleMesh& mesh, VertexUVMap uvmap,
+template <typename TriangleMesh, typename UVMap, typename HalfedgePairOutputIterator>
+HalfedgePairOutputIterator crossing_border_edges(const TriangleMesh& mesh, UVMap uvmap,
                                                  HalfedgePairOutputIterator out)
 {
   return internal::ABF::crossing_border_edges(internal::ABF::planar_map(mesh, uvmap), out);
@@ -202,10 +204,10 @@ HalfedgePairOutputIterator crossing_border_edges(const TriangleMesh& mesh, Verte
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// writes the pairs of border edges of the connected component of `h` that have a point in common, as above.
-template <typename TriangleMesh, typename VertexUVMap, typename HalfedgePairOutputIterator>
+template <typename TriangleMesh, typename UVMap, typename HalfedgePairOutputIterator>
 HalfedgePairOutputIterator
 crossing_border_edges(const TriangleMesh& mesh,
-                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, VertexUVMap uvmap,
+                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, UVMap uvmap,
                       HalfedgePairOutputIterator out)
 {
   return internal::ABF::crossing_border_edges(internal::ABF::planar_map(mesh, h, uvmap), out);

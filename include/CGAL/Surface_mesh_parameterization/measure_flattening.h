@@ -15,7 +15,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/measure_surface.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -97,6 +100,67 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   return measure_flattening(mesh, bhd, uvmap, [](face_descriptor, const Flattening_face_measures&) {});
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// measures the distortion of a map of the whole surface, such as an atlas of any program. The map may consist of any number of
+/// charts. All are measured at one scale, so that differences of texel density count; `Atlas_report::measures` takes each chart at its
+/// own scale. `Flattening_measures::border_is_simple` says whether the borders of all charts are simple and apart.
+///
+/// The time is as above. The map of a `Seam_mesh` may be given by vertices of that, or by halfedges of the mesh below.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type. The key type is
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge of a face has the coordinates of
+///         its target at that face, as `make_atlas()` writes them; the surface is cut open along the edges whose two sides have different
+///         coordinates.
+/// \tparam FaceVisitor as above
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a triangulated surface.
+/// \param uvmap the map to be measured.
+/// \param visitor is called once for each face, with the measures of the face, by the calling thread.
+/// \param np optional named parameters:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the measures of the whole surface.
+///
+/// \exception std::invalid_argument if the mesh has no faces, a face is not a triangle, or a point has a coordinate that is not finite.
+template <typename TriangleMesh, typename UVMap, typename FaceVisitor, typename NamedParameters>
+#ifndef DOXYGEN_RUNNING
+internal::ABF::Measures_of_surface<TriangleMesh, UVMap>
+#else
+Flattening_measures
+#endif
+measure_flattening(const TriangleMesh& mesh, UVMap uvmap, FaceVisitor visitor, const NamedParameters& np)
+{
+  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                   get_const_property_map(CGAL::vertex_point, mesh));
+  return internal::ABF::Mapped_surface(mesh, points, uvmap).measure(visitor);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// measures the distortion of a map of the whole surface, as above.
+template <typename TriangleMesh, typename UVMap>
+#ifndef DOXYGEN_RUNNING
+internal::ABF::Measures_of_surface<TriangleMesh, UVMap>
+#else
+Flattening_measures
+#endif
+measure_flattening(const TriangleMesh& mesh, UVMap uvmap)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  return measure_flattening(
+      mesh, uvmap, [](face_descriptor, const Flattening_face_measures&) {}, parameters::default_values());
 }
 
 } // namespace Surface_mesh_parameterization

@@ -13,10 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/triangle_pairs.h>
 
-#include <CGAL/boost/graph/helpers.h>
-
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 /// \file overlapping_faces.h
@@ -28,30 +25,11 @@ namespace Surface_mesh_parameterization {
 #ifndef DOXYGEN_RUNNING
 namespace internal::ABF {
 
-// For each edge of each triangle a corner of the triangle across, or -1: in any order, as only neighbours matter
-template <typename TriangleMesh, typename VertexUVMap>
-std::vector<int> neighbouring_corners(const TriangleMesh& mesh,
-                                      const Planar_map<TriangleMesh, VertexUVMap>& map)
+template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
+FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map, FaceOutputIterator out)
 {
-  std::unordered_map<typename boost::graph_traits<TriangleMesh>::face_descriptor, int> rank;
-  for(std::size_t t = 0; t < map.face_descriptors.size(); ++t)
-    rank[map.face_descriptors[t]] = static_cast<int>(t);
-  std::vector<int> result;
-  for(const auto f : map.face_descriptors)
-    for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-      result.push_back(CGAL::is_border(opposite(h, mesh), mesh) ? -1
-                                                                : 3 * rank[face(opposite(h, mesh), mesh)]);
-  return result;
-}
-
-template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
-FaceOutputIterator overlapping_faces(const TriangleMesh& mesh,
-                                     const Planar_map<TriangleMesh, VertexUVMap>& map, FaceOutputIterator out)
-{
-  const std::vector<int> neighbours = neighbouring_corners(mesh, map);
   std::vector<char> overlaps(map.face_descriptors.size(), false);
-  Overlapping_triangles<typename Planar_map<TriangleMesh, VertexUVMap>::Point_2>(map.vertex, neighbours,
-                                                                                 map.points)
+  Overlapping_triangles<typename Planar_map<TriangleMesh, UVMap>::Point_2>(map.vertex, map.across, map.points)
       .visit_pairs([&](int s, int t) { overlaps[s] = overlaps[t] = true; });
   for(std::size_t t = 0; t < overlaps.size(); ++t)
     if(overlaps[t])
@@ -77,14 +55,17 @@ FaceOutputIterator overlapping_faces(const TriangleMesh& mesh,
 /// where only the answer is wanted.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
-/// \tparam VertexUVMap a model of `ReadablePropertyMap` with
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
-///         value type, of any kernel whose number type is exact or has only numbers that `double` has too.
+/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose number
+///         type is exact or has only numbers that `double` has too. The key type is
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`.
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
 ///
 /// \param mesh a triangulated surface; a `Seam_mesh` if it is cut open along seams.
-/// \param uvmap the coordinates of all vertices of faces. It does not matter which parameterizer computed them.
+/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges. It does not matter which
+///        parameterizer computed them. A halfedge of a face has the coordinates of its target at that face, as
+///        `make_atlas()` writes them. The surface is then cut open along the edges whose two sides have different
+///        coordinates, and each chart between them counts.
 /// \param out receives the faces, each once, in the order of the mesh.
 ///
 /// \return `out`, behind what was written.
@@ -92,21 +73,21 @@ FaceOutputIterator overlapping_faces(const TriangleMesh& mesh,
 /// \exception std::invalid_argument if a face is not a triangle.
 ///
 /// \sa `split_overlaps()`
-template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
-FaceOutputIterator overlapping_faces(const TriangleMesh& mesh, VertexUVMap uvmap, FaceOutputIterator out)
+template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
+FaceOutputIterator overlapping_faces(const TriangleMesh& mesh, UVMap uvmap, FaceOutputIterator out)
 {
-  return internal::ABF::overlapping_faces(mesh, internal::ABF::planar_map(mesh, uvmap), out);
+  return internal::ABF::overlapping_faces(internal::ABF::planar_map(mesh, uvmap), out);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// writes the faces of the connected component of `h` that overlap other faces of it, as above. `h` may be any halfedge.
-template <typename TriangleMesh, typename VertexUVMap, typename FaceOutputIterator>
+template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator overlapping_faces(const TriangleMesh& mesh,
                                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                                     VertexUVMap uvmap, FaceOutputIterator out)
+                                     UVMap uvmap, FaceOutputIterator out)
 {
-  return internal::ABF::overlapping_faces(mesh, internal::ABF::planar_map(mesh, h, uvmap), out);
+  return internal::ABF::overlapping_faces(internal::ABF::planar_map(mesh, h, uvmap), out);
 }
 
 } // namespace Surface_mesh_parameterization

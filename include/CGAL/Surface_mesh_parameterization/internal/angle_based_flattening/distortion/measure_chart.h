@@ -182,16 +182,14 @@ inline Flattening_face_measures measure_triangle(const Chart& chart, const std::
   return face;
 }
 
-// Calls `visit(t, measures)` for each triangle `t`, in order. Triangles are measured in parallel, in batches whose
-// measures take a few megabytes.
+// Adds the measures of all triangles `t` to the totals, and calls `visit(t, measures)`, in order. Triangles are measured in
+// parallel, in batches whose measures take a few megabytes.
 template <typename Visitor>
-Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::Point_2>& uv, Visitor&& visit)
+void measure_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv, double scale,
+                       Measure_totals& totals, Visitor&& visit)
 {
-  const Total_areas areas = total_areas(chart, uv);
-  const double scale = std::sqrt(areas.surface / areas.plane);
   const std::vector<double> beta = target_angles(chart);
   const int triangles = chart.number_of_triangles(), batch = 64 * block_size;
-  Measure_totals totals(triangles, areas.surface);
   std::vector<Flattening_face_measures> faces((std::min)(triangles, batch));
   for(int first = 0; first < triangles; first += batch) {
     const int size = (std::min)(batch, triangles - first);
@@ -204,6 +202,14 @@ Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::P
       visit(first + i, faces[i]);
     }
   }
+}
+
+template <typename Visitor>
+Flattening_measures measure_chart(const Chart& chart, const std::vector<Chart::Point_2>& uv, Visitor&& visit)
+{
+  const Total_areas areas = total_areas(chart, uv);
+  Measure_totals totals(chart.number_of_triangles(), areas.surface);
+  measure_triangles(chart, uv, std::sqrt(areas.surface / areas.plane), totals, visit);
   Flattening_measures measures = totals.measures();
   measures.border_is_simple = is_border_simple(chart, uv);
   return measures;
