@@ -32,6 +32,7 @@
 #include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,7 @@
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -163,9 +165,9 @@ Atlas flatten(const std::string& name, Mesh& mesh, const Parameterizer& paramete
 Mesh cut_open(Mesh surface, const double stretch_bound)
 {
   const Edge_marks seams = seam_marks(surface);
-  const SMP::Seam_report report =
-      SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(stretch_bound));
-  check(report.diagnosis == report.NOTHING_WRONG, "selecting seams");
+  SMP::Seam_options options;
+  options.stretch_bound = stretch_bound;
+  check(bool(SMP::select_seams(surface, seams, options)), "selecting seams");
   Mesh open;
   CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams), open);
   return open;
@@ -231,10 +233,11 @@ void draw_rectangle(const std::string& data, const Pictures& pictures)
 Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
 {
   const Atlas atlas = empty_atlas(mesh);
-  const std::vector<Vertex> terminals = cones.vertices();
-  const SMP::Seam_report report =
-      SMP::cut_to_disks(mesh, atlas.seams, CGAL::parameters::terminals(terminals));
-  check(report.diagnosis == SMP::Seam_report::NOTHING_WRONG, "seams through cones");
+  const std::set<Vertex> terminals = cones.vertices();
+  const SMP::Seam_report report = SMP::cut_to_disks(
+      mesh, atlas.seams,
+      CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals)));
+  check(bool(report), "seams through cones");
   for(const Face f : mesh.faces()) {
     atlas.chart[f] = 0;
   }
@@ -246,7 +249,7 @@ void draw_cones(const std::string& demo, const Pictures& pictures)
 {
   const Mesh mesh = read_mesh(demo + "/homer.off");
   const SMP::Cone_selection<Mesh> cones = SMP::select_cones(mesh, 24);
-  check(cones.diagnosis == SMP::Cone_report::NOTHING_WRONG, "selecting cones");
+  check(bool(cones), "selecting cones");
   SMP::ABF_plus_plus_options cut_first;
   cut_first.equal_seam_lengths = false;
   typedef SMP::Cut_mesh<Mesh> Cut;
@@ -287,7 +290,7 @@ void draw_overlaps(const std::string& data, const Pictures& pictures)
       flatten("injective", dinosaur, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options)),
       dinosaur_view, true);
   const Atlas atlas = flatten("the same, overlapping", dinosaur, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
-  const SMP::Overlap_split_report split = SMP::split_overlaps(dinosaur, atlas.seams, atlas.uv, atlas.chart);
+  const SMP::Overlap_split_report split = SMP::split_overlaps(dinosaur, atlas.uv, atlas.seams, atlas.chart);
   check(!!split, "splitting");
   check(!!SMP::pack_charts(dinosaur, atlas.chart, atlas.uv), "packing");
   pictures.draw("split", dinosaur, atlas, dinosaur_view, true, true);
@@ -354,10 +357,7 @@ void draw_atlas(const std::string& demo, const Pictures& pictures)
 {
   Mesh bull = read_mesh(demo + "/bull.off");
   const Atlas atlas = empty_atlas(bull);
-  const SMP::Atlas_report report = SMP::make_atlas(
-      bull, atlas.uv,
-      CGAL::parameters::edge_is_seam_map(atlas.seams, CGAL::parameters::face_chart_map(atlas.chart)));
-  check(!!report, "the atlas");
+  check(bool(SMP::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart)), "the atlas");
   pictures.draw("atlas", bull, atlas, bull_view, false, true);
 }
 

@@ -517,7 +517,7 @@ Mesh read_camel(const std::string& folder)
   Mesh camel = read_mesh(folder + "/camel.off");
   const Seam_map seams = camel.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   const SMP::Seam_report report = SMP::select_seams(camel, seams);
-  if(report.diagnosis != report.NOTHING_WRONG)
+  if(!report)
     throw std::runtime_error(report.message);
   std::cout << "camel: " << report.number_of_terminals << " terminals, relative seam length "
             << format_number("%.2f", report.relative_seam_length) << ", predicted stretch "
@@ -547,8 +547,10 @@ Mesh read_cut_dinosaur(const std::string& folder)
 {
   Mesh dinosaur = read_mesh(folder + "/dinosaur.off");
   const Seam_map seams = dinosaur.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  const SMP::Seam_report report = SMP::select_seams(dinosaur, seams, CGAL::parameters::stretch_bound(1.05));
-  if(report.diagnosis != report.NOTHING_WRONG)
+  SMP::Seam_options options;
+  options.stretch_bound = 1.05;
+  const SMP::Seam_report report = SMP::select_seams(dinosaur, seams, options);
+  if(!report)
     throw std::runtime_error(report.message);
   return cut_open(dinosaur, seams);
 }
@@ -623,7 +625,7 @@ public:
     SMP::overlapping_faces(m_mesh, flat.uv, std::back_inserter(overlapping));
     for(const Face f : overlapping)
       m_overlaps[f.idx()] = true;
-    const SMP::Overlap_split_report report = SMP::split_overlaps(m_mesh, m_seams, flat.uv, m_piece);
+    const SMP::Overlap_split_report report = SMP::split_overlaps(m_mesh, flat.uv, m_seams, m_piece);
     if(!report)
       throw std::runtime_error(report.message);
     m_number_of_pieces = static_cast<int>(report.number_of_pieces);
@@ -656,7 +658,9 @@ public:
     const auto uv = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
     for(const Halfedge h : surface.halfedges())
       uv[h] = Kernel::Point_2(atlas.point(atlas.target(h)).x(), atlas.point(atlas.target(h)).y());
-    const SMP::Packing_report report = SMP::pack_charts(surface, m_piece, uv, CGAL::parameters::gutter(4));
+    SMP::Packing_options options;
+    options.gutter = 4;
+    const SMP::Packing_report report = SMP::pack_charts(surface, m_piece, uv, options);
     if(!report)
       throw std::runtime_error(report.message);
     std::cout << "dinosaur: " << report.number_of_charts << " charts cover "
@@ -756,12 +760,9 @@ public:
     const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
     const auto chart = copy.add_property_map<Face, int>("f:chart").first;
     const Seam_map seams = copy.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-    const SMP::Atlas_report report = SMP::make_atlas(
-        copy, uv,
-        CGAL::parameters::edge_is_seam_map(
-            seams,
-            CGAL::parameters::face_chart_map(chart, CGAL::parameters::separate_overlaps(
-                                                        is_dense, CGAL::parameters::cut_necks(is_dense)))));
+    SMP::Atlas_options options;
+    options.separate_overlaps = options.cut_necks = is_dense;
+    const SMP::Atlas_report report = SMP::make_atlas(copy, seams, uv, chart, options);
     if(!report)
       throw std::runtime_error(name + ": " + report.message);
     std::cout << name << ": " << report.number_of_parts << " part(s), " << report.charts.size()

@@ -6,13 +6,15 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
 
-#include <fstream>
+#include <boost/property_map/function_property_map.hpp>
+
 #include <iostream>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -20,24 +22,6 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using Mesh = SMP::Cut_mesh<Surface>;
-
-// Each corner of a face has its own texture coordinates. They are numbered like the halfedges.
-void write_obj(std::ostream& out, const Surface& surface, const Mesh& mesh, const UV_map& uv)
-{
-  out.precision(17);
-  for(auto v : vertices(surface))
-    out << "v " << surface.point(v) << "\n";
-  for(auto h : halfedges(surface))
-    out << "vt " << uv[h] << "\n";
-  for(auto f : faces(surface)) {
-    out << "f";
-    for(auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
-      const Surface::Halfedge_index corner = target(h, mesh);
-      out << " " << surface.target(corner).idx() + 1 << "/" << corner.idx() + 1;
-    }
-    out << "\n";
-  }
-}
 
 int main(int argc, char* argv[])
 {
@@ -48,8 +32,10 @@ int main(int argc, char* argv[])
   }
 
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
-  const SMP::Seam_report report = SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(1.1));
-  if(report.diagnosis != report.NOTHING_WRONG) {
+  SMP::Seam_options options;
+  options.stretch_bound = 1.1;
+  const SMP::Seam_report report = SMP::select_seams(surface, seams, options);
+  if(!report) {
     std::cerr << report.message << "\n";
     return 1;
   }
@@ -71,6 +57,8 @@ int main(int argc, char* argv[])
               << measures.flipped_triangles << " flipped\n";
   }
 
-  std::ofstream out("abf_plus_plus_closed_surface.obj");
-  write_obj(out, surface, mesh, uv);
+  // The seam mesh knows at which halfedge the coordinates of each corner are.
+  const auto corner_uv = boost::make_function_property_map<Surface::Halfedge_index>(
+      [&](Surface::Halfedge_index h) { return uv[target(Mesh::halfedge_descriptor(h), mesh)]; });
+  return SMP::IO::write_OBJ("abf_plus_plus_closed_surface.obj", surface, corner_uv) ? 0 : 1;
 }

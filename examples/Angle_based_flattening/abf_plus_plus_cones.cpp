@@ -5,32 +5,16 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-
-// Each corner of a face has its own texture coordinates. They are numbered like the halfedges.
-void write_obj(std::ostream& out, const Mesh& mesh, const UV_map& uv)
-{
-  out.precision(17);
-  for(auto v : mesh.vertices())
-    out << "v " << mesh.point(v) << "\n";
-  for(auto h : mesh.halfedges())
-    out << "vt " << uv[h] << "\n";
-  for(auto f : mesh.faces()) {
-    out << "f";
-    for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      out << " " << mesh.target(h).idx() + 1 << "/" << h.idx() + 1;
-    out << "\n";
-  }
-}
 
 int main(int argc, char* argv[])
 {
@@ -43,9 +27,10 @@ int main(int argc, char* argv[])
   // All angles around cones are right angles or multiples of them.
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   const UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  const auto result =
-      SMP::flatten_with_cones(mesh, 8, seams, uv, CGAL::parameters::angle_quantum(CGAL_PI / 2));
-  if(result.diagnosis != SMP::Cone_flattening_defect::NOTHING_WRONG) {
+  SMP::Cone_options options;
+  options.angle_multiple = CGAL_PI / 2;
+  const auto result = SMP::flatten_with_cones(mesh, 8, seams, uv, options);
+  if(!result) {
     std::cerr << result.message << "\n";
     return 1;
   }
@@ -57,6 +42,5 @@ int main(int argc, char* argv[])
             << result.map.triangles << " triangles, " << result.map.iterations
             << " steps, lengths equal up to " << result.map.largest_seam_jump << "\n";
 
-  std::ofstream out("abf_plus_plus_cones.obj");
-  write_obj(out, mesh, uv);
+  return SMP::IO::write_OBJ("abf_plus_plus_cones.obj", mesh, uv) ? 0 : 1;
 }

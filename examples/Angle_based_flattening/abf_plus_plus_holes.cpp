@@ -26,7 +26,7 @@ bool flatten(const char* name, const SMP::Flattening_options::Holes holes, Mesh&
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const SMP::ABF_plus_plus_report report =
       SMP::flatten_surface(mesh, uv, SMP::ABF_plus_plus_parameterizer_3<Mesh>(options));
-  if(report.diagnosis != report.NOTHING_WRONG) {
+  if(!report) {
     std::cerr << report.message << "\n";
     return false;
   }

@@ -61,7 +61,7 @@ int main(int argc, char* argv[])
   const auto uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
   SMP::parameterize(mesh, parameterizer, border, uv);
   const SMP::ABF_plus_plus_report& report = parameterizer.report();
-  if(report.diagnosis != report.NOTHING_WRONG) {
+  if(!report) {
     std::cerr << report.message << "\n";
     return 1;
   }

@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -14,7 +15,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <vector>
@@ -25,25 +25,6 @@ using Halfedge = Surface::Halfedge_index;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using Mesh = SMP::Cut_mesh<Surface>;
 
-// Each piece has its own texture coordinates, also where it lies beside another one: `pieces` tells the corners apart.
-template <typename UV_map>
-void write_obj(std::ostream& out, const Surface& surface, const Mesh& pieces, UV_map corner_uv)
-{
-  out.precision(17);
-  for(auto v : vertices(surface))
-    out << "v " << surface.point(v) << "\n";
-  for(auto h : halfedges(surface))
-    out << "vt " << (surface.is_border(h) ? Kernel::Point_2(0, 0) : get(corner_uv, h)) << "\n";
-  for(auto f : faces(surface)) {
-    out << "f";
-    for(auto h : halfedges_around_face(halfedge(f, pieces), pieces)) {
-      const Halfedge corner = target(h, pieces);
-      out << " " << surface.target(corner).idx() + 1 << "/" << corner.idx() + 1;
-    }
-    out << "\n";
-  }
-}
-
 int main(int argc, char* argv[])
 {
   Surface surface;
@@ -52,8 +33,10 @@ int main(int argc, char* argv[])
     return 1;
   }
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
-  const SMP::Seam_report cut = SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(1.05));
-  if(cut.diagnosis != cut.NOTHING_WRONG) {
+  SMP::Seam_options seam_options;
+  seam_options.stretch_bound = 1.05;
+  const SMP::Seam_report cut = SMP::select_seams(surface, seams, seam_options);
+  if(!cut) {
     std::cerr << cut.message << "\n";
     return 1;
   }
@@ -73,7 +56,7 @@ int main(int argc, char* argv[])
   const auto corner_uv = boost::make_function_property_map<Halfedge>(
       [&](Halfedge h) { return uv[target(Mesh::halfedge_descriptor(h), mesh)]; });
   const auto piece = surface.add_property_map<Surface::Face_index, int>("f:piece").first;
-  const SMP::Overlap_split_report split = SMP::split_overlaps(surface, seams, corner_uv, piece);
+  const SMP::Overlap_split_report split = SMP::split_overlaps(surface, corner_uv, seams, piece);
   if(!split) {
     std::cerr << split.message << "\n";
     return 1;
@@ -81,6 +64,8 @@ int main(int argc, char* argv[])
   std::cout << split.number_of_pieces << " pieces without overlap, borders " << 100 * split.extra_seam
             << " % longer\n";
 
-  std::ofstream out("abf_plus_plus_split_overlaps.obj");
-  write_obj(out, surface, SMP::make_seam_mesh(surface, seams), corner_uv);
+  return SMP::IO::write_OBJ("abf_plus_plus_split_overlaps.obj", surface, corner_uv,
+                            CGAL::parameters::face_patch_map(piece))
+             ? 0
+             : 1;
 }

@@ -134,7 +134,9 @@ int main(int argc, char* argv[])
   simple.collect_garbage();
 
   const UV_map uv = simple.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  const SMP::Atlas_report atlas = SMP::make_atlas(simple, uv, np::resolution(512));
+  SMP::Atlas_options atlas_options;
+  atlas_options.resolution = 512;
+  const SMP::Atlas_report atlas = SMP::make_atlas(simple, uv, atlas_options);
   if(!atlas) {
     std::cerr << atlas.message << "\n";
     return 1;
@@ -142,8 +144,9 @@ int main(int argc, char* argv[])
 
   const Frame_map frames =
       simple.add_property_map<Surface::Halfedge_index, SMP::Tangent_frame>("h:frame").first;
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, np::resolution(512, np::tangent_frame_map(frames)));
+  SMP::Baking_options baking_options;
+  baking_options.resolution = 512;
+  const SMP::Baked_textures textures = SMP::bake_surface(simple, uv, fine, frames, baking_options);
   if(!textures) {
     std::cerr << textures.report.message << "\n";
     return 1;

@@ -27,7 +27,9 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 Mesh cut_open(Mesh& surface)
 {
   const auto seams = surface.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  SMP::select_seams(surface, seams, CGAL::parameters::stretch_bound(1.05));
+  SMP::Seam_options seam_options;
+  seam_options.stretch_bound = 1.05;
+  SMP::select_seams(surface, seams, seam_options);
   Mesh chart;
   CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams), chart);
   return chart;

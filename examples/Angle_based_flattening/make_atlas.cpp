@@ -6,35 +6,15 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 
-#include <cstddef>
-#include <fstream>
 #include <iostream>
-#include <map>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-
-// Nothing in an atlas overlaps: corners with the same coordinates are at the same vertex of the same chart.
-void write_obj(std::ostream& out, const Surface& surface, const UV_map& uv)
-{
-  out.precision(17);
-  for(auto v : vertices(surface))
-    out << "v " << surface.point(v) << "\n";
-  std::map<Kernel::Point_2, std::size_t> number;
-  for(auto h : halfedges(surface))
-    if(!surface.is_border(h) && number.emplace(uv[h], number.size() + 1).second)
-      out << "vt " << uv[h] << "\n";
-  for(auto f : faces(surface)) {
-    out << "f";
-    for(auto h : halfedges_around_face(halfedge(f, surface), surface))
-      out << " " << surface.target(h).idx() + 1 << "/" << number[uv[h]];
-    out << "\n";
-  }
-}
 
 int main(int argc, char* argv[])
 {
@@ -59,7 +39,6 @@ int main(int argc, char* argv[])
             << ", stretch " << report.measures.l2_stretch << ", covered " << 100 * report.covered_share
             << " %\n";
 
-  std::ofstream out("make_atlas.obj");
-  write_obj(out, surface, uv);
-  return report && out ? 0 : 1;
+  const bool is_written = SMP::IO::write_OBJ("make_atlas.obj", surface, uv);
+  return report && is_written ? 0 : 1;
 }

@@ -102,7 +102,7 @@ bool flatten(const char* name, Mesh& mesh)
   const SMP::ABF_plus_plus_report& report = parameterizer.report();
   std::cout << name << ": " << report.iterations << " steps, energy " << report.energy << " "
             << report.message << "\n";
-  return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG;
+  return bool(report);
 }
 
 int main(int argc, char* argv[])

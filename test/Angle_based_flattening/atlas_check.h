@@ -33,7 +33,9 @@ namespace atlas_check {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace parameters = CGAL::parameters;
+using SMP::Atlas_options;
 using SMP::Atlas_report;
+using SMP::Diagnosis;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_2 Point_2;
 typedef Kernel::Point_3 Point_3;
@@ -177,8 +179,8 @@ void read_run(const Mesh& mesh, VertexPointMap points, UVMap uv, ChartMap charts
 // Makes the atlas of a mesh with maps of its own; `is_given(e)` tells the seams that are there before.
 template <typename Point = CGAL::Simple_cartesian<double>::Point_2, typename Mesh, typename NamedParameters,
           typename IsGiven, typename VertexPointMap>
-Atlas_run make_atlas_of(const Mesh& mesh, const NamedParameters& np, const IsGiven& is_given,
-                        VertexPointMap points)
+Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options, const NamedParameters& np,
+                        const IsGiven& is_given, VertexPointMap points)
 {
   typedef typename CGAL::Kernel_traits<Point>::Kernel::FT FT;
   const auto uv = get(CGAL::dynamic_halfedge_property_t<Point>(), mesh);
@@ -193,18 +195,18 @@ Atlas_run make_atlas_of(const Mesh& mesh, const NamedParameters& np, const IsGiv
   Atlas_run before, run;
   read_run(mesh, points, uv, charts, seams, before);
   run.was_seam = before.is_seam;
-  run.report =
-      SMP::make_atlas(mesh, uv, parameters::edge_is_seam_map(seams, parameters::face_chart_map(charts, np)));
+  run.report = SMP::make_atlas(mesh, seams, uv, charts, options, np);
   read_run(mesh, points, uv, charts, seams, run);
   return run;
 }
 
 template <typename Point = CGAL::Simple_cartesian<double>::Point_2, typename Mesh,
           typename NamedParameters = parameters::Default_named_parameters>
-Atlas_run make_atlas_of(const Mesh& mesh, const NamedParameters& np = parameters::default_values())
+Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options = Atlas_options(),
+                        const NamedParameters& np = parameters::default_values())
 {
   return make_atlas_of<Point>(
-      mesh, np, [](auto) { return false; }, get(CGAL::vertex_point, mesh));
+      mesh, options, np, [](auto) { return false; }, get(CGAL::vertex_point, mesh));
 }
 
 // Each part of the surface has charts, or is named, and neither is both.
@@ -227,19 +229,20 @@ inline void check_parts(const Atlas_run& run)
     is_skipped[skipped.part] = true;
     BOOST_TEST(skipped.first_face == first[skipped.part]);
     BOOST_TEST(skipped.number_of_faces == size[skipped.part]);
-    const std::set<std::string> known{"NOT_TRIANGULATED", "NON_FINITE_POINT",     "NO_AREA",
-                                      "NO_CUT_ALLOWED",   "LINEAR_SYSTEM_FAILED", "PRECISION_EXCEEDED"};
-    BOOST_TEST(known.count(skipped.diagnosis) == 1u, skipped.diagnosis);
+    const std::set<Diagnosis> known{
+        Diagnosis::NOT_TRIANGULATED, Diagnosis::NON_FINITE_POINT,     Diagnosis::NO_AREA,
+        Diagnosis::NO_CUT_ALLOWED,   Diagnosis::LINEAR_SYSTEM_FAILED, Diagnosis::PRECISION_EXCEEDED};
+    BOOST_TEST(known.count(skipped.status) == 1u, skipped.status);
     BOOST_TEST(skipped.message != "");
-    BOOST_TEST((skipped.diagnosis == "NOT_TRIANGULATED") ==
+    BOOST_TEST((skipped.status == Diagnosis::NOT_TRIANGULATED) ==
                (skipped.message.find("triangulate_faces()") != std::string::npos));
   }
   const bool are_good = std::all_of(report.charts.begin(), report.charts.end(),
                                     [](const Atlas_report::Chart& chart) { return chart.is_good; });
-  BOOST_TEST((report.diagnosis == (!report.skipped.empty() ? Atlas_report::SOMETHING_SKIPPED
-                                   : are_good              ? Atlas_report::NOTHING_WRONG
-                                                           : Atlas_report::STRETCH_BOUND_MISSED)));
-  BOOST_TEST((report.message == "") == (report.diagnosis == Atlas_report::NOTHING_WRONG));
+  BOOST_TEST((report.status == (!report.skipped.empty() ? Diagnosis::SOMETHING_SKIPPED
+                                : are_good              ? Diagnosis::NOTHING_WRONG
+                                                        : Diagnosis::STRETCH_BOUND_MISSED)));
+  BOOST_TEST((report.message == "") == (report.status == Diagnosis::NOTHING_WRONG));
   bool are_named = true, are_unchanged = run.are_borders_untouched;
   for(std::size_t f = 0; f < run.number_of_faces(); ++f) {
     are_named = are_named && (is_skipped[part[f]] ? run.chart[f] == -1 : run.chart[f] >= 0);

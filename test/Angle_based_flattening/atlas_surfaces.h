@@ -12,6 +12,7 @@
 #include "random_charts.h"
 #include "seam_surfaces.h"
 
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -28,6 +29,7 @@
 // Surfaces of several components, good and bad ones, for tests of atlases.
 namespace atlas_surfaces {
 
+using CGAL::Surface_mesh_parameterization::Diagnosis;
 using test_charts::Chart;
 using test_charts::Point_3;
 using test_charts::Triangles;
@@ -39,10 +41,10 @@ struct Component
   std::string name;
   std::vector<Point_3> points;
   Triangles triangles;
-  std::string diagnosis = ""; // why it cannot have a chart
+  Diagnosis status = Diagnosis::NOTHING_WRONG; // or why it cannot have a chart
   bool has_quadrangle = false;
 
-  bool is_good() const { return diagnosis.empty(); }
+  bool is_good() const { return status == Diagnosis::NOTHING_WRONG; }
 };
 
 inline Component component(const std::string& name, const Chart& chart)
@@ -167,21 +169,21 @@ inline Component bad_component(std::mt19937& random)
                                                       : std::numeric_limits<double>::quiet_NaN();
     const auto t = result.triangles[random() % result.triangles.size()]; // not all points are of triangles
     result.points[static_cast<std::size_t>(t[0])] = Point_3(1, bad, 0);
-    result.diagnosis = "NON_FINITE_POINT";
+    result.status = Diagnosis::NON_FINITE_POINT;
     break;
   }
   case 1:
     result = component(seam_surfaces::sphere(uniform_int(random, 0, 1)));
     result.has_quadrangle = true;
-    result.diagnosis = "NOT_TRIANGULATED";
+    result.status = Diagnosis::NOT_TRIANGULATED;
     break;
   default:
     for(std::size_t w = 0; w < result.points.size(); ++w)
       result.points[w] =
           v % 2 == 0 ? Point_3(0, 0, 0) : Point_3(static_cast<double>(w % 7), 0, 0); // a point or a line
-    result.diagnosis = "NO_AREA";
+    result.status = Diagnosis::NO_AREA;
   }
-  result.name += ", " + result.diagnosis;
+  result.name += ", " + to_string(result.status);
   return result;
 }
 

@@ -64,7 +64,7 @@ void expect(bool is_so, const std::string& what)
 
 void expect_refusal(const Report& report, const std::string& what)
 {
-  expect(report.diagnosis == Report::WRONG_OPTION, what + " are refused");
+  expect(report.status == SMP::Diagnosis::WRONG_OPTION, what + " are refused");
   expect(report.message.find("#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>") !=
              std::string::npos,
          what + ": the message names the header, but is '" + report.message + "'");
@@ -80,7 +80,7 @@ void expect_named_fallback()
   for(const bool fallbacks : {true, false}) {
     options.fallbacks = fallbacks;
     const Report report = grid.flatten(Parameterizer(options));
-    expect(report.diagnosis != Report::NOTHING_WRONG, "steep noise has no map without a step");
+    expect(report.status != SMP::Diagnosis::NOTHING_WRONG, "steep noise has no map without a step");
     const bool is_named = report.message.find("ABF_plus_plus_strategies.h") != std::string::npos;
     expect(is_named == fallbacks, "the message names the last fallback, but is '" + report.message + "'");
   }
@@ -90,7 +90,7 @@ int main()
 {
   Grid grid(0.1);
   const Report report = grid.flatten(Parameterizer());
-  expect(report.diagnosis == Report::NOTHING_WRONG, "the grid is flattened");
+  expect(report.status == SMP::Diagnosis::NOTHING_WRONG, "the grid is flattened");
 
   Options injective, filled;
   injective.injective = true;

@@ -20,14 +20,14 @@
 // Charts that have no map to the plane or are not allowed, with the expected diagnosis.
 namespace test_charts {
 
+typedef CGAL::Surface_mesh_parameterization::Diagnosis Diagnosis;
+
 struct Infeasible_chart
 {
   Chart chart;
-  CGAL::Surface_mesh_parameterization::ABF_plus_plus_report::Diagnosis diagnosis;
+  Diagnosis status;
   std::vector<std::set<int>> offenders; // the vertices to name: one of these sets
 };
-
-typedef CGAL::Surface_mesh_parameterization::ABF_plus_plus_report Report;
 
 inline int interior_edge(const Chart& chart, std::mt19937& random)
 {
@@ -74,15 +74,16 @@ inline Infeasible_chart parallel_edges(const Chart& chart, std::mt19937& random)
 {
   const int c = interior_edge(chart, random), a = chart.edge_source(c), b = chart.edge_target(c);
   const int v = chart.number_of_vertices(), w = v + 1;
-  return {
-      open_edge(chart, c, 2, {{b, a, v}, {a, b, w}, {v, a, w}, {b, v, w}}), Report::PARALLEL_EDGES, {{a, b}}};
+  return {open_edge(chart, c, 2, {{b, a, v}, {a, b, w}, {v, a, w}, {b, v, w}}),
+          Diagnosis::PARALLEL_EDGES,
+          {{a, b}}};
 }
 
 inline Infeasible_chart interior_degree_2(const Chart& chart, std::mt19937& random)
 {
   const int c = interior_edge(chart, random), a = chart.edge_source(c), b = chart.edge_target(c);
   const int v = chart.number_of_vertices();
-  return {open_edge(chart, c, 1, {{b, a, v}, {a, b, v}}), Report::PARALLEL_EDGES, {{a, b}}};
+  return {open_edge(chart, c, 1, {{b, a, v}, {a, b, v}}), Diagnosis::PARALLEL_EDGES, {{a, b}}};
 }
 
 // A loop surrounds it.
@@ -98,7 +99,7 @@ inline Infeasible_chart interior_degree_1(Chart chart, std::mt19937& random)
   glue(chart, first, first + 5);
   glue(chart, first + 3, first + 4);
   find_borders(chart);
-  return {chart, Report::PARALLEL_EDGES, {{a}, {a, b}}};
+  return {chart, Diagnosis::PARALLEL_EDGES, {{a}, {a, b}}};
 }
 
 // A sphere slit along a single edge: that edge is the border, twice.
@@ -110,7 +111,7 @@ inline Infeasible_chart slit_edge(int subdivisions, std::mt19937& random)
   chart.opposite[chart.opposite[c]] = -1;
   chart.opposite[c] = -1;
   find_borders(chart);
-  return {chart, Report::PARALLEL_EDGES, {{chart.edge_source(c), chart.edge_target(c)}}};
+  return {chart, Diagnosis::PARALLEL_EDGES, {{chart.edge_source(c), chart.edge_target(c)}}};
 }
 
 // A strip whose surface meets itself in one vertex.
@@ -122,7 +123,7 @@ inline Infeasible_chart bow_tie(int n, std::mt19937& random)
     w = w == last ? v : w;
   chart.points.pop_back();
   find_borders(chart);
-  return {chart, Report::NON_MANIFOLD_VERTEX, {{v}}};
+  return {chart, Diagnosis::NON_MANIFOLD_VERTEX, {{v}}};
 }
 
 inline Infeasible_chart non_finite_point(Chart chart, std::mt19937& random)
@@ -134,14 +135,14 @@ inline Infeasible_chart non_finite_point(Chart chart, std::mt19937& random)
   const double bad[3] = {nan, infinity, -infinity};
   coordinates[random() % 3] = bad[random() % 3];
   chart.points[v] = Point_3(coordinates[0], coordinates[1], coordinates[2]);
-  return {chart, Report::NON_FINITE_POINT, {{v}}};
+  return {chart, Diagnosis::NON_FINITE_POINT, {{v}}};
 }
 
 // The vertex to be named is any of the second border.
 inline Infeasible_chart two_borders(int n)
 {
   const Chart chart = annulus(n);
-  Infeasible_chart result{chart, Report::SEVERAL_BORDERS, {}};
+  Infeasible_chart result{chart, Diagnosis::SEVERAL_BORDERS, {}};
   for(int c : chart.borders[1])
     result.offenders.push_back({chart.edge_source(c)});
   return result;
@@ -149,7 +150,7 @@ inline Infeasible_chart two_borders(int n)
 
 inline Infeasible_chart handle(int n)
 {
-  return {torus_with_hole(n), Report::NONZERO_GENUS, {{}}};
+  return {torus_with_hole(n), Diagnosis::NONZERO_GENUS, {{}}};
 }
 
 } // namespace test_charts

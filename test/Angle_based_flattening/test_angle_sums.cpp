@@ -94,7 +94,7 @@ struct Prescribed
     const auto code = SMP::parameterize(mesh, parameterizer, border, uv);
     report = parameterizer.report();
     offending = parameterizer.offending_vertices();
-    BOOST_TEST(code == error_code(report.diagnosis));
+    BOOST_TEST(code == error_code(report.status));
     if(code != SMP::OK)
       for(Vertex v : mesh.vertices())
         BOOST_REQUIRE(uv[v] == Point_2(-1, -1));
@@ -115,8 +115,8 @@ struct Prescribed
 // The angles that a map has, and the largest distance of a vertex from its side, looked at in another way than the report does
 void check_angles(const Prescribed& map, const Angles& angles)
 {
-  BOOST_TEST(map.report.diagnosis == Report::NOTHING_WRONG, map.report.message);
-  if(map.report.diagnosis != Report::NOTHING_WRONG)
+  BOOST_TEST(map.report.status == SMP::Diagnosis::NOTHING_WRONG, map.report.message);
+  if(map.report.status != SMP::Diagnosis::NOTHING_WRONG)
     return;
   BOOST_TEST(map.report.converged);
   BOOST_TEST(SMP::is_locally_injective(map.mesh, map.uv));
@@ -264,7 +264,7 @@ void check_rectangle_of(Mesh mesh, const std::array<Vertex, 4>& corners, const O
   SMP::split_flat_chords(mesh, longest_border(mesh), angles);
   const Prescribed map(mesh, angles, options);
   check_angles(map, angles);
-  if(map.report.diagnosis == Report::NOTHING_WRONG)
+  if(map.report.status == SMP::Diagnosis::NOTHING_WRONG)
     check_rectangle(map, corners);
 }
 
@@ -427,24 +427,24 @@ Chart random_grid_with_angles(int seed, std::mt19937& random)
 BOOST_AUTO_TEST_CASE(are_feasible_or_not_as_the_solver_finds)
 {
   std::mt19937 random(12);
-  std::map<Report::Diagnosis, int> verdicts;
+  std::map<SMP::Diagnosis, int> verdicts;
   Options options;
   options.fallbacks = false;
   for(int i = 0; i < 400; ++i) {
     const Chart chart = random_grid_with_angles(i, random);
     const abf::Chart_defect defect = abf::Angle_sum_check(chart).run();
-    ++verdicts[defect.diagnosis];
+    ++verdicts[defect.status];
     const auto flattening =
         abf::flatten_chart(chart, options, CGAL::SuperLU_solver_traits<>(), [](std::vector<Point_2>&) {});
-    BOOST_TEST_CONTEXT("chart " << i << " " << to_string(defect.diagnosis) << ": " << defect.message)
+    BOOST_TEST_CONTEXT("chart " << i << " " << to_string(defect.status) << ": " << defect.message)
     BOOST_TEST(flattening.succeeded() == !defect);
     if(defect) {
       BOOST_TEST(!defect.message.empty());
       BOOST_TEST(!defect.vertices.empty());
     }
   }
-  for(Report::Diagnosis verdict :
-      {Report::NOTHING_WRONG, Report::WRONG_ANGLE_SUM, Report::FLAT_CHORD, Report::INFEASIBLE_ANGLE_SUMS}) {
+  for(SMP::Diagnosis verdict : {SMP::Diagnosis::NOTHING_WRONG, SMP::Diagnosis::WRONG_ANGLE_SUM,
+                                SMP::Diagnosis::FLAT_CHORD, SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS}) {
     BOOST_TEST_MESSAGE(to_string(verdict) << ": " << verdicts[verdict]);
     BOOST_TEST(verdicts[verdict] >= 5, to_string(verdict));
   }
@@ -458,7 +458,7 @@ BOOST_AUTO_TEST_CASE(are_named_where_they_are_infeasible)
   for(int i = 0; i < 400; ++i) {
     const Chart chart = random_grid_with_angles(i, random);
     const abf::Chart_defect defect = abf::Angle_sum_check(chart).run();
-    if(defect.diagnosis != Report::INFEASIBLE_ANGLE_SUMS)
+    if(defect.status != SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS)
       continue;
     ++conflicts;
     std::vector<int> itself(chart.points.size());
@@ -510,7 +510,7 @@ BOOST_AUTO_TEST_CASE(at_single_vertices)
 {
   const Grid grid;
   const auto check = [](const Prescribed& map, Vertex v) {
-    BOOST_TEST(map.report.diagnosis == Report::WRONG_ANGLE_SUM);
+    BOOST_TEST(map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM);
     BOOST_TEST(!map.report.message.empty());
     BOOST_REQUIRE(map.offending.size() == 1);
     BOOST_TEST(map.offending.front() == v);
@@ -543,7 +543,7 @@ BOOST_AUTO_TEST_CASE(at_holes)
   for(Vertex v : mesh.vertices())
     angles.set(v, 2.5);
   const Prescribed map(mesh, angles, options);
-  BOOST_TEST(map.report.diagnosis == Report::WRONG_ANGLE_SUM);
+  BOOST_TEST(map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM);
   BOOST_TEST(map.offending.size() == 12);
 }
 
@@ -552,20 +552,20 @@ BOOST_AUTO_TEST_CASE(in_total)
   const Grid grid;
   for(double change : {-0.5, -1e-5, 1e-5, 0.5}) {
     const Prescribed map = grid.map(grid.border[6], CGAL_PI / 2 + change);
-    BOOST_TEST(map.report.diagnosis == Report::WRONG_ANGLE_TOTAL);
+    BOOST_TEST(map.report.status == SMP::Diagnosis::WRONG_ANGLE_TOTAL);
     BOOST_TEST(map.report.message.find("22 pi") != std::string::npos, map.report.message);
   }
   Angles rounded = grid.angles; // to digits as in a file
   for(Vertex v : grid.border)
     rounded.set(v, std::round(1e8 * *rounded[v]) / 1e8);
-  BOOST_TEST(Prescribed(grid.mesh, rounded).report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(Prescribed(grid.mesh, rounded).report.status == SMP::Diagnosis::NOTHING_WRONG);
 
   Angles angles; // all but one, which would need a negative angle
   for(Vertex v : grid.border)
     angles.set(v, CGAL_PI);
   angles.set(grid.border[5], std::nullopt);
   const Prescribed map(grid.mesh, angles);
-  BOOST_TEST(map.report.diagnosis == Report::WRONG_ANGLE_TOTAL);
+  BOOST_TEST(map.report.status == SMP::Diagnosis::WRONG_ANGLE_TOTAL);
   BOOST_REQUIRE(map.offending.size() == 1);
   BOOST_TEST(map.offending.front() == grid.border[5]);
 }
@@ -582,7 +582,7 @@ BOOST_AUTO_TEST_CASE(beside_an_edge_between_border_vertices)
   const auto vertex = [&](std::size_t i) { return vertices[(ear + i) % vertices.size()]; };
   const Angles angles = SMP::rectangle_angles(mesh, {vertex(3), vertex(9), vertex(15), vertex(21)});
   const Prescribed map(mesh, angles);
-  BOOST_TEST(map.report.diagnosis == Report::FLAT_CHORD);
+  BOOST_TEST(map.report.status == SMP::Diagnosis::FLAT_CHORD);
   const std::size_t chords = map.offending.size() / 2;
   BOOST_REQUIRE(chords >= 1);
   bool is_named = false;
@@ -719,7 +719,7 @@ BOOST_AUTO_TEST_CASE(overlaps_are_an_error_of_injective_maps)
   BOOST_TEST(!map.report.border_is_simple);
   options.injective = true;
   const Prescribed injective(mesh, angles, options);
-  BOOST_TEST(injective.report.diagnosis == Report::OVERLAPPING);
+  BOOST_TEST(injective.report.status == SMP::Diagnosis::OVERLAPPING);
   BOOST_TEST(!injective.report.injective);
 }
 

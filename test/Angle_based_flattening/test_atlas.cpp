@@ -11,6 +11,7 @@
 #include "atlas_check.h"
 #include "atlas_surfaces.h"
 #include "test_data.h"
+#include "test_options.h"
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
@@ -38,7 +39,9 @@ using atlas_surfaces::component;
 using atlas_surfaces::Component;
 using atlas_surfaces::random_union;
 using atlas_surfaces::Union;
+using SMP::Atlas_options;
 using SMP::Atlas_report;
+using SMP::Diagnosis;
 using SMP::Atlas_visitor;
 using test_charts::uniform_int;
 typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
@@ -76,9 +79,10 @@ Mesh mesh_of(const seam_surfaces::Surface& surface)
 
 template <typename NamedParameters = parameters::Default_named_parameters>
 Atlas_run make_with_seams(const Mesh& mesh, const std::function<bool(Edge)>& is_given,
+                          const Atlas_options& options = Atlas_options(),
                           const NamedParameters& np = parameters::default_values())
 {
-  return make_atlas_of(mesh, np, is_given, mesh.points());
+  return make_atlas_of(mesh, options, np, is_given, mesh.points());
 }
 
 bool are_same(const Atlas_run& run, const Atlas_run& other)
@@ -86,9 +90,9 @@ bool are_same(const Atlas_run& run, const Atlas_run& other)
   return run.uv == other.uv && run.is_seam == other.is_seam && run.chart == other.chart;
 }
 
-void check_diagnosis(const Atlas_run& run, Atlas_report::Diagnosis diagnosis)
+void check_diagnosis(const Atlas_run& run, Diagnosis diagnosis)
 {
-  BOOST_TEST((run.report.diagnosis == diagnosis), to_string(run.report.diagnosis));
+  BOOST_TEST((run.report.status == diagnosis), to_string(run.report.status));
   BOOST_TEST(run.report.message != "");
   BOOST_TEST(!run.report.has_atlas());
   BOOST_TEST(run.is_untouched());
@@ -108,7 +112,7 @@ void check_components(const Union& all, const Atlas_run& run)
     BOOST_TEST((charted[i] > 0) == all.components[i].is_good(), all.components[i].name);
   for(const Atlas_report::Skipped& skipped : run.report.skipped) {
     const Component& c = all.components[component_of_face(skipped.first_face)];
-    BOOST_TEST(skipped.diagnosis == c.diagnosis, c.name << ": " << skipped.diagnosis);
+    BOOST_TEST(skipped.status == c.status, c.name << ": " << skipped.status);
   }
 }
 
@@ -158,18 +162,13 @@ BOOST_AUTO_TEST_CASE(every_face_has_a_chart_or_a_reason)
     {
       const Atlas_run run = make_atlas_of(
           mesh,
-          parameters::resolution(
-              wishes.resolution,
-              parameters::gutter(
-                  wishes.gutter,
-                  parameters::pack_into_square(
-                      wishes.packs, parameters::stretch_bound(
-                                        wishes.stretch_bound,
-                                        parameters::separate_overlaps(
-                                            separates, parameters::cut_necks(
-                                                           cuts, parameters::face_weight_map(weights))))))));
+          with<Atlas_options>(&Atlas_options::resolution, wishes.resolution, &Atlas_options::gutter,
+                              wishes.gutter, &Atlas_options::pack_into_square, wishes.packs,
+                              &Atlas_options::stretch_bound, wishes.stretch_bound,
+                              &Atlas_options::separate_overlaps, separates, &Atlas_options::cut_necks, cuts),
+          parameters::face_size_map(weights));
       if(all.without_bad_components().components.empty()) {
-        check_diagnosis(run, Atlas_report::NOTHING_FLATTENED);
+        check_diagnosis(run, Diagnosis::NOTHING_FLATTENED);
         BOOST_TEST(run.report.skipped.size() == all.components.size());
         continue;
       }
@@ -230,11 +229,12 @@ BOOST_AUTO_TEST_CASE(components_are_flattened_as_if_they_were_alone)
       continue;
     BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
     {
-      const Atlas_run run = make_atlas_of(all.mesh<Mesh>(), parameters::pack_into_square(false));
+      const Atlas_run run =
+          make_atlas_of(all.mesh<Mesh>(), with<Atlas_options>(&Atlas_options::pack_into_square, false));
       const std::vector<int> component_of_vertex = all.component_of_vertex();
       for(std::size_t i = 0; i < all.components.size(); ++i) {
-        const Atlas_run alone =
-            make_atlas_of(mesh_of({all.components[i]}), parameters::pack_into_square(false));
+        const Atlas_run alone = make_atlas_of(mesh_of({all.components[i]}),
+                                              with<Atlas_options>(&Atlas_options::pack_into_square, false));
         std::vector<atlas_check::Point_2> uv;
         for(std::size_t c = 0; c < run.uv.size(); ++c)
           if(component_of_vertex[run.vertex[c]] == static_cast<int>(i))
@@ -255,7 +255,8 @@ BOOST_AUTO_TEST_CASE(sizes_may_be_very_different)
     {
       Wishes wishes;
       wishes.resolution = 256;
-      const Atlas_run run = make_atlas_of(all.mesh<Mesh>(), parameters::resolution(256));
+      const Atlas_run run =
+          make_atlas_of(all.mesh<Mesh>(), with<Atlas_options>(&Atlas_options::resolution, 256));
       BOOST_TEST(run.report.has_atlas(), run.report.message);
       check_atlas(run, wishes);
     }
@@ -296,9 +297,9 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits)
     const Mesh mesh = all.mesh<Mesh>();
     BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
     {
-      const Atlas_run one = make_atlas_of(mesh, parameters::number_of_threads(1));
+      const Atlas_run one = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::threads, 1));
       for(int threads : {0, 2, 3}) {
-        const Atlas_run other = make_atlas_of(mesh, parameters::number_of_threads(threads));
+        const Atlas_run other = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::threads, threads));
         BOOST_TEST(are_same(one, other));
         BOOST_TEST(one.report.message == other.report.message);
         BOOST_TEST(one.report.seam_length == other.report.seam_length);
@@ -333,10 +334,11 @@ BOOST_AUTO_TEST_CASE(given_seams_stay_and_constrained_edges_never_become_seams)
     {
       const Atlas_run run = make_with_seams(
           mesh, [&](Edge e) { return bool(is_given[e]); },
-          parameters::resolution(256).edge_is_constrained_map(
+          with<Atlas_options>(&Atlas_options::resolution, 256),
+          parameters::edge_is_constrained_map(
               boost::make_function_property_map<Edge>([&](Edge e) { return bool(is_constrained[e]); })));
       if(!run.report.has_atlas()) {
-        check_diagnosis(run, Atlas_report::NOTHING_FLATTENED);
+        check_diagnosis(run, Diagnosis::NOTHING_FLATTENED);
         continue;
       }
       Wishes wishes;
@@ -350,7 +352,7 @@ BOOST_AUTO_TEST_CASE(given_seams_stay_and_constrained_edges_never_become_seams)
           ++corner;
         }
       for(const Atlas_report::Skipped& skipped : run.report.skipped)
-        forbidden += skipped.diagnosis == "NO_CUT_ALLOWED";
+        forbidden += skipped.status == Diagnosis::NO_CUT_ALLOWED;
       charted += static_cast<int>(run.report.charts.size());
     }
   }
@@ -385,7 +387,7 @@ BOOST_AUTO_TEST_CASE(a_seam_separates_a_bad_part_from_a_good_one)
   check_atlas(run, Wishes());
   BOOST_TEST(run.report.number_of_parts == 2u);
   BOOST_TEST_REQUIRE(run.report.skipped.size() == 1u);
-  BOOST_TEST(run.report.skipped.front().diagnosis == "NON_FINITE_POINT");
+  BOOST_TEST(run.report.skipped.front().status == Diagnosis::NON_FINITE_POINT);
   for(std::size_t f = 0; f < above.size(); ++f)
     BOOST_TEST_REQUIRE((run.chart[f] >= 0) == !above[f]);
 }
@@ -416,7 +418,7 @@ BOOST_AUTO_TEST_CASE(surfaces_of_every_kind_become_one_chart)
     {
       Wishes wishes;
       wishes.resolution = 256;
-      const Atlas_run run = make_atlas_of(mesh_of({c}), parameters::resolution(256));
+      const Atlas_run run = make_atlas_of(mesh_of({c}), with<Atlas_options>(&Atlas_options::resolution, 256));
       BOOST_TEST(bool(run.report), run.report.message);
       check_atlas(run, wishes);
       BOOST_TEST(run.report.charts.size() == 1u);
@@ -429,7 +431,7 @@ BOOST_AUTO_TEST_CASE(pinched_vertices_belong_to_several_charts)
   const Mesh mesh = mesh_of({{"bow tie",
                               {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
                               {{0, 1, 2}, {0, 3, 4}, {2, 3, 5}}}});
-  const Atlas_run run = make_atlas_of(mesh, parameters::resolution(64));
+  const Atlas_run run = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 64));
   Wishes wishes;
   wishes.resolution = 64;
   check_atlas(run, wishes);
@@ -442,7 +444,7 @@ BOOST_AUTO_TEST_CASE(a_smaller_bound_means_less_stretch_and_longer_seams)
   const Mesh mesh = mesh_of(seam_surfaces::sphere(3));
   double seam = infinity, stretch = 0;
   for(double bound : {1.02, 1.05, 1.1, 1.3}) {
-    const Atlas_run run = make_atlas_of(mesh, parameters::stretch_bound(bound));
+    const Atlas_run run = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::stretch_bound, bound));
     Wishes wishes;
     wishes.stretch_bound = bound;
     check_atlas(run, wishes);
@@ -463,8 +465,10 @@ BOOST_AUTO_TEST_CASE(without_terminals_surfaces_are_only_cut_to_disks)
        mesh_of({component("bump", test_charts::bump(10, 1, 1))})}) {
     Wishes unbound;
     unbound.stretch_bound = infinity;
-    const Atlas_run infinite = make_atlas_of(mesh, parameters::stretch_bound(infinity)),
-                    none = make_atlas_of(mesh, parameters::maximum_number_of_terminals(0));
+    const Atlas_run infinite =
+                        make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::stretch_bound, infinity)),
+                    none = make_atlas_of(mesh,
+                                         with<Atlas_options>(&Atlas_options::maximum_number_of_terminals, 0));
     check_atlas(infinite, unbound);
     check_atlas(none, Wishes());
     for(const Atlas_run* run : {&infinite, &none}) {
@@ -477,7 +481,7 @@ BOOST_AUTO_TEST_CASE(without_terminals_surfaces_are_only_cut_to_disks)
   }
   // a bound that is missed is not said to be reached
   const Atlas_run bumps = make_atlas_of(mesh_of({component("bump", test_charts::bump(20, 1, 3))}),
-                                        parameters::maximum_number_of_terminals(0));
+                                        with<Atlas_options>(&Atlas_options::maximum_number_of_terminals, 0));
   BOOST_TEST(!bumps.report.charts[0].bound_reached);
   BOOST_TEST(bumps.report.seam_length == 0);
 }
@@ -488,7 +492,8 @@ BOOST_AUTO_TEST_CASE(the_number_of_terminals_is_at_most_what_is_allowed)
   double stretch = infinity;
   for(int most : {2, 4, 8}) {
     const Atlas_run run =
-        make_atlas_of(mesh, parameters::maximum_number_of_terminals(most, parameters::stretch_bound(1.001)));
+        make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::maximum_number_of_terminals, most,
+                                                &Atlas_options::stretch_bound, 1.001));
     BOOST_TEST(run.report.number_of_terminals <= static_cast<std::size_t>(most));
     BOOST_TEST(!run.report.charts[0].bound_reached);
     BOOST_TEST(run.report.charts[0].scale_stretch < stretch);
@@ -500,7 +505,8 @@ BOOST_AUTO_TEST_CASE(overlaps_become_injective_or_are_separated)
 {
   const Mesh mesh = mesh_of({atlas_surfaces::staircase(60, 2.3)});
   const Atlas_run injective = make_atlas_of(mesh),
-                  separated = make_atlas_of(mesh, parameters::separate_overlaps(true));
+                  separated =
+                      make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::separate_overlaps, true));
   check_atlas(injective, Wishes());
   check_atlas(separated, Wishes());
   BOOST_TEST_REQUIRE(injective.report.charts.size() == 1u);
@@ -522,7 +528,7 @@ BOOST_AUTO_TEST_CASE(a_larger_weight_of_areas_stretches_them_less)
   double area_distortion = infinity;
   std::vector<double> angle_changes;
   for(double weight : {0.005, 0.05, 0.5}) {
-    const Atlas_run run = make_atlas_of(mesh, parameters::area_weight(weight));
+    const Atlas_run run = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::area_weight, weight));
     check_atlas(run, Wishes());
     BOOST_TEST_REQUIRE((run.report.charts[0].method == Atlas_report::INJECTIVE));
     BOOST_TEST(run.report.measures.l2_area_distortion < area_distortion);
@@ -542,8 +548,8 @@ BOOST_AUTO_TEST_CASE(resolution_and_gutter_are_kept)
       Wishes wishes;
       wishes.resolution = resolution;
       wishes.gutter = gutter;
-      const Atlas_run run =
-          make_atlas_of(mesh, parameters::resolution(resolution, parameters::gutter(gutter)));
+      const Atlas_run run = make_atlas_of(
+          mesh, with<Atlas_options>(&Atlas_options::resolution, resolution, &Atlas_options::gutter, gutter));
       check_atlas(run, wishes);
       BOOST_TEST(run.report.covered_share < covered);
       covered = run.report.covered_share * 1.05;
@@ -558,8 +564,9 @@ BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
   const auto seams = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   for(Edge e : mesh.edges())
     put(seams, e, false);
+  const auto charts = get(CGAL::dynamic_face_property_t<int>(), mesh);
   const Atlas_report report =
-      SMP::make_atlas(mesh, uv, parameters::edge_is_seam_map(seams, parameters::pack_into_square(false)));
+      SMP::make_atlas(mesh, seams, uv, charts, with<Atlas_options>(&Atlas_options::pack_into_square, false));
   BOOST_TEST_REQUIRE(bool(report));
   const auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
   typedef std::decay_t<decltype(seam_mesh)> Seam_mesh;
@@ -589,23 +596,23 @@ BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
 BOOST_AUTO_TEST_CASE(wrong_options_name_themselves_and_change_nothing)
 {
   const Mesh mesh = mesh_of(seam_surfaces::tetrahedron());
-  const auto check = [&](const std::string& name, const auto& np) {
-    const Atlas_run run = make_atlas_of(mesh, np);
-    BOOST_TEST_CONTEXT(name) check_diagnosis(run, Atlas_report::WRONG_OPTION);
+  const auto check = [&](const std::string& name, const Atlas_options& options) {
+    const Atlas_run run = make_atlas_of(mesh, options);
+    BOOST_TEST_CONTEXT(name) check_diagnosis(run, Diagnosis::WRONG_OPTION);
     BOOST_TEST(run.report.message.find(name) != std::string::npos, run.report.message);
   };
   for(double bound : {0.99, -infinity, std::nan("")})
-    check("stretch", parameters::stretch_bound(bound));
-  check("terminals", parameters::maximum_number_of_terminals(-1));
+    check("stretch", with<Atlas_options>(&Atlas_options::stretch_bound, bound));
+  check("terminals", with<Atlas_options>(&Atlas_options::maximum_number_of_terminals, -1));
   for(double weight : {-0.1, 1.1, std::nan("")})
-    check("area weight", parameters::area_weight(weight));
+    check("area weight", with<Atlas_options>(&Atlas_options::area_weight, weight));
   for(int resolution : {0, -5, 1 << 20})
-    check("resolution", parameters::resolution(resolution));
+    check("resolution", with<Atlas_options>(&Atlas_options::resolution, resolution));
   for(int gutter : {-1, 1 << 20})
-    check("gutter", parameters::gutter(gutter));
+    check("gutter", with<Atlas_options>(&Atlas_options::gutter, gutter));
   for(int rotations : {0, 1 << 20})
-    check("rotations", parameters::number_of_rotations(rotations));
-  check("threads", parameters::number_of_threads(-1));
+    check("rotations", with<Atlas_options>(&Atlas_options::number_of_rotations, rotations));
+  check("threads", with<Atlas_options>(&Atlas_options::threads, -1));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
@@ -614,17 +621,17 @@ BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
       mesh_of({component(seam_surfaces::tetrahedron()), component(seam_surfaces::octahedron())});
   for(double wrong : {-1., std::nan(""), -infinity}) {
     const Face face(6);
-    const Atlas_run faces =
-        make_atlas_of(mesh, parameters::face_weight_map(boost::make_function_property_map<Face>(
-                                [&](Face f) { return f == face ? wrong : 2.; })));
-    check_diagnosis(faces, Atlas_report::WRONG_WEIGHT);
+    const Atlas_run faces = make_atlas_of(mesh, Atlas_options(),
+                                          parameters::face_size_map(boost::make_function_property_map<Face>(
+                                              [&](Face f) { return f == face ? wrong : 2.; })));
+    check_diagnosis(faces, Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(faces.report.message.find("face 6 ") != std::string::npos, faces.report.message);
 
     const Edge edge(8);
-    const Atlas_run edges =
-        make_atlas_of(mesh, parameters::edge_weight_map(boost::make_function_property_map<Edge>(
-                                [&](Edge e) { return e == edge ? wrong : 2.; })));
-    check_diagnosis(edges, Atlas_report::WRONG_WEIGHT);
+    const Atlas_run edges = make_atlas_of(mesh, Atlas_options(),
+                                          parameters::edge_weight_map(boost::make_function_property_map<Edge>(
+                                              [&](Edge e) { return e == edge ? wrong : 2.; })));
+    check_diagnosis(edges, Diagnosis::WRONG_WEIGHT);
     for(auto v : {mesh.vertex(edge, 0), mesh.vertex(edge, 1)}) {
       std::ostringstream point;
       point << '(' << mesh.point(v).x() << ", " << mesh.point(v).y() << ", " << mesh.point(v).z() << ')';
@@ -632,13 +639,14 @@ BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
                  edges.report.message << " without " << point.str());
     }
   }
-  const Atlas_run infinite =
-      make_atlas_of(mesh, parameters::face_weight_map(boost::make_function_property_map<Face>(
-                              [](Face f) { return f == Face(3) ? infinity : 1.; })));
-  check_diagnosis(infinite, Atlas_report::WRONG_WEIGHT);
+  const Atlas_run infinite = make_atlas_of(mesh, Atlas_options(),
+                                           parameters::face_size_map(boost::make_function_property_map<Face>(
+                                               [](Face f) { return f == Face(3) ? infinity : 1.; })));
+  check_diagnosis(infinite, Diagnosis::WRONG_WEIGHT);
   const Atlas_run zero = make_atlas_of(
-      mesh, parameters::face_weight_map(boost::make_function_property_map<Face>([](Face) { return 0.; })));
-  check_diagnosis(zero, Atlas_report::PACKING_FAILED);
+      mesh, Atlas_options(),
+      parameters::face_size_map(boost::make_function_property_map<Face>([](Face) { return 0.; })));
+  check_diagnosis(zero, Diagnosis::PACKING_FAILED);
 }
 
 // Whatever the unit of weights is
@@ -652,8 +660,8 @@ BOOST_AUTO_TEST_CASE(weights_of_faces_count_in_proportion)
     {
       const auto weights =
           boost::make_function_property_map<Face>([&](Face f) { return f < Face(4) ? 3 * unit : unit; });
-      const Atlas_run run =
-          make_atlas_of(mesh, parameters::face_weight_map(weights, parameters::resolution(128)));
+      const Atlas_run run = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 128),
+                                          parameters::face_size_map(weights));
       BOOST_TEST_REQUIRE(bool(run.report), run.report.message);
       std::vector<double> density(2, 0);
       const auto sums = atlas_check::chart_sums(run, {});
@@ -677,9 +685,9 @@ BOOST_AUTO_TEST_CASE(seams_avoid_heavy_edges)
   };
   const auto weights =
       boost::make_function_property_map<Edge>([&](Edge e) { return is_heavy(e) ? 1000. : 1.; });
-  const Atlas_run weighted =
-      make_atlas_of(mesh, parameters::edge_weight_map(weights, parameters::stretch_bound(infinity)));
-  const Atlas_run plain = make_atlas_of(mesh, parameters::stretch_bound(infinity));
+  const Atlas_run weighted = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::stretch_bound, infinity),
+                                           parameters::edge_weight_map(weights));
+  const Atlas_run plain = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::stretch_bound, infinity));
   // a closed curve around the tube has to cross what is heavy
   BOOST_TEST(heavy_seams(weighted) > 0);
   BOOST_TEST(heavy_seams(weighted) <= heavy_seams(plain));
@@ -693,10 +701,10 @@ BOOST_AUTO_TEST_CASE(a_visitor_follows_and_may_stop_it_anywhere)
                                                  Atlas_visitor::MEASURE, Atlas_visitor::WRITE};
   for(int threads : {1, 2}) {
     Stopping_visitor all;
-    const auto np = [&](Stopping_visitor& visitor) {
-      return parameters::number_of_threads(threads, parameters::atlas_visitor(visitor));
+    const auto options = [&](Stopping_visitor& visitor) {
+      return with<Atlas_options>(&Atlas_options::threads, threads, &Atlas_options::visitor, &visitor);
     };
-    const Atlas_run run = make_atlas_of(mesh, np(all));
+    const Atlas_run run = make_atlas_of(mesh, options(all));
     BOOST_TEST(run.report.has_atlas());
     BOOST_TEST((all.stages == stages));
     BOOST_TEST(std::is_sorted(all.shares.begin(), all.shares.end()));
@@ -706,8 +714,8 @@ BOOST_AUTO_TEST_CASE(a_visitor_follows_and_may_stop_it_anywhere)
     for(int k = 1; k <= (threads == 1 ? all.calls : 5); ++k) {
       Stopping_visitor visitor;
       visitor.stop_at = k;
-      const Atlas_run stopped = make_atlas_of(mesh, np(visitor));
-      BOOST_TEST_CONTEXT("call " << k) check_diagnosis(stopped, Atlas_report::CANCELLED);
+      const Atlas_run stopped = make_atlas_of(mesh, options(visitor));
+      BOOST_TEST_CONTEXT("call " << k) check_diagnosis(stopped, Diagnosis::CANCELLED);
       BOOST_TEST(visitor.calls == k); // and is left alone then
     }
   }
@@ -716,8 +724,9 @@ BOOST_AUTO_TEST_CASE(a_visitor_follows_and_may_stop_it_anywhere)
 BOOST_AUTO_TEST_CASE(stages_that_are_not_needed_are_not_announced)
 {
   Stopping_visitor visitor;
-  make_atlas_of(mesh_of(seam_surfaces::octahedron()),
-                parameters::pack_into_square(false, parameters::atlas_visitor(visitor)));
+  make_atlas_of(
+      mesh_of(seam_surfaces::octahedron()),
+      with<Atlas_options>(&Atlas_options::pack_into_square, false, &Atlas_options::visitor, &visitor));
   const std::vector<Atlas_visitor::Stage> stages{Atlas_visitor::READ, Atlas_visitor::CHARTS,
                                                  Atlas_visitor::CERTIFY, Atlas_visitor::MEASURE,
                                                  Atlas_visitor::WRITE};
@@ -727,10 +736,10 @@ BOOST_AUTO_TEST_CASE(stages_that_are_not_needed_are_not_announced)
 BOOST_AUTO_TEST_CASE(without_faces_there_is_no_atlas)
 {
   Mesh mesh;
-  check_diagnosis(make_atlas_of(mesh), Atlas_report::EMPTY_MESH);
+  check_diagnosis(make_atlas_of(mesh), Diagnosis::EMPTY_MESH);
   for(int i = 0; i < 3; ++i)
     mesh.add_vertex(test_charts::Point_3(i, 0, 0));
-  check_diagnosis(make_atlas_of(mesh), Atlas_report::EMPTY_MESH);
+  check_diagnosis(make_atlas_of(mesh), Diagnosis::EMPTY_MESH);
 }
 
 BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
@@ -739,10 +748,10 @@ BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
   for(int i = 0; i < 40; ++i)
     all.add(component(seam_surfaces::tetrahedron()));
   const Mesh mesh = all.mesh<Mesh>();
-  const Atlas_run run = make_atlas_of(mesh, parameters::resolution(16));
-  check_diagnosis(run, Atlas_report::PACKING_FAILED);
+  const Atlas_run run = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 16));
+  check_diagnosis(run, Diagnosis::PACKING_FAILED);
   BOOST_TEST(run.report.message.find("40 charts") != std::string::npos, run.report.message);
-  BOOST_TEST(bool(make_atlas_of(mesh, parameters::resolution(256)).report));
+  BOOST_TEST(bool(make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 256)).report));
 }
 
 BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))

@@ -9,16 +9,20 @@
 
 #include "atlas_check.h"
 #include "atlas_surfaces.h"
+#include "test_options.h"
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_atlas_meshes)
@@ -32,7 +36,9 @@ using atlas_check::Wishes;
 using atlas_surfaces::component;
 using atlas_surfaces::random_union;
 using atlas_surfaces::Union;
+using SMP::Atlas_options;
 using SMP::Atlas_report;
+using SMP::Diagnosis;
 typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
 
 namespace {
@@ -85,9 +91,10 @@ BOOST_AUTO_TEST_CASE(coordinates_may_be_floats)
     {
       Wishes wishes;
       wishes.resolution = 256;
-      const Atlas_run run = make_atlas_of<Float_kernel::Point_2>(mesh, parameters::resolution(256));
+      const Atlas_run run =
+          make_atlas_of<Float_kernel::Point_2>(mesh, with<Atlas_options>(&Atlas_options::resolution, 256));
       if(!run.report.has_atlas()) {
-        BOOST_TEST((run.report.diagnosis == Atlas_report::NOTHING_FLATTENED));
+        BOOST_TEST((run.report.status == Diagnosis::NOTHING_FLATTENED));
         BOOST_TEST(run.is_untouched());
         continue;
       }
@@ -110,11 +117,11 @@ BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
   BOOST_TEST(bool(make_atlas_of(mesh).report));
   Counting_visitor visitor;
   const Atlas_run run = make_atlas_of<Float_kernel::Point_2>(
-      mesh, parameters::resolution(256, parameters::atlas_visitor(visitor)));
+      mesh, with<Atlas_options>(&Atlas_options::resolution, 256, &Atlas_options::visitor, &visitor));
   BOOST_TEST_REQUIRE(run.report.has_atlas());
   check_parts(run);
   BOOST_TEST_REQUIRE(run.report.skipped.size() == 1u);
-  BOOST_TEST(run.report.skipped[0].diagnosis == "PRECISION_EXCEEDED");
+  BOOST_TEST(run.report.skipped[0].status == Diagnosis::PRECISION_EXCEEDED);
   BOOST_TEST(run.report.skipped[0].part == 0u);
   BOOST_TEST(run.report.charts.size() == 1u);
   BOOST_TEST(run.report.charts[0].number_of_faces == 8u);
@@ -123,8 +130,8 @@ BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
   // the octahedron gets the whole square
   Union octahedron;
   octahedron.add(all.components[1]);
-  const Atlas_run alone =
-      make_atlas_of<Float_kernel::Point_2>(octahedron.mesh<Mesh>(), parameters::resolution(256));
+  const Atlas_run alone = make_atlas_of<Float_kernel::Point_2>(
+      octahedron.mesh<Mesh>(), with<Atlas_options>(&Atlas_options::resolution, 256));
   BOOST_TEST(run.report.covered_share == alone.report.covered_share, boost::test_tools::tolerance(1e-3));
   typedef SMP::Atlas_visitor Visitor;
   const std::vector<Visitor::Stage> stages{Visitor::READ,    Visitor::CHARTS,  Visitor::PACK,
@@ -143,7 +150,7 @@ BOOST_AUTO_TEST_CASE(any_mesh_gives_the_same_atlas)
       Polyhedron polyhedron;
       all.make_mesh(polyhedron);
       const Atlas_run run = make_atlas_of(mesh), other = make_atlas_of(polyhedron);
-      BOOST_TEST((run.report.diagnosis == other.report.diagnosis));
+      BOOST_TEST((run.report.status == other.report.status));
       BOOST_TEST((run.uv == other.uv));
       BOOST_TEST(run.chart == other.chart);
       BOOST_TEST((run.is_seam == other.is_seam));
@@ -166,7 +173,7 @@ BOOST_AUTO_TEST_CASE(points_may_be_of_another_kernel)
   });
   const Atlas_run run = make_atlas_of(mesh);
   const Atlas_run other = make_atlas_of<Exact::Point_2>(
-      elsewhere, parameters::vertex_point_map(exact), [](auto) { return false; }, exact);
+      elsewhere, Atlas_options(), parameters::vertex_point_map(exact), [](auto) { return false; }, exact);
   BOOST_TEST(run.report.has_atlas());
   check_atlas(other, Wishes());
   BOOST_TEST((run.uv == other.uv));
@@ -178,8 +185,9 @@ BOOST_AUTO_TEST_CASE(another_solver_gives_nearly_the_same_atlas)
   const Mesh mesh = random_union(22, 8).without_bad_components().mesh<Mesh>();
   const Atlas_run run = make_atlas_of(mesh);
   const Atlas_run other = make_atlas_of(
-      mesh, parameters::sparse_linear_solver(
-                CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>()));
+      mesh, Atlas_options(),
+      parameters::sparse_linear_solver(
+          CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>()));
   check_atlas(run, Wishes());
   check_atlas(other, Wishes());
   BOOST_TEST(run.report.charts.size() == other.report.charts.size());
@@ -193,7 +201,7 @@ BOOST_AUTO_TEST_CASE(maps_may_be_left_out)
   const Atlas_run run = make_atlas_of(mesh);
   const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
   const Atlas_report report = SMP::make_atlas(mesh, uv);
-  BOOST_TEST((report.diagnosis == run.report.diagnosis));
+  BOOST_TEST((report.status == run.report.status));
   BOOST_TEST(report.charts.size() == run.report.charts.size());
   std::size_t corner = 0;
   for(auto f : mesh.faces())
@@ -202,6 +210,74 @@ BOOST_AUTO_TEST_CASE(maps_may_be_left_out)
         BOOST_TEST_REQUIRE((get(uv, h).x() == run.uv[corner].x() && get(uv, h).y() == run.uv[corner].y()));
       ++corner;
     }
+}
+
+// Quadrangles over a rough terrain, each divided by a diagonal, and the quadrangle of each triangle
+struct Quadrangles
+{
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Face_index, int> number =
+      mesh.add_property_map<Mesh::Face_index, int>("f:number").first;
+  std::vector<std::array<Mesh::Halfedge_index, 4>> corners; // in one of both faces
+
+  Quadrangles(int n, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<Mesh::Vertex_index> v;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; j <= n; ++j) {
+        const double x = i + test_charts::uniform(random, -0.35, 0.35);
+        const double y = j + test_charts::uniform(random, -0.35, 0.35);
+        v.push_back(mesh.add_vertex({x, y, test_charts::uniform(random, 0., 1.5)}));
+      }
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j) {
+        const int k = i * (n + 1) + j;
+        const auto f = mesh.add_face(v[k], v[k + n + 1], v[k + n + 2], v[k + 1]);
+        const auto h = mesh.halfedge(f);
+        corners.push_back({h, mesh.next(h), mesh.next(mesh.next(h)), mesh.prev(h)});
+        const auto diagonal = CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+        for(const auto side : {diagonal, mesh.opposite(diagonal)})
+          number[mesh.face(side)] = static_cast<int>(corners.size());
+      }
+  }
+
+  template <typename UVMap>
+  int count_concave(const UVMap& uv) const
+  {
+    int count = 0;
+    for(const auto& h : corners) {
+      bool is_convex = true;
+      for(int k = 0; k < 4; ++k)
+        is_convex = is_convex &&
+                    CGAL::orientation(uv[h[k]], uv[h[(k + 1) % 4]], uv[h[(k + 2) % 4]]) == CGAL::LEFT_TURN;
+      count += !is_convex;
+    }
+    return count;
+  }
+};
+
+BOOST_AUTO_TEST_CASE(polygons_become_convex)
+{
+  typedef CGAL::Simple_cartesian<double>::Point_2 Point;
+  int concave = 0, left = 0;
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    Quadrangles quadrangles(12, seed);
+    const auto uv = quadrangles.mesh.add_property_map<Mesh::Halfedge_index, Point>("h:uv").first;
+    BOOST_TEST_REQUIRE(SMP::make_atlas(quadrangles.mesh, uv).has_atlas());
+    const int before = quadrangles.count_concave(uv);
+    const auto report = SMP::make_atlas(quadrangles.mesh, uv, Atlas_options(),
+                                        parameters::face_patch_map(quadrangles.number));
+    BOOST_TEST_REQUIRE(report.has_atlas());
+    const int after = quadrangles.count_concave(uv);
+    BOOST_TEST(after <= before);
+    BOOST_TEST(report.number_of_mended_polygons == static_cast<std::size_t>(before - after));
+    concave += before;
+    left += after;
+  }
+  BOOST_TEST_MESSAGE(concave << " concave quadrangles, of which " << left << " are left");
+  BOOST_TEST(concave >= 5);
+  BOOST_TEST(left == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,7 @@
 // Baking: what a viewer shows against what is known of the surfaces, gutters, rays that fail, errors.
 
 #include "baked_surfaces.h"
+#include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/bake_surface.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
@@ -26,6 +27,8 @@ BOOST_AUTO_TEST_SUITE(test_baking)
 
 using namespace baked_surfaces;
 namespace np = CGAL::parameters;
+using SMP::Baking_options;
+using SMP::Diagnosis;
 
 namespace {
 
@@ -48,6 +51,11 @@ Eigen::Matrix3d random_rotation(std::mt19937& random)
   return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
 }
 
+Surface::Property_map<Surface::Edge_index, bool> no_seams(Surface& surface)
+{
+  return surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
+}
+
 // A coarse sphere with an atlas, and what is baked into it
 struct Baked_sphere
 {
@@ -66,11 +74,12 @@ struct Baked_sphere
       const Vector p = radius(random) * vector_of(simple.point(v));
       simple.point(v) = Kernel::Point_3(p.x(), p.y(), p.z());
     }
-    BOOST_REQUIRE(SMP::make_atlas(
-        simple, uv, np::face_chart_map(chart, np::resolution(resolution, np::stretch_bound(1.05)))));
-    textures = SMP::bake_surface(
-        simple, uv, fine,
-        np::resolution(resolution, np::face_chart_map(chart, np::tangent_frame_map(frames))));
+    BOOST_REQUIRE(SMP::make_atlas(simple, no_seams(simple), uv, chart,
+                                  with<SMP::Atlas_options>(&SMP::Atlas_options::resolution, resolution,
+                                                           &SMP::Atlas_options::stretch_bound, 1.05)));
+    textures = SMP::bake_surface(simple, uv, fine, frames,
+                                 with<Baking_options>(&Baking_options::resolution, resolution),
+                                 np::face_patch_map(chart));
     BOOST_REQUIRE(textures);
   }
 
@@ -151,7 +160,8 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_position)
     transform(simple, matrix, shift);
     transform(fine, matrix, shift);
     const Uv_map uv = uv_map(simple);
-    const SMP::Baked_textures moved = SMP::bake_surface(simple, uv, fine, np::resolution(128));
+    const SMP::Baked_textures moved =
+        SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 128));
     BOOST_REQUIRE(moved);
     BOOST_TEST((moved.texels == sphere.textures.texels));
     double normals = 0, displacements = 0;
@@ -171,7 +181,8 @@ BOOST_AUTO_TEST_CASE(plane_over_plane_is_exact)
   Surface simple = sheet(3, flat);
   Surface fine = sheet(7, [](double, double) { return 0.03125; });
   const Uv_map uv = project(simple, as_it_is);
-  const SMP::Baked_textures textures = SMP::bake_surface(simple, uv, fine, np::resolution(64));
+  const SMP::Baked_textures textures =
+      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.report.number_of_chart_texels == 64u * 64u);
   BOOST_TEST(textures.report.number_of_front_faces() == 64u * 64u);
@@ -200,7 +211,7 @@ BOOST_AUTO_TEST_CASE(shows_bumps_on_a_plane)
       });
       const Frame_map frames = frame_map(simple);
       const SMP::Baked_textures textures =
-          SMP::bake_surface(simple, uv, fine, np::resolution(256, np::tangent_frame_map(frames)));
+          SMP::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 256));
       BOOST_REQUIRE(textures);
       const std::vector<std::uint16_t> pixels = textures.normal_pixels<std::uint16_t>();
       std::mt19937 random(4);
@@ -234,8 +245,9 @@ BOOST_AUTO_TEST_CASE(normals_in_object_space)
   const Surface fine = sheet(2, [](double x, double) { return 0.1 * x - 0.05; });
   const Uv_map uv =
       project(simple, [](double x, double y) { return Plane_point(0.9 - 0.8 * y, 0.1 + 0.8 * x); });
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, np::resolution(32, np::normals_in_object_space(true)));
+  const SMP::Baked_textures textures = SMP::bake_surface(
+      simple, uv, fine,
+      with<Baking_options>(&Baking_options::resolution, 32, &Baking_options::normals_in_object_space, true));
   BOOST_REQUIRE(textures);
   const Vector expected = Vector(-0.1, 0, 1).normalized();
   for(std::size_t i = 0; i < textures.texels.size(); ++i)
@@ -255,7 +267,8 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(std::lround(250 * painted.point(v).x())),
                                static_cast<unsigned char>(std::lround(100 * painted.point(v).y())), 7);
   const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, painted, np::resolution(50), np::vertex_color_map(color));
+      SMP::bake_surface(simple, uv, painted, with<Baking_options>(&Baking_options::resolution, 50),
+                        np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
   const std::vector<std::uint8_t> pixels = textures.color_pixels<std::uint8_t>();
   for(int row = 0; row < 50; ++row)
@@ -268,16 +281,18 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
 
   // Oblique normals of the simple surface move what is met, and so the colours.
   const auto normal = simple.add_property_map<Vertex, Kernel::Vector_3>("v:normal", {1, 0, 2}).first;
-  const SMP::Baked_textures oblique = SMP::bake_surface(
-      simple, uv, painted, np::resolution(50, np::ray_length(1, np::vertex_normal_map(normal))),
-      np::vertex_color_map(color));
+  const SMP::Baked_textures oblique =
+      SMP::bake_surface(simple, uv, painted,
+                        with<Baking_options>(&Baking_options::resolution, 50, &Baking_options::ray_length, 1),
+                        np::vertex_normal_map(normal), np::vertex_color_map(color));
   const std::size_t middle = 25 * 50 + 25;
   BOOST_TEST(std::abs(oblique.colors[3 * middle] - 250. / 255 * (0.51 + 0.05)) < 1e-3);
   BOOST_TEST(std::abs(oblique.displacements[middle] - 0.1 * std::sqrt(1.25)) < 1e-6);
 
   Polyhedron fine;
   CGAL::copy_face_graph(painted, fine);
-  const SMP::Baked_textures same = SMP::bake_surface(simple, uv, fine, np::resolution(50));
+  const SMP::Baked_textures same =
+      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 50));
   BOOST_TEST((same.normals == textures.normals));
   BOOST_TEST(same.colors.empty());
 }
@@ -287,9 +302,11 @@ BOOST_AUTO_TEST_CASE(an_inverted_fine_surface_is_all_back_faces)
   const auto bowl = [](double x, double y) { return 0.05 * x * x - 0.03 * x * y; };
   Surface simple = sheet(2, flat), fine = sheet(30, bowl);
   const Uv_map uv = project(simple, as_it_is);
-  const SMP::Baked_textures right = SMP::bake_surface(simple, uv, fine, np::resolution(64));
+  const SMP::Baked_textures right =
+      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   CGAL::Polygon_mesh_processing::reverse_face_orientations(fine);
-  const SMP::Baked_textures turned = SMP::bake_surface(simple, uv, fine, np::resolution(64));
+  const SMP::Baked_textures turned =
+      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_TEST(right.report.number_of_back_faces == 0u);
   BOOST_TEST(turned.report.number_of_back_faces == 64u * 64u);
   BOOST_TEST(std::count(turned.texels.begin(), turned.texels.end(), SMP::Baked_textures::BACK_FACE) ==
@@ -307,7 +324,9 @@ BOOST_AUTO_TEST_CASE(front_faces_come_first)
   fine += sheet(4, [](double, double) { return -0.05; });
   const Uv_map uv = project(simple, as_it_is);
   const auto baked = [&](double distance) {
-    return SMP::bake_surface(simple, uv, fine, np::resolution(16, np::ray_length(distance)));
+    return SMP::bake_surface(
+        simple, uv, fine,
+        with<Baking_options>(&Baking_options::resolution, 16, &Baking_options::ray_length, distance));
   };
   BOOST_TEST(baked(0.06).report.number_of_front_faces() == 256u);
   BOOST_TEST(std::abs(baked(0.06).displacements[100] + 0.05) < 1e-6);
@@ -327,7 +346,8 @@ BOOST_AUTO_TEST_CASE(rays_through_a_hole_are_counted)
       CGAL::Euler::remove_face(fine.halfedge(f), fine);
   }
   const Uv_map uv = project(simple, as_it_is);
-  const SMP::Baked_textures textures = SMP::bake_surface(simple, uv, fine, np::resolution(100));
+  const SMP::Baked_textures textures =
+      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 100));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.report.number_of_missed_rays == 40u * 20u);
   for(std::size_t i = 0; i < textures.texels.size(); ++i) {
@@ -346,15 +366,17 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
   const int n = 150, gutter = 3;
   std::mt19937 random(5);
   Baked_sphere sphere;
-  BOOST_REQUIRE(SMP::make_atlas(
-      sphere.simple, sphere.uv,
-      np::face_chart_map(sphere.chart, np::resolution(n, np::gutter(gutter, np::separate_overlaps(true))))));
+  BOOST_REQUIRE(SMP::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
+                                with<SMP::Atlas_options>(&SMP::Atlas_options::resolution, n,
+                                                         &SMP::Atlas_options::gutter, gutter,
+                                                         &SMP::Atlas_options::separate_overlaps, true)));
   const auto color = sphere.fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : sphere.fine.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(random() % 256), 0, 0);
   const SMP::Baked_textures textures =
-      SMP::bake_surface(sphere.simple, sphere.uv, sphere.fine, np::resolution(n, np::gutter(gutter)),
-                        np::vertex_color_map(color));
+      SMP::bake_surface(sphere.simple, sphere.uv, sphere.fine,
+                        with<Baking_options>(&Baking_options::resolution, n, &Baking_options::gutter, gutter),
+                        np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
   const auto is_in_chart = [&](int row, int column) {
     return textures.texels[static_cast<std::size_t>(row) * n + column] > SMP::Baked_textures::GUTTER;
@@ -418,7 +440,8 @@ BOOST_AUTO_TEST_CASE(charts_do_not_bleed_into_one_another)
     uv[h] = Kernel::Point_2((p.z() > 0.5 ? 33. : 1.) / n + 30. / n * p.x(), 0.1 + 0.8 * p.y());
   }
   const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, np::resolution(n), np::vertex_color_map(color));
+      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, n),
+                        np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
   const std::vector<std::uint8_t> pixels = textures.color_pixels<std::uint8_t>();
   std::mt19937 random(6);
@@ -438,7 +461,8 @@ BOOST_AUTO_TEST_CASE(threads_do_not_matter)
   for(const int threads : {1, 2, 3}) {
     const SMP::Baked_textures again = SMP::bake_surface(
         sphere.simple, sphere.uv, sphere.fine,
-        np::resolution(100, np::face_chart_map(sphere.chart, np::number_of_threads(threads))));
+        with<Baking_options>(&Baking_options::resolution, 100, &Baking_options::threads, threads),
+        np::face_patch_map(sphere.chart));
     BOOST_TEST((again.normals == sphere.textures.normals));
     BOOST_TEST((again.displacements == sphere.textures.displacements));
     BOOST_TEST((again.texels == sphere.textures.texels));
@@ -458,7 +482,8 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_are_ignored)
       uv[simple.halfedge(f)] = Kernel::Point_2(7, std::numeric_limits<double>::quiet_NaN());
     }
   const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, sheet(2, flat), np::resolution(20, np::face_chart_map(chart)));
+      SMP::bake_surface(simple, uv, sheet(2, flat), with<Baking_options>(&Baking_options::resolution, 20),
+                        np::face_patch_map(chart));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.texels[5] == SMP::Baked_textures::FRONT_FACE);
   BOOST_TEST(textures.texels[15] == SMP::Baked_textures::EMPTY);
@@ -476,7 +501,7 @@ BOOST_AUTO_TEST_CASE(degenerate_triangles)
   const Uv_map uv = project(simple, as_it_is);
   const Frame_map frames = frame_map(simple);
   const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, np::resolution(30, np::tangent_frame_map(frames)));
+      SMP::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 30));
   BOOST_REQUIRE(textures);
   for(const float x : textures.normals)
     BOOST_TEST(std::isfinite(x));
@@ -492,12 +517,10 @@ BOOST_AUTO_TEST_CASE(degenerate_triangles)
 
 BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
 {
-  using Report = SMP::Baking_report;
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  const auto check = [](const SMP::Baked_textures& textures, Report::Diagnosis diagnosis,
-                        const std::string& word) {
-    BOOST_TEST(to_string(textures.report.diagnosis) == to_string(diagnosis));
+  const auto check = [](const SMP::Baked_textures& textures, Diagnosis diagnosis, const std::string& word) {
+    BOOST_TEST(to_string(textures.report.status) == to_string(diagnosis));
     BOOST_TEST((textures.report.message.find(word) != std::string::npos),
                textures.report.message << " lacks " << word);
     BOOST_TEST(!textures);
@@ -509,52 +532,57 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
   const Vertex last(8);
 
   uv[corner] = Kernel::Point_2(nan, 0);
-  check(SMP::bake_surface(simple, uv, fine), Report::NO_TEXTURE_COORDINATES,
+  check(SMP::bake_surface(simple, uv, fine), Diagnosis::NO_TEXTURE_COORDINATES,
         "the face with the vertices at (");
   uv[corner] = Kernel::Point_2(0.5, 1.25);
-  check(SMP::bake_surface(simple, uv, fine), Report::OUTSIDE_SQUARE, "the face with the vertices at (");
+  check(SMP::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
   uv[corner] = Kernel::Point_2(-1e-12, 0.5);
-  check(SMP::bake_surface(simple, uv, fine), Report::OUTSIDE_SQUARE, "the face with the vertices at (");
+  check(SMP::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
   check(
       SMP::bake_surface(simple, project(simple, [](double, double) { return Plane_point(0.5, 0.5); }), fine),
-      Report::NO_TEXTURE_COORDINATES, "no area");
+      Diagnosis::NO_TEXTURE_COORDINATES, "no area");
   project(simple, as_it_is);
 
   for(const double x : {nan, infinity, 1e38}) {
     Surface wrong = simple;
     wrong.point(last) = Kernel::Point_3(1, x, 0);
-    check(SMP::bake_surface(wrong, uv_map(wrong), fine), Report::NON_FINITE_POINT, "the vertex at (1, ");
+    check(SMP::bake_surface(wrong, uv_map(wrong), fine), Diagnosis::NON_FINITE_POINT, "the vertex at (1, ");
     Surface wrong_fine = fine;
     wrong_fine.point(last) = Kernel::Point_3(1, x, 0);
-    check(SMP::bake_surface(simple, uv, wrong_fine), Report::WRONG_FINE_POINT, "the vertex at (1, ");
+    check(SMP::bake_surface(simple, uv, wrong_fine), Diagnosis::WRONG_FINE_POINT, "the vertex at (1, ");
   }
-  check(SMP::bake_surface(simple, uv, Surface()), Report::EMPTY_FINE_MESH, "fine");
+  check(SMP::bake_surface(simple, uv, Surface()), Diagnosis::EMPTY_FINE_MESH, "fine");
   Surface line;
   line.add_face(line.add_vertex({0, 0, 0}), line.add_vertex({1, 0, 0}), line.add_vertex({2, 0, 0}));
-  check(SMP::bake_surface(simple, uv, line), Report::EMPTY_FINE_MESH, "fine");
+  check(SMP::bake_surface(simple, uv, line), Diagnosis::EMPTY_FINE_MESH, "fine");
   const auto charts = simple.add_property_map<Face, int>("f:chart", -1).first;
-  check(SMP::bake_surface(simple, uv, fine, np::face_chart_map(charts)), Report::EMPTY_MESH, "chart");
+  check(SMP::bake_surface(simple, uv, fine, Baking_options(), np::face_patch_map(charts)),
+        Diagnosis::EMPTY_MESH, "chart");
 
   Surface quadrangle;
   CGAL::make_quad(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
                   Kernel::Point_3(0, 1, 0), quadrangle);
-  check(SMP::bake_surface(simple, uv, quadrangle), Report::FINE_MESH_NOT_TRIANGULATED, "is not a triangle");
-  check(SMP::bake_surface(quadrangle, project(quadrangle, as_it_is), fine), Report::NOT_TRIANGULATED,
+  check(SMP::bake_surface(simple, uv, quadrangle), Diagnosis::FINE_MESH_NOT_TRIANGULATED,
+        "is not a triangle");
+  check(SMP::bake_surface(quadrangle, project(quadrangle, as_it_is), fine), Diagnosis::NOT_TRIANGULATED,
         "is not a triangle");
 
   const auto normals = fine.add_property_map<Vertex, Kernel::Vector_3>("v:normal", {0, 0, 1}).first;
   normals[last] = Kernel::Vector_3(0, 0, 0);
-  check(SMP::bake_surface(simple, uv, fine, np::resolution(4), np::vertex_normal_map(normals)),
-        Report::WRONG_NORMAL, "(1, 1, 0)");
+  check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 4),
+                          np::default_values(), np::vertex_normal_map(normals)),
+        Diagnosis::WRONG_NORMAL, "(1, 1, 0)");
   for(const int resolution : {-1, 0, 16385})
-    check(SMP::bake_surface(simple, uv, fine, np::resolution(resolution)), Report::WRONG_OPTION,
-          std::to_string(resolution));
+    check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, resolution)),
+          Diagnosis::WRONG_OPTION, std::to_string(resolution));
   for(const int gutter : {-1, 1025})
-    check(SMP::bake_surface(simple, uv, fine, np::gutter(gutter)), Report::WRONG_OPTION,
-          std::to_string(gutter));
+    check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::gutter, gutter)),
+          Diagnosis::WRONG_OPTION, std::to_string(gutter));
   for(const double distance : {0., -1., nan, infinity})
-    check(SMP::bake_surface(simple, uv, fine, np::ray_length(distance)), Report::WRONG_OPTION, "distance");
-  check(SMP::bake_surface(simple, uv, fine, np::number_of_threads(-1)), Report::WRONG_OPTION, "threads");
+    check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::ray_length, distance)),
+          Diagnosis::WRONG_OPTION, "distance");
+  check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::threads, -1)),
+        Diagnosis::WRONG_OPTION, "threads");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

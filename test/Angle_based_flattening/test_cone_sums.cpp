@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "seam_surfaces.h"
+#include "test_options.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
@@ -41,6 +42,7 @@ typedef Mesh::Property_map<Mesh::Edge_index, bool> Seams;
 typedef Mesh::Property_map<Halfedge, Kernel::Point_2> UV_map;
 typedef SMP::Cut_mesh<Mesh> Seam_mesh;
 typedef SMP::ABF_plus_plus_report Report;
+using SMP::Seam_options;
 typedef SMP::ABF_plus_plus_options Options;
 typedef SMP::Vertex_angles<Mesh> Angles;
 
@@ -110,8 +112,8 @@ bool is_cone(const Angles& angles, Vertex v)
 void check_map(const Mesh& mesh, const Seams& seams, const Angles& angles, const Map& map,
                double tolerance = 2e-5)
 {
-  BOOST_TEST(map.report.diagnosis == Report::NOTHING_WRONG, map.report.message);
-  if(map.report.diagnosis != Report::NOTHING_WRONG)
+  BOOST_TEST(map.report.status == SMP::Diagnosis::NOTHING_WRONG, map.report.message);
+  if(map.report.status != SMP::Diagnosis::NOTHING_WRONG)
     return;
   BOOST_TEST(map.report.largest_angle_error < tolerance);
   BOOST_TEST(map.report.largest_seam_turn < tolerance);
@@ -167,8 +169,9 @@ bool is_on_seam(const Mesh& mesh, const Seams& seams, Vertex v)
 Seams cut(Mesh& mesh, double stretch)
 {
   const Seams seams = add_seams(mesh);
-  BOOST_REQUIRE(SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(stretch)).diagnosis ==
-                SMP::Seam_report::NOTHING_WRONG);
+  BOOST_REQUIRE(
+      SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, stretch)).status ==
+      SMP::Diagnosis::NOTHING_WRONG);
   return seams;
 }
 
@@ -316,15 +319,15 @@ BOOST_AUTO_TEST_CASE(are_recognized_as_feasible_or_not)
     }
     angles.set(cones.back(), left);
     const Map map = flatten(mesh, seams, angles);
-    if(map.report.diagnosis == Report::NOTHING_WRONG) {
+    if(map.report.status == SMP::Diagnosis::NOTHING_WRONG) {
       ++feasible;
       check_map(mesh, seams, angles, map);
     } else {
       ++infeasible;
       BOOST_TEST_CONTEXT(i << " " << map.report.message)
       {
-        BOOST_TEST((map.report.diagnosis == Report::WRONG_ANGLE_SUM ||
-                    map.report.diagnosis == Report::INFEASIBLE_ANGLE_SUMS));
+        BOOST_TEST((map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM ||
+                    map.report.status == SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS));
         BOOST_TEST(!map.offending.empty());
       }
     }
@@ -357,18 +360,18 @@ BOOST_FIXTURE_TEST_CASE(that_are_wrong_are_refused, Sphere_with_cones)
   const auto diagnosis = [&](double angle) {
     angles.set(cone, angle);
     const Map map = flatten(mesh, seams, angles);
-    if(map.report.diagnosis == Report::WRONG_ANGLE_SUM)
+    if(map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM)
       BOOST_TEST((map.offending == std::vector<Vertex>{cone}));
     BOOST_TEST(!map.report.message.empty());
-    return map.report.diagnosis;
+    return map.report.status;
   };
-  BOOST_TEST(diagnosis(-1) == Report::WRONG_ANGLE_SUM);
-  BOOST_TEST(diagnosis(0) == Report::WRONG_ANGLE_SUM);
-  BOOST_TEST(diagnosis(std::nan("")) == Report::WRONG_ANGLE_SUM);
-  BOOST_TEST(diagnosis(-SMP::free_cone_angle) == Report::WRONG_ANGLE_SUM);
-  BOOST_TEST(diagnosis(mesh.degree(cone) * pi) == Report::WRONG_ANGLE_SUM);
-  BOOST_TEST(diagnosis(right + 2e-6) == Report::WRONG_ANGLE_TOTAL);
-  BOOST_TEST(diagnosis(right - 2e-6) == Report::WRONG_ANGLE_TOTAL);
+  BOOST_TEST(diagnosis(-1) == SMP::Diagnosis::WRONG_ANGLE_SUM);
+  BOOST_TEST(diagnosis(0) == SMP::Diagnosis::WRONG_ANGLE_SUM);
+  BOOST_TEST(diagnosis(std::nan("")) == SMP::Diagnosis::WRONG_ANGLE_SUM);
+  BOOST_TEST(diagnosis(-SMP::free_cone_angle) == SMP::Diagnosis::WRONG_ANGLE_SUM);
+  BOOST_TEST(diagnosis(mesh.degree(cone) * pi) == SMP::Diagnosis::WRONG_ANGLE_SUM);
+  BOOST_TEST(diagnosis(right + 2e-6) == SMP::Diagnosis::WRONG_ANGLE_TOTAL);
+  BOOST_TEST(diagnosis(right - 2e-6) == SMP::Diagnosis::WRONG_ANGLE_TOTAL);
   angles.set(cone, right + 5e-7);
   check_map(mesh, seams, angles, flatten(mesh, seams, angles));
   angles.set(cone, right);
@@ -377,7 +380,7 @@ BOOST_FIXTURE_TEST_CASE(that_are_wrong_are_refused, Sphere_with_cones)
       cone = v;
       break;
     }
-  BOOST_TEST(diagnosis(6) == Report::WRONG_ANGLE_SUM);
+  BOOST_TEST(diagnosis(6) == SMP::Diagnosis::WRONG_ANGLE_SUM);
 }
 
 BOOST_FIXTURE_TEST_CASE(that_leave_nothing_to_a_free_cone_are_refused, Sphere_with_cones)
@@ -389,8 +392,8 @@ BOOST_FIXTURE_TEST_CASE(that_leave_nothing_to_a_free_cone_are_refused, Sphere_wi
   angles.set(other, *angles[other] + *angles[cone] + 0.01);
   angles.set(cone, SMP::free_cone_angle);
   const Map map = flatten(mesh, seams, angles);
-  BOOST_TEST(
-      (map.report.diagnosis == Report::WRONG_ANGLE_TOTAL || map.report.diagnosis == Report::WRONG_ANGLE_SUM));
+  BOOST_TEST((map.report.status == SMP::Diagnosis::WRONG_ANGLE_TOTAL ||
+              map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM));
   BOOST_TEST(!map.offending.empty());
 }
 
@@ -398,7 +401,7 @@ BOOST_FIXTURE_TEST_CASE(need_equal_seams, Sphere_with_cones)
 {
   Options options;
   options.equal_seam_lengths = false;
-  BOOST_TEST(flatten(mesh, seams, angles, options).report.diagnosis == Report::WRONG_OPTION);
+  BOOST_TEST(flatten(mesh, seams, angles, options).report.status == SMP::Diagnosis::WRONG_OPTION);
 }
 
 // Copies of a vertex have keys of their own, and must have the same sum.
@@ -430,7 +433,7 @@ BOOST_FIXTURE_TEST_CASE(of_copies_agree, Sphere_with_cones)
       sum = *sum + 0.01;
     return sum;
   });
-  BOOST_TEST(flatten(mesh, seams, of_one, options).report.diagnosis == Report::WRONG_ANGLE_SUM);
+  BOOST_TEST(flatten(mesh, seams, of_one, options).report.status == SMP::Diagnosis::WRONG_ANGLE_SUM);
 }
 
 BOOST_FIXTURE_TEST_CASE(are_an_error_without_convergence, Sphere_with_cones)
@@ -440,8 +443,8 @@ BOOST_FIXTURE_TEST_CASE(are_an_error_without_convergence, Sphere_with_cones)
     options.max_iterations = 1;
     options.fallbacks = fallbacks;
     const Map map = flatten(mesh, seams, angles, options);
-    BOOST_TEST((map.report.diagnosis == Report::NO_CONVERGENCE ||
-                map.report.diagnosis == Report::FLIPPED_TRIANGLES));
+    BOOST_TEST((map.report.status == SMP::Diagnosis::NO_CONVERGENCE ||
+                map.report.status == SMP::Diagnosis::FLIPPED_TRIANGLES));
   }
 }
 
@@ -482,7 +485,7 @@ BOOST_FIXTURE_TEST_CASE(survive_failures_of_the_solver, Sphere_with_cones)
       BOOST_TEST(parameterizer.report().largest_angle_error < 2e-5);
       BOOST_TEST(parameterizer.report().largest_seam_jump < 2e-5);
     } else {
-      BOOST_TEST(parameterizer.report().diagnosis == Report::LINEAR_SYSTEM_FAILED);
+      BOOST_TEST(parameterizer.report().status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED);
       ++failures;
     }
     if(*traits.calls_left > 0)

@@ -9,6 +9,7 @@
 
 #include "seam_surfaces.h"
 #include "test_data.h"
+#include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
@@ -46,6 +47,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace parameters = CGAL::parameters;
 using namespace seam_surfaces;
 using SMP::Seam_report;
+using SMP::Cone_options;
+using SMP::Diagnosis;
 typedef Surface_mesh Mesh;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Halfedge_index Halfedge;
@@ -71,13 +74,27 @@ std::size_t seams_at(const Mesh& mesh, Seam_map seams, Vertex v)
   return number;
 }
 
-std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number, unsigned seed)
+std::set<Vertex> random_vertices(const Mesh& mesh, std::size_t number, unsigned seed)
 {
   std::mt19937 random(seed);
   std::set<Vertex> chosen;
   while(chosen.size() < (std::min)(number, static_cast<std::size_t>(mesh.number_of_vertices())))
     chosen.insert(Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
-  return {chosen.begin(), chosen.end()};
+  return chosen;
+}
+
+// The set must live as long as the parameters.
+auto through(const std::set<Vertex>& terminals)
+{
+  return parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals));
+}
+
+std::vector<Vertex> in_order(const Selection& selection)
+{
+  std::vector<Vertex> result;
+  for(const auto& cone : selection.cones)
+    result.push_back(cone.first);
+  return result;
 }
 
 void check_disk(const Mesh& mesh, Seam_map seams, const Seam_report& report)
@@ -296,13 +313,18 @@ struct Mapped_surface
   }
 };
 
+SMP::Cone_angles angles(bool are_free)
+{
+  return are_free ? SMP::Cone_angles::FREE : SMP::Cone_angles::PREDICTED;
+}
+
 Cone_flattening check_map(Mesh& mesh, const Surface& surface, std::size_t n, bool is_free)
 {
   const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
-  const Cone_flattening result =
-      SMP::flatten_with_cones(mesh, n, map.seams, map.uv, parameters::free_cones(is_free));
+  const Cone_flattening result = SMP::flatten_with_cones(
+      mesh, n, map.seams, map.uv, with<Cone_options>(&Cone_options::angles, angles(is_free)));
   BOOST_TEST_REQUIRE(result.message == "");
-  BOOST_TEST(to_string(result.diagnosis) == "NOTHING_WRONG");
+  BOOST_TEST(to_string(result.status) == "NOTHING_WRONG");
   BOOST_TEST(result.cones.cones.size() == n);
   BOOST_TEST(result.map.converged);
   if(!is_free)
@@ -323,16 +345,15 @@ BOOST_AUTO_TEST_CASE(seams_reach_all_terminals)
     const Surface surface = random_surface(seed);
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
-    const std::vector<Vertex> terminals = random_vertices(mesh, seed % 7, seed);
+    const std::set<Vertex> terminals = random_vertices(mesh, seed % 7, seed);
     BOOST_TEST_CONTEXT("seed " << seed << ", " << surface.name << ", " << terminals.size() << " terminals")
     {
-      check_disk(mesh, seams, SMP::cut_to_disks(mesh, seams, parameters::terminals(terminals)));
+      check_disk(mesh, seams, SMP::cut_to_disks(mesh, seams, through(terminals)));
       for(Vertex v : terminals)
         BOOST_TEST((mesh.is_border(v) || seams_at(mesh, seams, v) > 0));
       if(surface.handles == 0 && surface.borders == 0 && terminals.size() >= 2)
         for(Vertex v : mesh.vertices()) // a tree, whose leaves are terminals
-          BOOST_TEST((seams_at(mesh, seams, v) != 1 ||
-                      std::find(terminals.begin(), terminals.end(), v) != terminals.end()));
+          BOOST_TEST((seams_at(mesh, seams, v) != 1 || terminals.count(v) == 1));
     }
   }
 }
@@ -345,7 +366,7 @@ BOOST_AUTO_TEST_CASE(of_regular_polyhedra)
     {
       const Mesh mesh = surface.mesh();
       const auto cones = SMP::select_cones(mesh, 4);
-      BOOST_TEST(cones.diagnosis == SMP::Cone_report::NOTHING_WRONG, cones.message);
+      BOOST_TEST(cones.status == Diagnosis::NOTHING_WRONG, cones.message);
       double total = 0;
       for(const auto& cone : cones.cones)
         total += 2 * CGAL_PI - cone.second;
@@ -361,7 +382,8 @@ BOOST_AUTO_TEST_CASE(seams_between_two_terminals)
     const Seam_map seams = add_seams(mesh);
     const Halfedge h = mesh.halfedge(Edge(static_cast<Mesh::size_type>(mesh.number_of_edges() / 3)));
     const std::vector<Vertex> ends = {mesh.source(h), mesh.target(h)};
-    const Seam_report report = SMP::cut_to_disks(mesh, seams, parameters::terminals(ends));
+    const std::set<Vertex> both(ends.begin(), ends.end());
+    const Seam_report report = SMP::cut_to_disks(mesh, seams, through(both));
     check_disk(mesh, seams, report);
     BOOST_TEST(report.number_of_terminals == 2u);
     BOOST_TEST(seams_at(mesh, seams, ends[0]) == 1u);
@@ -377,9 +399,9 @@ BOOST_AUTO_TEST_CASE(seams_of_several_parts)
   Mesh mesh = sphere(2).mesh();
   CGAL::copy_face_graph(slab(2).mesh(), mesh);
   CGAL::copy_face_graph(sphere_with_holes(2, 3).mesh(), mesh);
-  const std::vector<Vertex> terminals = random_vertices(mesh, 20, 5);
+  const std::set<Vertex> terminals = random_vertices(mesh, 20, 5);
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = SMP::cut_to_disks(mesh, seams, parameters::terminals(terminals));
+  const Seam_report report = SMP::cut_to_disks(mesh, seams, through(terminals));
   check_disk(mesh, seams, report);
   BOOST_TEST(report.number_of_components == 3u);
   for(Vertex v : terminals)
@@ -393,13 +415,13 @@ BOOST_AUTO_TEST_CASE(terminals_on_seams)
   const Seam_map seams = add_seams(mesh);
   SMP::cut_to_disks(mesh, seams);
   std::vector<bool> before;
-  std::vector<Vertex> terminals;
+  std::set<Vertex> terminals;
   for(Edge e : mesh.edges()) {
     before.push_back(seams[e]);
     if(seams[e])
-      terminals.push_back(mesh.target(mesh.halfedge(e)));
+      terminals.insert(mesh.target(mesh.halfedge(e)));
   }
-  check_disk(mesh, seams, SMP::cut_to_disks(mesh, seams, parameters::terminals(terminals)));
+  check_disk(mesh, seams, SMP::cut_to_disks(mesh, seams, through(terminals)));
   for(Edge e : mesh.edges())
     BOOST_TEST(seams[e] == before[e.idx()]);
 }
@@ -416,18 +438,19 @@ BOOST_AUTO_TEST_CASE(terminals_that_cannot_be_reached)
     for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(walled)))
       is_forbidden[mesh.edge(h)] = true;
     const Vertex other = mesh.target(mesh.next(mesh.next(mesh.opposite(mesh.next(mesh.halfedge(walled))))));
-    for(const std::vector<Vertex>& terminals : {std::vector<Vertex>{walled}, {other, walled}}) {
-      const Seam_report report = SMP::cut_to_disks(
-          mesh, seams, parameters::terminals(terminals).edge_is_constrained_map(is_forbidden));
-      BOOST_TEST(report.diagnosis == Seam_report::NO_CUT_ALLOWED);
-      BOOST_TEST(report.message.find("terminals") != std::string::npos);
+    for(const std::set<Vertex>& terminals : {std::set<Vertex>{walled}, {other, walled}}) {
+      const Seam_report report =
+          SMP::cut_to_disks(mesh, seams, through(terminals).edge_is_constrained_map(is_forbidden));
+      BOOST_TEST(report.status == Diagnosis::NO_CUT_ALLOWED);
+      BOOST_TEST(report.message.find("must be reached") != std::string::npos);
       for(Edge e : mesh.edges())
         BOOST_TEST(!seams[e]);
     }
-    const std::vector<Vertex> lonely = {other, mesh.add_vertex(Point_3(9, 9, 9))};
-    const Seam_report report = SMP::cut_to_disks(mesh, seams, parameters::terminals(lonely));
-    BOOST_TEST(report.diagnosis == Seam_report::WRONG_OPTION);
-    BOOST_TEST(report.message == "terminal 1 has no face");
+    const std::set<Vertex> lonely = {other, mesh.add_vertex(Point_3(9, 9, 9))};
+    const Seam_report report = SMP::cut_to_disks(mesh, seams, through(lonely));
+    BOOST_TEST(report.status == Diagnosis::WRONG_OPTION);
+    BOOST_TEST(report.message.find("vertex " + std::to_string(mesh.number_of_vertices() - 1) +
+                                   " has no face") == 0u);
   }
 }
 
@@ -458,7 +481,7 @@ BOOST_AUTO_TEST_CASE(cones_are_those_of_the_slow_rule)
       const Selection selection = SMP::select_cones(mesh, 24);
       BOOST_TEST_REQUIRE(selection.message == "");
       check_angles(mesh, surface, selection);
-      BOOST_TEST((selection.vertices() == cones));
+      BOOST_TEST((in_order(selection) == cones));
       for(const auto& [v, angle] : selection.cones)
         BOOST_TEST(std::abs(2 * CGAL_PI - angle - charges[v]) < 1e-9);
       const Eigen::VectorXd shrunk = (-2 * u).array().exp(), grown = (2 * u).array().exp();
@@ -476,15 +499,16 @@ BOOST_AUTO_TEST_CASE(least_squares_vary_least)
     {
       const Mesh mesh = surface.mesh();
       const Selection predicted = SMP::select_cones(mesh, 12),
-                      least = SMP::select_cones(mesh, 12,
-                                                parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES));
+                      least = SMP::select_cones(
+                          mesh, 12,
+                          with<Cone_options>(&Cone_options::angles, SMP::Cone_angles::LEAST_SQUARES));
       BOOST_TEST_REQUIRE(predicted.message == "");
-      if(least.diagnosis == Cone_report::INFEASIBLE_ANGLES)
+      if(least.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
         continue;
       BOOST_TEST_REQUIRE(least.message == "");
       ++found;
       check_angles(mesh, surface, least);
-      BOOST_TEST((least.vertices() == predicted.vertices()));
+      BOOST_TEST((in_order(least) == in_order(predicted)));
       const Slow_scale slow(mesh);
       const auto charges = [](const Selection& selection) {
         std::vector<double> result;
@@ -492,15 +516,15 @@ BOOST_AUTO_TEST_CASE(least_squares_vary_least)
           result.push_back(2 * CGAL_PI - cone.second);
         return result;
       };
-      const double best = slow.variance(least.vertices(), charges(least));
-      BOOST_TEST(best < slow.variance(least.vertices(), charges(predicted)));
+      const double best = slow.variance(in_order(least), charges(least));
+      BOOST_TEST(best < slow.variance(in_order(least), charges(predicted)));
       for(std::size_t i = 0; i < least.cones.size(); ++i)
         for(double step : {-0.1, 0.1}) {
           std::vector<double> others = charges(least);
           others[i] += step;
           if(surface.borders == 0)
             others[(i + 1) % others.size()] -= step;
-          BOOST_TEST(best < slow.variance(least.vertices(), others));
+          BOOST_TEST(best < slow.variance(in_order(least), others));
         }
     }
   BOOST_TEST(found > 15);
@@ -517,8 +541,9 @@ BOOST_AUTO_TEST_CASE(angles_are_multiples_of_a_quantum)
           const Mesh mesh = surface.mesh();
           const double quantum = 2 * CGAL_PI / turn;
           const Selection any = SMP::select_cones(mesh, 8),
-                          selection = SMP::select_cones(mesh, 8, parameters::angle_quantum(quantum));
-          if(selection.diagnosis == Cone_report::INFEASIBLE_ANGLES)
+                          selection = SMP::select_cones(
+                              mesh, 8, with<Cone_options>(&Cone_options::angle_multiple, quantum));
+          if(selection.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
             continue;
           BOOST_TEST_REQUIRE(selection.message == "");
           ++found;
@@ -536,39 +561,41 @@ BOOST_AUTO_TEST_CASE(angles_are_multiples_of_a_quantum)
 
 BOOST_AUTO_TEST_CASE(what_has_no_cones)
 {
-  const auto check = [](const Mesh& mesh, std::size_t n, const auto& np, Cone_report::Diagnosis diagnosis,
+  const auto check = [](const Mesh& mesh, std::size_t n, const Cone_options& options, Diagnosis diagnosis,
                         const std::string& part) {
-    const Selection selection = SMP::select_cones(mesh, n, np);
-    BOOST_TEST(to_string(selection.diagnosis) == to_string(diagnosis));
+    const Selection selection = SMP::select_cones(mesh, n, options);
+    BOOST_TEST(to_string(selection.status) == to_string(diagnosis));
     BOOST_TEST(selection.message.find(part) != std::string::npos, selection.message);
     BOOST_TEST(selection.cones.empty());
     return selection;
   };
-  const auto none = parameters::default_values();
+  const Cone_options none;
   const Mesh ball = bent(sphere(2), 1).mesh(), ring = torus(12, 8).mesh(), pipe = tube(12, 9).mesh();
-  check(Mesh(), 8, none, Cone_report::EMPTY_MESH, "no faces");
-  check(ball, 1001, none, Cone_report::WRONG_OPTION, "1001 cones");
+  check(Mesh(), 8, none, Diagnosis::EMPTY_MESH, "no faces");
+  check(ball, 1001, none, Diagnosis::WRONG_OPTION, "1001 cones");
   for(double wrong :
       {-1., 1., 7., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    check(ball, 8, parameters::angle_quantum(wrong), Cone_report::WRONG_OPTION, "2 pi is no multiple");
+    check(ball, 8, with<Cone_options>(&Cone_options::angle_multiple, wrong), Diagnosis::WRONG_OPTION,
+          "2 pi is no multiple");
   }
-  check(ring, 8, parameters::angle_quantum(CGAL_PI / 2), Cone_report::WRONG_TOPOLOGY,
+  check(ring, 8, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2), Diagnosis::WRONG_TOPOLOGY,
         "neither a sphere nor a disk");
-  check(pipe, 8, parameters::angle_quantum(CGAL_PI / 2), Cone_report::WRONG_TOPOLOGY,
+  check(pipe, 8, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2), Diagnosis::WRONG_TOPOLOGY,
         "neither a sphere nor a disk");
-  check(ball, 0, none, Cone_report::INFEASIBLE_ANGLES, "needs cones");
+  check(ball, 0, none, Diagnosis::INFEASIBLE_ANGLE_SUMS, "needs cones");
   for(std::size_t n : {1, 2})
     BOOST_TEST(
-        check(ball, n, none, Cone_report::INFEASIBLE_ANGLES, "the cone at (").offending_vertices.size() >=
+        check(ball, n, none, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at (").offending_vertices.size() >=
         1u);
-  check(ball, 3, parameters::angle_quantum(2 * CGAL_PI), Cone_report::INFEASIBLE_ANGLES, "no multiples");
+  check(ball, 3, with<Cone_options>(&Cone_options::angle_multiple, 2 * CGAL_PI),
+        Diagnosis::INFEASIBLE_ANGLE_SUMS, "no multiples");
   BOOST_TEST(SMP::select_cones(ring, 0).message == "");
   BOOST_TEST(SMP::select_cones(pipe, 0).message == "");
 
   Mesh two = ball;
   CGAL::copy_face_graph(ring, two);
   BOOST_TEST(
-      check(two, 8, none, Cone_report::SEVERAL_COMPONENTS, "the face at (").offending_faces.front().idx() ==
+      check(two, 8, none, Diagnosis::SEVERAL_COMPONENTS, "the face at (").offending_faces.front().idx() ==
       ball.number_of_faces());
 
   Mesh pinched = ball;
@@ -577,18 +604,17 @@ BOOST_AUTO_TEST_CASE(what_has_no_cones)
   for(Halfedge h : pinched.halfedges_around_target(last))
     pinched.set_target(h, Vertex(0));
   pinched.remove_vertex(gone);
-  BOOST_TEST(
-      (check(pinched, 8, none, Cone_report::NON_MANIFOLD_VERTEX, "the vertex at (").offending_vertices ==
-       std::vector<Vertex>{Vertex(0)}));
+  BOOST_TEST((check(pinched, 8, none, Diagnosis::NON_MANIFOLD_VERTEX, "the vertex at (").offending_vertices ==
+              std::vector<Vertex>{Vertex(0)}));
 
   Mesh infinite = ball;
   infinite.point(Vertex(3)) = Point_3(0, std::numeric_limits<double>::infinity(), 0);
-  check(infinite, 8, none, Cone_report::NON_FINITE_POINT, "inf");
+  check(infinite, 8, none, Diagnosis::NON_FINITE_POINT, "inf");
 
   Mesh quad;
   quad.add_face(quad.add_vertex({0, 0, 0}), quad.add_vertex({1, 0, 0}), quad.add_vertex({1, 1, 0}),
                 quad.add_vertex({0, 1, 0}));
-  check(quad, 8, none, Cone_report::NOT_TRIANGULATED, "not a triangle");
+  check(quad, 8, none, Diagnosis::NOT_TRIANGULATED, "not a triangle");
 }
 
 // A disk in the plane needs no cone.
@@ -637,9 +663,9 @@ BOOST_AUTO_TEST_CASE(quarter_turns)
       {
         Mesh mesh = surface.mesh();
         const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
-        const Cone_flattening result =
-            SMP::flatten_with_cones(mesh, 12, map.seams, map.uv, parameters::angle_quantum(CGAL_PI / 2));
-        if(result.cones.diagnosis == Cone_report::INFEASIBLE_ANGLES)
+        const Cone_flattening result = SMP::flatten_with_cones(
+            mesh, 12, map.seams, map.uv, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2));
+        if(result.cones.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
           continue;
         ++found;
         BOOST_TEST_REQUIRE(result.message == "");
@@ -658,31 +684,47 @@ BOOST_AUTO_TEST_CASE(what_has_no_map)
   const Seam_map seams = add_seams(mesh);
   const UV_map uv = add_coordinates(mesh);
   seams[Edge(5)] = true;
-  const auto check = [&](std::size_t n, const auto& np, SMP::Cone_flattening_defect diagnosis,
-                         const std::string& part) {
-    const Cone_flattening result = SMP::flatten_with_cones(mesh, n, seams, uv, np);
-    BOOST_TEST(to_string(result.diagnosis) == to_string(diagnosis));
+  enum Stage
+  {
+    CONES,
+    SEAMS,
+    MAP
+  };
+  const auto check_with = [&](std::size_t n, const Cone_options& options, const auto& np, Stage stage,
+                              Diagnosis diagnosis, const std::string& part) {
+    const Cone_flattening result = SMP::flatten_with_cones(mesh, n, seams, uv, options, np);
+    BOOST_TEST(result.status == diagnosis);
+    BOOST_TEST(bool(result.cones) == (stage > CONES));
+    BOOST_TEST(bool(result.seams) == (stage != SEAMS));
+    BOOST_TEST(bool(result.map) == (stage < MAP));
     BOOST_TEST(result.message.find(part) != std::string::npos, result.message);
     for(Edge e : mesh.edges())
       BOOST_TEST(seams[e] == (e == Edge(5)));
     for(Halfedge h : mesh.halfedges())
       BOOST_TEST(uv[h] == Kernel::Point_2(7, 7));
-    return result;
   };
-  typedef SMP::Cone_flattening_defect Defect;
-  check(1, parameters::default_values(), Defect::CONES, "the cone at (");
-  check(8, parameters::angle_quantum(1), Defect::CONES, "2 pi is no multiple");
-  check(8, parameters::angle_quantum(CGAL_PI, parameters::free_cones(true)), Defect::CONES, "free cones");
+  const auto check = [&](std::size_t n, const Cone_options& options, Stage stage, Diagnosis diagnosis,
+                         const std::string& part) {
+    check_with(n, options, parameters::default_values(), stage, diagnosis, part);
+  };
+  check(1, Cone_options(), CONES, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at (");
+  check(8, with<Cone_options>(&Cone_options::angle_multiple, 1), CONES, Diagnosis::WRONG_OPTION,
+        "2 pi is no multiple");
+  check(8,
+        with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI, &Cone_options::angles,
+                           SMP::Cone_angles::FREE),
+        CONES, Diagnosis::WRONG_OPTION, "free angles");
   const auto forbidden = boost::make_function_property_map<Edge>([](Edge) { return true; });
-  check(8, parameters::edge_is_constrained_map(forbidden), Defect::SEAMS, "cannot be cut to a disk");
+  check_with(8, Cone_options(), parameters::edge_is_constrained_map(forbidden), SEAMS,
+             Diagnosis::NO_CUT_ALLOWED, "cannot be cut to a disk");
   SMP::ABF_plus_plus_options options;
   options.equal_seam_lengths = false;
-  BOOST_TEST(
-      (check(8, parameters::parameterizer_options(options), Defect::MAP, "equal lengths").map.diagnosis ==
-       SMP::Flattening_report::WRONG_OPTION));
+  check(8, with<Cone_options>(&Cone_options::parameterizer, options), MAP, Diagnosis::WRONG_OPTION,
+        "equal lengths");
   options.equal_seam_lengths.reset();
   options.tolerance = -1;
-  check(8, parameters::parameterizer_options(options), Defect::MAP, "tolerance");
+  check(8, with<Cone_options>(&Cone_options::parameterizer, options), MAP, Diagnosis::WRONG_OPTION,
+        "tolerance");
 }
 
 BOOST_AUTO_TEST_CASE(points_threads_and_coordinates)
@@ -696,16 +738,17 @@ BOOST_AUTO_TEST_CASE(points_threads_and_coordinates)
   SMP::ABF_plus_plus_options options;
   options.threads = 1;
   BOOST_TEST(
-      SMP::flatten_with_cones(mesh, 8, seams, uv, parameters::parameterizer_options(options)).message == "");
+      SMP::flatten_with_cones(mesh, 8, seams, uv, with<Cone_options>(&Cone_options::parameterizer, options))
+          .message == "");
   options.threads = 2;
-  BOOST_TEST(
-      SMP::flatten_with_cones(mesh, 8, seams, other, parameters::parameterizer_options(options)).message ==
-      "");
+  BOOST_TEST(SMP::flatten_with_cones(mesh, 8, seams, other,
+                                     with<Cone_options>(&Cone_options::parameterizer, options))
+                 .message == "");
   for(Halfedge h : mesh.halfedges())
     BOOST_TEST(uv[h] == other[h]);
-  BOOST_TEST(
-      SMP::flatten_with_cones(mesh, 8, seams, other, parameters::vertex_point_map(twice.points())).message ==
-      "");
+  BOOST_TEST(SMP::flatten_with_cones(mesh, 8, seams, other, Cone_options(),
+                                     parameters::vertex_point_map(twice.points()))
+                 .message == "");
   double area = 0, least_x = 1, least_y = 1;
   for(Halfedge h : mesh.halfedges()) {
     BOOST_TEST(std::abs(other[h].x() - 2 * uv[h].x()) + std::abs(other[h].y() - 2 * uv[h].y()) < 1e-12);
@@ -739,7 +782,8 @@ BOOST_AUTO_TEST_CASE(polyhedra_and_other_solvers)
   BOOST_TEST(uv.size() == 3 * mesh.number_of_faces());
   BOOST_TEST(seams.size() == mesh.number_of_edges());
   const Selection expected = SMP::select_cones(mesh, 8),
-                  other = SMP::select_cones(mesh, 8, parameters::sparse_linear_solver(Solver()));
+                  other =
+                      SMP::select_cones(mesh, 8, Cone_options(), parameters::sparse_linear_solver(Solver()));
   for(std::size_t i = 0; i < 8; ++i) {
     BOOST_TEST(mesh.point(expected.cones[i].first) == result.cones.cones[i].first->point());
     BOOST_TEST(std::abs(expected.cones[i].second - result.cones.cones[i].second) < 1e-9);
@@ -764,7 +808,7 @@ BOOST_AUTO_TEST_CASE(degenerate_surfaces)
       const Seam_map seams = add_seams(mesh);
       const UV_map uv = add_coordinates(mesh);
       const Cone_flattening result = SMP::flatten_with_cones(mesh, 6, seams, uv);
-      BOOST_TEST((result.diagnosis == SMP::Cone_flattening_defect::NOTHING_WRONG) == (result.message == ""));
+      BOOST_TEST(bool(result) == (result.message == ""));
       if(result.message == "") {
         ++flattened;
         Mapped_surface{mesh, seams, uv}.check_orientations();
@@ -798,7 +842,7 @@ BOOST_AUTO_TEST_CASE(models_with_cones)
       options.equal_seam_lengths = is_equal;
       const auto result = SMP::flatten_with_cones(
           mesh, model.cones, seams, uv,
-          parameters::free_cones(is_free, parameters::parameterizer_options(options)));
+          with<Cone_options>(&Cone_options::angles, angles(is_free), &Cone_options::parameterizer, options));
       BOOST_TEST_REQUIRE(result.message == "");
       const auto cut = SMP::make_seam_mesh(mesh, seams);
       return SMP::measure_flattening(cut, SMP::border_halfedge(cut), uv);

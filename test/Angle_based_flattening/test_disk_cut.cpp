@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_SUITE(test_disk_cut)
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace abf = SMP::internal::ABF;
 using seam_surfaces::Surface;
-using SMP::Disk_cut_defect;
+using SMP::Diagnosis;
 typedef seam_surfaces::Surface_mesh Mesh;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Face_index Face;
@@ -72,17 +72,17 @@ Seams<Mesh> seams_along(const Mesh& mesh, const std::vector<Vertex>& path)
 }
 
 template <typename TriangleMesh>
-SMP::Disk_cut_check<TriangleMesh> check(const TriangleMesh& mesh, const Seams<TriangleMesh>& seams)
+SMP::Disk_cut_report<TriangleMesh> check(const TriangleMesh& mesh, const Seams<TriangleMesh>& seams)
 {
   return SMP::is_disk_cut(mesh, seams.map);
 }
 
-SMP::Disk_cut_check<Mesh> check_along(const Mesh& mesh, const std::vector<Vertex>& path)
+SMP::Disk_cut_report<Mesh> check_along(const Mesh& mesh, const std::vector<Vertex>& path)
 {
   return check(mesh, seams_along(mesh, path));
 }
 
-std::string name(Disk_cut_defect defect)
+std::string name(Diagnosis defect)
 {
   return SMP::to_string(defect);
 }
@@ -168,16 +168,16 @@ std::vector<Count> count_parts(const Mesh& mesh, const Seams<Mesh>& seams)
   return counts;
 }
 
-Disk_cut_defect expected_defect(const Count& count)
+Diagnosis expected_defect(const Count& count)
 {
   const long twice_handles =
       2 - static_cast<long>(count.borders + count.vertices + count.faces) + static_cast<long>(count.edges);
-  return count.borders == 0     ? Disk_cut_defect::CLOSED
-         : twice_handles > 0    ? Disk_cut_defect::HANDLES
-         : count.borders > 1    ? Disk_cut_defect::SEVERAL_BORDERS
-         : count.short_border   ? Disk_cut_defect::SHORT_BORDER
-         : count.parallel_edges ? Disk_cut_defect::PARALLEL_EDGES
-                                : Disk_cut_defect::NOTHING_WRONG;
+  return count.borders == 0     ? Diagnosis::NO_BORDER
+         : twice_handles > 0    ? Diagnosis::NONZERO_GENUS
+         : count.borders > 1    ? Diagnosis::SEVERAL_BORDERS
+         : count.short_border   ? Diagnosis::SHORT_BORDER
+         : count.parallel_edges ? Diagnosis::PARALLEL_EDGES
+                                : Diagnosis::NOTHING_WRONG;
 }
 
 // Each edge with some probability; or a single one; or a tree that spans all vertices, and some edges more
@@ -225,7 +225,7 @@ std::pair<bool, int> read_part(const Seam_mesh& mesh, typename Seam_mesh::halfed
 BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
 {
   std::mt19937 random(1);
-  std::map<Disk_cut_defect, int> tally;
+  std::map<Diagnosis, int> tally;
   for(unsigned seed = 0; seed < 400; ++seed) {
     const Surface surface = seam_surfaces::random_surface(seed);
     BOOST_TEST_CONTEXT(surface.name << ", seed " << seed)
@@ -244,16 +244,16 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
         BOOST_TEST(part.euler_characteristic ==
                    static_cast<std::ptrdiff_t>(counts[p].vertices + counts[p].faces) -
                        static_cast<std::ptrdiff_t>(counts[p].edges));
-        BOOST_TEST(name(part.defect) == name(expected_defect(counts[p])));
-        ++tally[part.defect];
-        disks += part.defect == Disk_cut_defect::NOTHING_WRONG;
+        BOOST_TEST(name(part.status) == name(expected_defect(counts[p])));
+        ++tally[part.status];
+        disks += part.status == Diagnosis::NOTHING_WRONG;
         vertices += counts[p].vertices;
         const auto border = SMP::border_halfedge(seam_mesh, part.face);
-        if(part.defect == Disk_cut_defect::CLOSED)
+        if(part.status == Diagnosis::NO_BORDER)
           BOOST_TEST((border == Mesh::null_halfedge()));
         else {
           const auto [is_taken, vertices_read] = read_part(seam_mesh, border);
-          BOOST_TEST(is_taken == (part.defect == Disk_cut_defect::NOTHING_WRONG));
+          BOOST_TEST(is_taken == (part.status == Diagnosis::NOTHING_WRONG));
           BOOST_TEST(static_cast<std::size_t>(vertices_read) == counts[p].vertices);
         }
       }
@@ -263,9 +263,8 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
       BOOST_TEST(num_vertices(seam_mesh) == vertices);
     }
   }
-  for(Disk_cut_defect defect :
-      {Disk_cut_defect::NOTHING_WRONG, Disk_cut_defect::CLOSED, Disk_cut_defect::HANDLES,
-       Disk_cut_defect::SEVERAL_BORDERS, Disk_cut_defect::SHORT_BORDER})
+  for(Diagnosis defect : {Diagnosis::NOTHING_WRONG, Diagnosis::NO_BORDER, Diagnosis::NONZERO_GENUS,
+                          Diagnosis::SEVERAL_BORDERS, Diagnosis::SHORT_BORDER})
     BOOST_TEST(tally[defect] > 3, name(defect) << " occurs only " << tally[defect] << " times");
 }
 
@@ -294,7 +293,7 @@ BOOST_AUTO_TEST_CASE(no_faces)
   Mesh mesh;
   mesh.add_vertex({0, 0, 0});
   const auto result = check(mesh, Seams<Mesh>(mesh));
-  BOOST_TEST(name(result.defect) == "EMPTY_MESH");
+  BOOST_TEST(name(result.status) == "EMPTY_MESH");
   BOOST_TEST(result.parts.empty());
   BOOST_TEST(!result.message.empty());
 }
@@ -309,7 +308,7 @@ BOOST_AUTO_TEST_CASE(polygons)
   const Face face = mesh.add_face(square);
   auto seams = seams_along(mesh, {Vertex(0), Vertex(1), Vertex(2)});
   const auto result = check(mesh, seams);
-  BOOST_TEST(name(result.defect) == "NOT_TRIANGULATED");
+  BOOST_TEST(name(result.status) == "NOT_TRIANGULATED");
   BOOST_TEST(result.defective_part == 1u);
   BOOST_TEST(result.number_of_disks == 1u);
   BOOST_TEST(mesh.face(result.parts[1].where) == face);
@@ -320,7 +319,7 @@ BOOST_AUTO_TEST_CASE(seams_on_a_sphere)
 {
   const Mesh mesh = seam_surfaces::octahedron().mesh(); // with the poles 4 and 5
   const auto one = check_along(mesh, {Vertex(0), Vertex(2)});
-  BOOST_TEST(name(one.defect) == "SHORT_BORDER");
+  BOOST_TEST(name(one.status) == "SHORT_BORDER");
   BOOST_TEST(mesh.edge(one.parts[0].where) == mesh.edge(mesh.halfedge(Vertex(0), Vertex(2))));
   BOOST_TEST(one.message == "the part of face 0 (8 faces) has a border of 2 edges, between vertices 0 and 2: "
                             "no planar triangulation has fewer than three");
@@ -333,7 +332,7 @@ BOOST_AUTO_TEST_CASE(seams_on_a_sphere)
   auto apart = seams_along(mesh, {Vertex(0), Vertex(2), Vertex(4)});
   put(apart.map, mesh.edge(mesh.halfedge(Vertex(1), Vertex(5))), true);
   const auto two = check(mesh, apart);
-  BOOST_TEST(name(two.defect) == "SEVERAL_BORDERS");
+  BOOST_TEST(name(two.status) == "SEVERAL_BORDERS");
   BOOST_TEST(two.parts[0].borders.size() == 2u);
   BOOST_TEST(two.message ==
              "the part of face 0 (8 faces) has 2 borders: with the edges between vertices 0 and 2 and "
@@ -359,7 +358,7 @@ BOOST_AUTO_TEST_CASE(seams_and_borders)
       break;
     }
   const auto slit = check_along(mesh, {inner, deeper});
-  BOOST_TEST(name(slit.defect) == "SEVERAL_BORDERS");
+  BOOST_TEST(name(slit.status) == "SEVERAL_BORDERS");
   for(Halfedge h : halfedges_around_target(inner, mesh))
     if(CGAL::is_border(mesh.source(h), mesh)) {
       const auto ends_on_border = check_along(mesh, {mesh.source(h), inner, deeper});
@@ -390,7 +389,7 @@ BOOST_AUTO_TEST_CASE(pinched_vertices)
   const Mesh half = mesh_of({{0, 1, 2}, {0, 2, 3}, {1, 3, 2}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {4, 6, 5}});
   Seams<Mesh> slit = seams_along(half, {Vertex(1), Vertex(2), Vertex(3)});
   const auto refused = check(half, slit);
-  BOOST_TEST(name(refused.defect) == "NON_MANIFOLD_VERTEX");
+  BOOST_TEST(name(refused.status) == "NON_MANIFOLD_VERTEX");
   BOOST_TEST(half.target(refused.parts[0].where) == Vertex(0));
   BOOST_TEST(refused.message == "vertex 0 is surrounded by faces, and belongs to other faces as well");
   put(slit.map, half.edge(half.halfedge(Vertex(4), Vertex(5))), true);
@@ -414,7 +413,7 @@ BOOST_AUTO_TEST_CASE(parallel_edges)
        test_charts::interior_degree_1(grid, random)}) {
     const Mesh mesh = test_charts::mesh_of_chart<Mesh>(infeasible.chart);
     const auto result = check(mesh, Seams<Mesh>(mesh));
-    BOOST_TEST(name(result.defect) == "PARALLEL_EDGES");
+    BOOST_TEST(name(result.status) == "PARALLEL_EDGES");
     const std::set<int> ends{static_cast<int>(mesh.source(result.parts[0].where).idx()),
                              static_cast<int>(mesh.target(result.parts[0].where).idx())};
     const auto& offenders = infeasible.offenders;
@@ -457,7 +456,7 @@ BOOST_AUTO_TEST_CASE(any_mesh_type)
           }
         const auto x = check(polyhedron, a);
         const auto y = check(mesh, b);
-        BOOST_TEST(name(x.defect) == name(y.defect));
+        BOOST_TEST(name(x.status) == name(y.status));
         BOOST_TEST(x.parts.size() == y.parts.size());
         BOOST_TEST(x.number_of_disks == y.number_of_disks);
         const auto p = SMP::make_seam_mesh(polyhedron, a.map);

@@ -64,6 +64,13 @@ struct Run
       offenders.insert(static_cast<int>(v));
   }
 
+  static SMP::ABF_plus_plus_options refusing_holes()
+  {
+    SMP::ABF_plus_plus_options options;
+    options.holes = SMP::ABF_plus_plus_options::REFUSE;
+    return options;
+  }
+
   static Vertex vertex(int v) { return Vertex(static_cast<unsigned>(v)); }
 
   std::string fault_of_map() const
@@ -89,8 +96,8 @@ struct Run
   std::string contradiction() const
   {
     const SMP::ABF_plus_plus_report& report = parameterizer.report();
-    if(error_code(report.diagnosis) != code ||
-       (report.diagnosis == Report::NOTHING_WRONG) != (code == SMP::OK) ||
+    if(error_code(report.status) != code ||
+       (report.status == SMP::Diagnosis::NOTHING_WRONG) != (code == SMP::OK) ||
        report.message.empty() != (code == SMP::OK))
       return "the report contradicts the error code";
     if(code == SMP::OK)
@@ -107,7 +114,7 @@ struct Run
   const Point_2 untouched{-17, 42};
   Surface_mesh mesh;
   Surface_mesh::Property_map<Vertex, Point_2> uv;
-  Parameterizer parameterizer;
+  Parameterizer parameterizer{refusing_holes()};
   SMP::Error_code code;
   std::set<int> offenders;
 };
@@ -136,7 +143,7 @@ void check_feasible(const std::string& name, const std::function<Chart(std::mt19
     const std::string contradiction = run.contradiction();
     if(!contradiction.empty() || run.code == SMP::OK)
       return contradiction;
-    if(may_exceed_precision && run.parameterizer.report().diagnosis == Report::PRECISION_EXCEEDED)
+    if(may_exceed_precision && run.parameterizer.report().status == SMP::Diagnosis::PRECISION_EXCEEDED)
       return "";
     std::ostringstream text;
     text << "error " << run.code << " with " << chart.number_of_triangles() << " triangles, "
@@ -153,7 +160,7 @@ void check_infeasible(const std::string& name, const std::function<Infeasible_ch
     if(!contradiction.empty())
       return contradiction;
     const std::vector<std::set<int>>& expected = infeasible.offenders;
-    if(run.parameterizer.report().diagnosis != infeasible.diagnosis ||
+    if(run.parameterizer.report().status != infeasible.status ||
        std::find(expected.begin(), expected.end(), run.offenders) == expected.end())
       return "another diagnosis: " + run.parameterizer.report().message;
     return "";

@@ -222,14 +222,14 @@ BOOST_AUTO_TEST_CASE(solver_that_fails)
           with_layout(layout), Faulty_traits(RETURN_FALSE, countdown));
       const SMP::Error_code code = run.parameterize(parameterizer);
       failed = countdown.has_ended();
-      BOOST_TEST(error_code(parameterizer.report().diagnosis) == code);
+      BOOST_TEST(error_code(parameterizer.report().status) == code);
       if(code == SMP::OK) { // the least squares layout does without its corrections
         BOOST_TEST((!failed || layout == Options::LEAST_SQUARES_LAYOUT));
         BOOST_TEST(SMP::is_locally_injective(run.mesh, run.uv));
       } else {
         ++failures;
         BOOST_TEST(code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
-        BOOST_TEST(parameterizer.report().diagnosis == Report::LINEAR_SYSTEM_FAILED);
+        BOOST_TEST(parameterizer.report().status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED);
         BOOST_TEST(!parameterizer.report().message.empty());
         BOOST_TEST(run.is_untouched());
       }
@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(solver_that_lies)
               with_layout(layout), Faulty_traits(fault, countdown));
           const SMP::Error_code code = run.parameterize(parameterizer);
           lied = countdown.has_ended();
-          BOOST_TEST(error_code(parameterizer.report().diagnosis) == code);
+          BOOST_TEST(error_code(parameterizer.report().status) == code);
           if(code == SMP::OK) {
             BOOST_TEST(SMP::is_locally_injective(run.mesh, run.uv));
           } else {
@@ -382,7 +382,7 @@ void check_stopping_visitor(int least_calls)
         }
         BOOST_TEST(!throws);
         BOOST_TEST(code == SMP::ERROR_NO_1_TO_1_MAPPING);
-        BOOST_TEST(parameterizer.report().diagnosis == SMP::ABF_plus_plus_report::CANCELLED);
+        BOOST_TEST(parameterizer.report().status == SMP::Diagnosis::CANCELLED);
       } catch(const std::runtime_error&) {
         BOOST_TEST(throws);
       }

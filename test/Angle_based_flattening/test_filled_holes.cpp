@@ -363,20 +363,22 @@ BOOST_AUTO_TEST_CASE(parameterizers_take_the_option)
     const auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
     const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
     SMP::parameterize(mesh, parameterizer, border, uv);
-    return parameterizer.report().diagnosis;
+    return parameterizer.report().status;
   };
   Options options;
   SMP::Hierarchical_options hierarchical;
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::SEVERAL_BORDERS);
-  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::SEVERAL_BORDERS);
+  BOOST_TEST(options.holes == Options::SOLVE);
+  options.holes = hierarchical.holes = Options::REFUSE;
+  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == SMP::Diagnosis::SEVERAL_BORDERS);
+  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == SMP::Diagnosis::SEVERAL_BORDERS);
   options.holes = hierarchical.holes = Options::FILL;
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::NOTHING_WRONG);
-  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::NOTHING_WRONG);
+  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == SMP::Diagnosis::NOTHING_WRONG);
+  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == SMP::Diagnosis::NOTHING_WRONG);
   options.holes = hierarchical.holes = Options::SOLVE;
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::NOTHING_WRONG);
-  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == Report::NOTHING_WRONG);
+  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == SMP::Diagnosis::NOTHING_WRONG);
+  BOOST_TEST(run(SMP::Hierarchical_parameterizer_3<Mesh>(hierarchical)) == SMP::Diagnosis::NOTHING_WRONG);
   options.holes = static_cast<Options::Holes>(3);
-  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == Report::WRONG_OPTION);
+  BOOST_TEST(run(SMP::ABF_plus_plus_parameterizer_3<Mesh>(options)) == SMP::Diagnosis::WRONG_OPTION);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -634,7 +634,9 @@ BOOST_AUTO_TEST_CASE(same_bits_whatever_the_number_of_threads)
 BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
 {
   Mesh mesh = bump_mesh(5);
-  SMP::Hierarchical_parameterizer_3<Mesh> hierarchical;
+  Options refusing;
+  refusing.holes = Options::REFUSE;
+  SMP::Hierarchical_parameterizer_3<Mesh> hierarchical(refusing);
   std::map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2> uv;
   std::map<Mesh::Vertex_index, bool> parameterized;
   const auto run = [&] {
@@ -644,7 +646,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   };
   CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(24)), mesh);
   BOOST_TEST(run() == SMP::ERROR_NO_TOPOLOGICAL_DISC);
-  BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::SEVERAL_BORDERS);
+  BOOST_TEST(hierarchical.report().status == SMP::Diagnosis::SEVERAL_BORDERS);
   mesh.point(Mesh::Vertex_index(8)) = {0, 0, std::numeric_limits<double>::infinity()};
   BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
   BOOST_TEST(hierarchical.offending_vertices().front() == Mesh::Vertex_index(8));
@@ -652,7 +654,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   wrong.simplification_rate = 1;
   hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);
   BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
-  BOOST_TEST(hierarchical.report().diagnosis == SMP::ABF_plus_plus_report::WRONG_OPTION);
+  BOOST_TEST(hierarchical.report().status == SMP::Diagnosis::WRONG_OPTION);
   wrong = Options();
   wrong.energy_tolerance = 1;
   hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);

@@ -77,7 +77,7 @@ void check_valid(const Chart& chart)
   options.tolerance = 1e-6;
   const auto result = flatten(chart, options);
   const Report& report = result.report;
-  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(report.converged);
   BOOST_TEST(report.flipped_triangles == 0);
   BOOST_TEST(report.constraint_residual <= options.tolerance);
@@ -358,7 +358,7 @@ BOOST_AUTO_TEST_CASE(refuse_too_large_a_range_of_scale)
 {
   const Chart chart = tube(24, 120, 1, 1, 2 * CGAL_PI * 5);
   const auto result = flatten(chart);
-  BOOST_TEST(result.report.diagnosis == Report::SCALE_TOO_LARGE);
+  BOOST_TEST(result.report.status == SMP::Diagnosis::SCALE_TOO_LARGE);
   BOOST_TEST(result.report.predicted_scale_range > 1e10);
   BOOST_TEST(result.invalid.size() == chart.hole(0).size());
   BOOST_TEST(flatten(flat_chart_with_holes(3, 1)).report.predicted_scale_range < 2);
@@ -374,14 +374,14 @@ BOOST_AUTO_TEST_CASE(are_tried_in_turn)
   std::mt19937 random(3);
   const Chart chart = punched(noisy_terrain(20, 6, random), 3, 1, random);
   const Report report = flatten(chart, options).report;
-  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(report.flipped_triangles == 0);
   BOOST_REQUIRE(report.failed_strategies.size() >= 3u);
   BOOST_TEST(report.failed_strategies[0].strategy == Report::FROM_TARGET_ANGLES);
   BOOST_TEST(report.failed_strategies[1].strategy == Report::SOFT_PATCHES);
   BOOST_TEST(report.failed_strategies[2].strategy == Report::STIFF_PATCHES);
   options.fallbacks = false;
-  BOOST_TEST(flatten(chart, options).report.diagnosis == Report::NO_CONVERGENCE);
+  BOOST_TEST(flatten(chart, options).report.status == SMP::Diagnosis::NO_CONVERGENCE);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

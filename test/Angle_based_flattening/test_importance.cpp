@@ -110,7 +110,7 @@ void check_refused(double importance)
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(-1, -1)).first;
   BOOST_TEST(SMP::parameterize(mesh, parameterizer, CGAL::Polygon_mesh_processing::longest_border(mesh).first,
                                uv) == SMP::ERROR_WRONG_PARAMETER);
-  BOOST_TEST(parameterizer.report().diagnosis == Report::WRONG_IMPORTANCE);
+  BOOST_TEST(parameterizer.report().status == SMP::Diagnosis::WRONG_WEIGHT);
   BOOST_TEST(!parameterizer.report().message.empty());
   BOOST_REQUIRE(parameterizer.offending_faces().size() == 1);
   BOOST_TEST(parameterizer.offending_faces().front() == wrong);

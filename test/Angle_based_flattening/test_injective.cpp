@@ -142,7 +142,7 @@ struct Run
 template <typename Planar_point>
 std::string contradiction(const Run<Planar_point>& run, const Report& report)
 {
-  if(error_code(report.diagnosis) != run.code || report.message.empty() != (run.code == SMP::OK))
+  if(error_code(report.status) != run.code || report.message.empty() != (run.code == SMP::OK))
     return "the report contradicts the error code";
   if(run.code != SMP::OK)
     return run.is_untouched() ? "" : "an error, and something was changed";
@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_doubles_cannot_hold_is_an_error_that_says_so)
     Parameterizer parameterizer(injective(0));
     const Run<> run(chart, parameterizer);
     BOOST_TEST(contradiction(run, parameterizer.report()) == "");
-    BOOST_TEST((run.code == SMP::OK || parameterizer.report().diagnosis == Report::PRECISION_EXCEEDED),
+    BOOST_TEST((run.code == SMP::OK || parameterizer.report().status == SMP::Diagnosis::PRECISION_EXCEEDED),
                parameterizer.report().message);
   };
   for(double length : {40., 100.})
@@ -439,7 +439,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name)
     Parameterizer parameterizer(options);
     const Run<> run(comb(2, 2, 0), parameterizer);
     BOOST_TEST(run.code == SMP::ERROR_WRONG_PARAMETER);
-    BOOST_TEST((parameterizer.report().diagnosis == Report::WRONG_OPTION));
+    BOOST_TEST((parameterizer.report().status == SMP::Diagnosis::WRONG_OPTION));
     BOOST_TEST(parameterizer.report().message.find(name) != std::string::npos,
                parameterizer.report().message);
     BOOST_TEST(run.is_untouched());
@@ -633,7 +633,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_rounded_stay_injective)
     BOOST_TEST(contradiction(run, parameterizer.report()) == "");
     written += run.code == SMP::OK;
     if(run.code != SMP::OK)
-      BOOST_TEST((parameterizer.report().diagnosis == Report::PRECISION_EXCEEDED));
+      BOOST_TEST((parameterizer.report().status == SMP::Diagnosis::PRECISION_EXCEEDED));
   }
   BOOST_TEST(written >= 2);
 }
@@ -690,7 +690,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_stops_every_stage)
         BOOST_TEST(!(is_stopped && visitor.throws));
         if(is_stopped) {
           BOOST_TEST(run.code == SMP::ERROR_NO_1_TO_1_MAPPING);
-          BOOST_TEST((parameterizer.report().diagnosis == Report::CANCELLED));
+          BOOST_TEST((parameterizer.report().status == SMP::Diagnosis::CANCELLED));
         }
       } catch(const std::runtime_error&) {
         BOOST_TEST(visitor.throws);

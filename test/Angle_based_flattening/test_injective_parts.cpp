@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(the_direct_method_gives_injective_maps_too)
       ++overlapping;
       BOOST_TEST(injective.strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT);
       BOOST_REQUIRE(!injective.failed_strategies.empty());
-      BOOST_TEST(injective.failed_strategies.back().diagnosis == SMP::Flattening_report::OVERLAPPING);
+      BOOST_TEST(injective.failed_strategies.back().status == SMP::Diagnosis::OVERLAPPING);
       BOOST_TEST(injective.triangles == chart.number_of_triangles());
     }
   }

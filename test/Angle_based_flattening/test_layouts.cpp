@@ -101,10 +101,10 @@ BOOST_AUTO_TEST_CASE(accepts_what_can_be_flattened)
   BOOST_TEST(abf::diagnose(annulus(5), true).message == "");
 }
 
-void check_defect(const Chart& chart, Report::Diagnosis expected, const std::vector<int>& vertices)
+void check_defect(const Chart& chart, SMP::Diagnosis expected, const std::vector<int>& vertices)
 {
   const abf::Chart_defect defect = abf::diagnose(chart, false);
-  BOOST_TEST(defect.diagnosis == expected);
+  BOOST_TEST(defect.status == expected);
   BOOST_TEST(!defect.message.empty());
   BOOST_TEST(defect.vertices == vertices, boost::test_tools::per_element());
 }
@@ -113,15 +113,15 @@ BOOST_AUTO_TEST_CASE(names_what_cannot)
 {
   Chart broken = flat_grid(4, 1);
   broken.points[7] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  check_defect(broken, Report::NON_FINITE_POINT, {7});
+  check_defect(broken, SMP::Diagnosis::NON_FINITE_POINT, {7});
 
-  check_defect(torus_with_hole(5), Report::NONZERO_GENUS, {});
-  BOOST_TEST(abf::diagnose(annulus(5), false).diagnosis == Report::SEVERAL_BORDERS);
+  check_defect(torus_with_hole(5), SMP::Diagnosis::NONZERO_GENUS, {});
+  BOOST_TEST(abf::diagnose(annulus(5), false).status == SMP::Diagnosis::SEVERAL_BORDERS);
 
   const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {0, 2, 0}};
   // Two triangles that share vertex 0, joined by a bridge of others.
   check_defect(make_chart(p, {{0, 1, 2}, {0, 4, 5}, {2, 1, 3}, {3, 1, 6}, {3, 6, 4}, {4, 6, 5}}),
-               Report::NON_MANIFOLD_VERTEX, {0});
+               SMP::Diagnosis::NON_MANIFOLD_VERTEX, {0});
 }
 
 BOOST_AUTO_TEST_CASE(recognises_parallel_edges)
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(recognises_parallel_edges)
   chart.opposite[4] = 2;
   abf::find_borders(chart);
   const abf::Chart_defect defect = abf::diagnose(chart, false);
-  BOOST_TEST(defect.diagnosis == Report::PARALLEL_EDGES);
+  BOOST_TEST(defect.status == SMP::Diagnosis::PARALLEL_EDGES);
   BOOST_REQUIRE_EQUAL(defect.vertices.size(), 2u);
   BOOST_TEST(defect.vertices[0] + defect.vertices[1] == 1);
 }
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(of_charts_without_interior_vertices)
       Options options;
       options.layout = layout;
       const Chart chart = make_chart(used, triangles);
-      BOOST_TEST(flatten(chart, options, uv).diagnosis == Report::NOTHING_WRONG);
+      BOOST_TEST(flatten(chart, options, uv).status == SMP::Diagnosis::NOTHING_WRONG);
       BOOST_TEST(distance_up_to_similarity(projected(chart), uv) < 1e-12);
     }
   }
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(area_is_the_surface_area)
 {
   const Chart chart = bump(10, 3, 1);
   std::vector<Point_2> uv;
-  BOOST_REQUIRE(flatten(chart, Options(), uv).diagnosis == Report::NOTHING_WRONG);
+  BOOST_REQUIRE(flatten(chart, Options(), uv).status == SMP::Diagnosis::NOTHING_WRONG);
   double surface = 0, plane = 0;
   for(int t = 0; t < chart.number_of_triangles(); ++t) {
     surface += abf::surface_area(chart, t);
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(angular_distortion_is_the_energy)
   options.tolerance = 1e-10;
   std::vector<Point_2> uv;
   const Report report = flatten(chart, options, uv);
-  BOOST_REQUIRE(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_REQUIRE(report.status == SMP::Diagnosis::NOTHING_WRONG);
   const double distortion = abf::measure_chart(chart, uv, [](int, const auto&) {}).angular_distortion;
   BOOST_TEST(distortion * chart.number_of_corners() == report.energy, boost::test_tools::tolerance(1e-8));
 }
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(steep_charts_come_out_valid)
       options.barrier = barrier;
       std::vector<Point_2> uv;
       const Report report = flatten(bump(12 + 6 * seed, seed, height), options, uv);
-      BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+      BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
       BOOST_TEST(report.flipped_triangles == 0);
     }
 }
@@ -314,8 +314,8 @@ BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
   for(unsigned int seed = 0; seed < 10; ++seed) {
     std::vector<Point_2> uv;
     const Report report = flatten(bump(8 + 2 * seed, seed, 10 + 10 * seed), Options(), uv);
-    BOOST_TEST((report.diagnosis == Report::NOTHING_WRONG) == (report.flipped_triangles == 0));
-    BOOST_TEST((report.diagnosis == Report::NOTHING_WRONG) == report.message.empty());
+    BOOST_TEST((report.status == SMP::Diagnosis::NOTHING_WRONG) == (report.flipped_triangles == 0));
+    BOOST_TEST((report.status == SMP::Diagnosis::NOTHING_WRONG) == report.message.empty());
   }
 
   Options options;
@@ -325,8 +325,8 @@ BOOST_AUTO_TEST_CASE(flips_are_never_a_success)
   std::vector<Point_2> uv;
   const Report report = flatten(bump(20, 1, 20), options, uv);
   BOOST_TEST(report.flipped_triangles > 0);
-  BOOST_TEST(error_code(report.diagnosis) == SMP::ERROR_NO_1_TO_1_MAPPING);
-  BOOST_TEST(report.diagnosis == Report::NO_CONVERGENCE);
+  BOOST_TEST(error_code(report.status) == SMP::ERROR_NO_1_TO_1_MAPPING);
+  BOOST_TEST(report.status == SMP::Diagnosis::NO_CONVERGENCE);
   BOOST_TEST(!report.message.empty());
 }
 
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE(fallback_strategies_are_tried_and_reported)
   options.max_iterations = 0;
   std::vector<Point_2> uv;
   const Report report = flatten(bump(20, 1, 20), options, uv);
-  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(report.flipped_triangles == 0);
   BOOST_TEST(report.strategy == Report::PROGRESSIVE_EMBEDDING);
   BOOST_REQUIRE(report.failed_strategies.size() == 3);

@@ -557,10 +557,10 @@ BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
   check_origins(model, separated_surface(model, notes), {1, 2, 4, 5});
   const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
   BOOST_TEST_REQUIRE(parts.size() == 2u);
-  BOOST_TEST(parts[0].diagnosis == "DEGENERATE_FACE");
+  BOOST_TEST(parts[0].status == "DEGENERATE_FACE");
   BOOST_TEST(parts[0].first_face == 1u);
   BOOST_TEST(parts[0].faces == 2u);
-  BOOST_TEST(parts[1].diagnosis == "DUPLICATE_FACE");
+  BOOST_TEST(parts[1].status == "DUPLICATE_FACE");
   BOOST_TEST(parts[1].first_face == 4u);
   BOOST_TEST(parts[1].faces == 2u);
   BOOST_TEST((parts[1].message.find("face 5 has the same corners as face 4") != std::string::npos));
@@ -624,7 +624,7 @@ BOOST_AUTO_TEST_CASE(faces_without_extent_are_named)
   check_origins(model, separated_surface(model, notes), {1});
   const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
   BOOST_TEST_REQUIRE(parts.size() == 1u);
-  BOOST_TEST(parts[0].diagnosis == "DEGENERATE_FACE");
+  BOOST_TEST(parts[0].status == "DEGENERATE_FACE");
   BOOST_TEST(parts[0].first_face == 1u);
   BOOST_TEST(parts[0].faces == 1u);
 }

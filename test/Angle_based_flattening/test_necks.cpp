@@ -71,8 +71,10 @@ Result atlas_of(Mesh& mesh, bool cuts, const std::vector<Mesh::Edge_index>& forb
   for(const Mesh::Edge_index e : forbidden)
     constrained[e] = true;
   Result result;
-  result.report = SMP::make_atlas(
-      mesh, uv, np::cut_necks(cuts, np::edge_is_seam_map(seams, np::edge_is_constrained_map(constrained))));
+  const auto charts = mesh.add_property_map<Mesh::Face_index, int>("f:chart").first;
+  SMP::Atlas_options options;
+  options.cut_necks = cuts;
+  result.report = SMP::make_atlas(mesh, seams, uv, charts, options, np::edge_is_constrained_map(constrained));
   for(const Mesh::Edge_index e : mesh.edges())
     if(seams[e])
       result.seams.push_back(e);

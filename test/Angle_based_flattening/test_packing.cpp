@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "planar_charts.h"
+#include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
@@ -32,9 +33,10 @@ namespace ABF = SMP::internal::ABF;
 namespace parameters = CGAL::parameters;
 using ABF::Packing;
 using ABF::Packing_check;
-using ABF::Packing_options;
 using ABF::Planar_point;
 using SMP::Packing_report;
+using SMP::Diagnosis;
+using SMP::Packing_options;
 using test_charts::Planar_charts;
 using test_charts::Texel_oracle;
 
@@ -426,13 +428,15 @@ void check_mesh(const Charts& charts, int resolution, int gutter)
 }
 
 // Fails as it should, and leaves the coordinates alone.
-template <typename Charts, typename NamedParameters>
-std::string check_failure(Charts& charts, Packing_report::Diagnosis diagnosis, const NamedParameters& np)
+template <typename Charts, typename NamedParameters = parameters::Default_named_parameters>
+std::string check_failure(Charts& charts, Diagnosis diagnosis,
+                          const Packing_options& options = Packing_options(),
+                          const NamedParameters& np = parameters::default_values())
 {
   const auto before = charts.coordinates();
-  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv, np);
+  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv, options, np);
   BOOST_TEST(!report);
-  BOOST_TEST(to_string(report.diagnosis) == to_string(diagnosis));
+  BOOST_TEST(report.status == diagnosis);
   BOOST_TEST(!report.message.empty());
   const auto after = charts.coordinates();
   for(std::size_t i = 0; i < before.size(); ++i) {
@@ -447,8 +451,9 @@ std::string check_failure(Charts& charts, Packing_report::Diagnosis diagnosis, c
 BOOST_AUTO_TEST_CASE(surface_mesh)
 {
   Charts_of_mesh<Doubles::Point_3, Doubles::Point_2> charts(30, 21);
-  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                                                 parameters::resolution(128, parameters::gutter(3)));
+  const Packing_report report =
+      SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
+                       with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 3));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_charts == 30u);
   BOOST_TEST(report.number_of_faces == 30u);
@@ -466,9 +471,9 @@ BOOST_AUTO_TEST_CASE(weights)
   Charts_of_mesh<Doubles::Point_3, Doubles::Point_2> charts(12, 22);
   for(const auto f : charts.mesh.faces())
     charts.weight[f] = f.idx() % 3 == 0 ? 3 : 1;
-  const Packing_report report =
-      SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                       parameters::resolution(256, parameters::face_weight_map(charts.weight)));
+  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
+                                                 with<Packing_options>(&Packing_options::resolution, 256),
+                                                 parameters::face_size_map(charts.weight));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(charts, 256, 2);
   for(const auto f : charts.mesh.faces())
@@ -478,14 +483,14 @@ BOOST_AUTO_TEST_CASE(weights)
 BOOST_AUTO_TEST_CASE(coordinates_of_floats_and_of_exact_numbers)
 {
   Charts_of_mesh<Floats::Point_3, Floats::Point_2> floats(25, 23);
-  const Packing_report report =
-      SMP::pack_charts(floats.mesh, floats.chart, floats.uv, parameters::resolution(256));
+  const Packing_report report = SMP::pack_charts(floats.mesh, floats.chart, floats.uv,
+                                                 with<Packing_options>(&Packing_options::resolution, 256));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(floats, 256, 2);
 
   Charts_of_mesh<Exact::Point_3, Exact::Point_2> exact(8, 24);
-  const Packing_report exact_report =
-      SMP::pack_charts(exact.mesh, exact.chart, exact.uv, parameters::resolution(64));
+  const Packing_report exact_report = SMP::pack_charts(
+      exact.mesh, exact.chart, exact.uv, with<Packing_options>(&Packing_options::resolution, 64));
   BOOST_REQUIRE_MESSAGE(exact_report, exact_report.message);
   check_mesh(exact, 64, 2);
 }
@@ -504,7 +509,8 @@ BOOST_AUTO_TEST_CASE(polyhedron)
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
       put(uv, h, Doubles::Point_2(target(h, mesh)->point().x(), target(h, mesh)->point().y()));
   }
-  const Packing_report report = SMP::pack_charts(mesh, chart, uv, parameters::resolution(128));
+  const Packing_report report =
+      SMP::pack_charts(mesh, chart, uv, with<Packing_options>(&Packing_options::resolution, 128));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   std::vector<Planar_point> corners;
   std::vector<int> numbers;
@@ -523,8 +529,8 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_stay)
   charts.chart[f] = -3;
   for(const auto h : charts.mesh.halfedges_around_face(charts.mesh.halfedge(f)))
     charts.uv[h] = Doubles::Point_2(infinity, h.idx());
-  const Packing_report report =
-      SMP::pack_charts(charts.mesh, charts.chart, charts.uv, parameters::resolution(64));
+  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
+                                                 with<Packing_options>(&Packing_options::resolution, 64));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_charts == 8u);
   check_mesh(charts, 64, 2);
@@ -539,38 +545,37 @@ BOOST_AUTO_TEST_CASE(wrong_meshes)
     Charts charts(3, 27);
     for(const auto f : charts.mesh.faces())
       charts.chart[f] = -1;
-    check_failure(charts, Packing_report::EMPTY_MESH, parameters::default_values());
+    check_failure(charts, Diagnosis::EMPTY_MESH);
   }
   {
     Charts charts(3, 28);
     const auto h = charts.mesh.halfedge(CGAL::SM_Face_index(1));
     charts.uv[h] = Doubles::Point_2(std::nan(""), 0);
-    const std::string message =
-        check_failure(charts, Packing_report::NON_FINITE_COORDINATE, parameters::default_values());
+    const std::string message = check_failure(charts, Diagnosis::NON_FINITE_COORDINATE);
     BOOST_TEST(message.find(", 1)") != std::string::npos);
     charts.uv[h] = Doubles::Point_2(0, 0);
     charts.mesh.point(charts.mesh.target(h)) = Doubles::Point_3(0, infinity, 1);
-    check_failure(charts, Packing_report::NON_FINITE_POINT, parameters::default_values());
+    check_failure(charts, Diagnosis::NON_FINITE_POINT);
   }
   {
     Charts charts(3, 29);
     charts.weight[CGAL::SM_Face_index(2)] = -1;
-    const auto np = parameters::face_weight_map(charts.weight);
-    check_failure(charts, Packing_report::WRONG_WEIGHT, np);
+    const auto np = parameters::face_size_map(charts.weight);
+    check_failure(charts, Diagnosis::WRONG_WEIGHT, Packing_options(), np);
     for(const auto f : charts.mesh.faces())
       charts.weight[f] = 0;
-    check_failure(charts, Packing_report::NO_AREA, np);
-    check_failure(charts, Packing_report::WRONG_OPTION, parameters::resolution(0));
-    check_failure(charts, Packing_report::WRONG_OPTION, parameters::gutter(-1));
-    check_failure(charts, Packing_report::WRONG_OPTION, parameters::number_of_rotations(0));
-    check_failure(charts, Packing_report::TOO_MANY_CHARTS, parameters::resolution(5));
+    check_failure(charts, Diagnosis::NO_AREA, Packing_options(), np);
+    check_failure(charts, Diagnosis::WRONG_OPTION, with<Packing_options>(&Packing_options::resolution, 0));
+    check_failure(charts, Diagnosis::WRONG_OPTION, with<Packing_options>(&Packing_options::gutter, -1));
+    check_failure(charts, Diagnosis::WRONG_OPTION,
+                  with<Packing_options>(&Packing_options::number_of_rotations, 0));
+    check_failure(charts, Diagnosis::TOO_MANY_CHARTS, with<Packing_options>(&Packing_options::resolution, 5));
   }
   {
     Charts charts(3, 30);
     for(const auto h : charts.mesh.halfedges_around_face(charts.mesh.halfedge(CGAL::SM_Face_index(1))))
       charts.uv[h] = Doubles::Point_2(h.idx(), 0);
-    const std::string message =
-        check_failure(charts, Packing_report::DEGENERATE_CHART, parameters::default_values());
+    const std::string message = check_failure(charts, Diagnosis::DEGENERATE_CHART);
     BOOST_TEST(message.find("chart 15 ") != std::string::npos);
   }
   {
@@ -578,7 +583,7 @@ BOOST_AUTO_TEST_CASE(wrong_meshes)
     auto& mesh = charts.mesh;
     const auto v = [&](double x, double y) { return mesh.add_vertex(Doubles::Point_3(x, y, 9)); };
     charts.chart[mesh.add_face(v(0, 0), v(1, 0), v(1, 1), v(0, 1))] = 0;
-    check_failure(charts, Packing_report::NOT_TRIANGULATED, parameters::default_values());
+    check_failure(charts, Diagnosis::NOT_TRIANGULATED);
   }
 }
 

@@ -9,6 +9,7 @@
 
 // Included first, to show that they are self-contained.
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
@@ -90,7 +91,7 @@ void check_valid(Mesh& mesh)
   BOOST_TEST(flattening.uv.size() == num_vertices(mesh));
 
   const Report& report = flattening.parameterizer.report(); // survives the call by value
-  BOOST_TEST(report.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(report.converged);
   BOOST_TEST(report.message.empty());
   BOOST_TEST(report.vertices == static_cast<int>(num_vertices(mesh)));
@@ -109,17 +110,17 @@ void check_valid(Mesh& mesh)
 
 // An error leaves the map unchanged, and says what is wrong and where.
 void check_error(Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, SMP::Error_code code,
-                 Report::Diagnosis diagnosis)
+                 SMP::Diagnosis diagnosis, const Options& options = Options())
 {
-  Flattening<Surface_mesh> flattening;
+  Flattening<Surface_mesh> flattening(options);
   const auto vimap = get(boost::vertex_index, mesh);
   auto parameterized = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:done", false).first;
   BOOST_TEST(flattening.parameterizer.parameterize(mesh, bhd, flattening.uvmap(), vimap, parameterized) ==
              code);
   BOOST_TEST(flattening.uv.empty());
   const Report& report = flattening.parameterizer.report();
-  BOOST_TEST(error_code(report.diagnosis) == code);
-  BOOST_TEST(report.diagnosis == diagnosis);
+  BOOST_TEST(error_code(report.status) == code);
+  BOOST_TEST(report.status == diagnosis);
   BOOST_TEST(!report.message.empty());
   check_peak_memory(report);
 }
@@ -349,13 +350,23 @@ BOOST_AUTO_TEST_CASE(wrong_input)
   Surface_mesh mesh;
   test_meshes::make_bump(4, mesh);
   const auto bhd = PMP::longest_border(mesh).first;
-  check_error(mesh, Surface_mesh::null_halfedge(), SMP::ERROR_WRONG_PARAMETER, Report::NOT_ON_BORDER);
-  check_error(mesh, opposite(bhd, mesh), SMP::ERROR_WRONG_PARAMETER, Report::NOT_ON_BORDER);
+  check_error(mesh, Surface_mesh::null_halfedge(), SMP::ERROR_WRONG_PARAMETER, SMP::Diagnosis::NOT_ON_BORDER);
+  check_error(mesh, opposite(bhd, mesh), SMP::ERROR_WRONG_PARAMETER, SMP::Diagnosis::NOT_ON_BORDER);
+  for(const auto wrong : {Surface_mesh::null_halfedge(), opposite(bhd, mesh)}) { // as users call it
+    const auto uv = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv", {7, 7}).first;
+    SMP::ABF_plus_plus_parameterizer_3<Surface_mesh> direct;
+    SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Surface_mesh> hierarchical;
+    BOOST_TEST(SMP::parameterize(mesh, direct, wrong, uv) == SMP::ERROR_WRONG_PARAMETER);
+    BOOST_TEST(SMP::parameterize(mesh, hierarchical, wrong, uv) == SMP::ERROR_WRONG_PARAMETER);
+    BOOST_TEST(direct.report().status == SMP::Diagnosis::NOT_ON_BORDER);
+    BOOST_TEST(hierarchical.report().status == SMP::Diagnosis::NOT_ON_BORDER);
+    BOOST_TEST(uv[Surface_mesh::Vertex_index(0)] == Kernel::Point_2(7, 7));
+  }
 
   Surface_mesh nan = mesh;
   const Surface_mesh::Vertex_index v(7);
   nan.point(v) = Point_3(0, 0, std::numeric_limits<double>::quiet_NaN());
-  check_error(nan, bhd, SMP::ERROR_WRONG_PARAMETER, Report::NON_FINITE_POINT);
+  check_error(nan, bhd, SMP::ERROR_WRONG_PARAMETER, SMP::Diagnosis::NON_FINITE_POINT);
   Flattening<Surface_mesh> flattening;
   flattening.run(nan);
   BOOST_REQUIRE_EQUAL(flattening.parameterizer.offending_vertices().size(), 1u);
@@ -365,7 +376,7 @@ BOOST_AUTO_TEST_CASE(wrong_input)
   CGAL::make_grid(
       3, 3, quads, [](std::size_t i, std::size_t j) { return Point_3(i, j, 0); }, false);
   check_error(quads, PMP::longest_border(quads).first, SMP::ERROR_NON_TRIANGULAR_MESH,
-              Report::NOT_TRIANGULATED);
+              SMP::Diagnosis::NOT_TRIANGULATED);
 }
 
 BOOST_AUTO_TEST_CASE(surface_without_a_border_given)
@@ -374,23 +385,23 @@ BOOST_AUTO_TEST_CASE(surface_without_a_border_given)
   std::map<Surface_mesh::Vertex_index, Point_2> uv;
   Surface_mesh mesh;
   const Report empty = SMP::flatten_surface(mesh, Map(uv));
-  BOOST_TEST(empty.diagnosis == Report::EMPTY_MESH);
+  BOOST_TEST(empty.status == SMP::Diagnosis::EMPTY_MESH);
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
   const Report closed = SMP::flatten_surface(mesh, Map(uv));
-  BOOST_TEST(closed.diagnosis == Report::NO_BORDER);
+  BOOST_TEST(closed.status == SMP::Diagnosis::NO_BORDER);
   BOOST_TEST(closed.message.find("closed") != std::string::npos);
-  BOOST_TEST(SMP::error_code(closed.diagnosis) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
+  BOOST_TEST(SMP::error_code(closed.status) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
   BOOST_TEST(uv.empty());
 
   Surface_mesh bump;
   test_meshes::make_bump(4, bump);
   Flattening<Surface_mesh> flattening;
   flattening.run(bump);
-  BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST((uv == flattening.uv));
   for(const Surface_mesh::Vertex_index v : bump.vertices())
     bump.point(v) = Point_3(0, 0, std::numeric_limits<double>::quiet_NaN());
-  BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).diagnosis == Report::NON_FINITE_POINT);
+  BOOST_TEST(SMP::flatten_surface(bump, Map(uv)).status == SMP::Diagnosis::NON_FINITE_POINT);
 }
 
 BOOST_AUTO_TEST_CASE(report_after_an_exception)
@@ -411,7 +422,7 @@ BOOST_AUTO_TEST_CASE(report_after_an_exception)
   Flattening<Surface_mesh> flattening(options);
   BOOST_CHECK_THROW(flattening.run(mesh), std::runtime_error);
   BOOST_TEST(flattening.uv.empty());
-  BOOST_TEST(flattening.parameterizer.report().diagnosis == Report::CANCELLED);
+  BOOST_TEST(flattening.parameterizer.report().status == SMP::Diagnosis::CANCELLED);
   BOOST_TEST(flattening.parameterizer.report().message == "an exception ended the computation");
 }
 
@@ -436,7 +447,7 @@ BOOST_AUTO_TEST_CASE(wrong_options)
   for(const Options& options : wrong) {
     Flattening<Surface_mesh> flattening(options);
     BOOST_TEST(flattening.run(mesh) == SMP::ERROR_WRONG_PARAMETER);
-    BOOST_TEST(flattening.parameterizer.report().diagnosis == Report::WRONG_OPTION);
+    BOOST_TEST(flattening.parameterizer.report().status == SMP::Diagnosis::WRONG_OPTION);
     BOOST_TEST(!flattening.parameterizer.report().message.empty());
   }
 }
@@ -444,11 +455,20 @@ BOOST_AUTO_TEST_CASE(wrong_options)
 BOOST_AUTO_TEST_CASE(diagnoses_have_names)
 {
   std::set<std::string> names;
-  for(int diagnosis = Report::NOTHING_WRONG; diagnosis <= Report::CANCELLED; ++diagnosis)
-    names.insert(to_string(static_cast<Report::Diagnosis>(diagnosis)));
-  BOOST_TEST(names.size() == Report::CANCELLED + 1u);
-  BOOST_TEST(names.count("") == 0u);
-  BOOST_TEST(names.count("NON_MANIFOLD_VERTEX") == 1u);
+  const int last = static_cast<int>(SMP::Diagnosis::NO_SUCH_EDGE);
+  for(int i = 0; i <= last; ++i)
+    names.insert(to_string(static_cast<SMP::Diagnosis>(i)));
+  BOOST_TEST(names.size() == last + 1u);
+  for(const auto& [diagnosis, name] : std::map<SMP::Diagnosis, std::string>{
+          {SMP::Diagnosis::NOTHING_WRONG, "NOTHING_WRONG"},
+          {SMP::Diagnosis::NON_MANIFOLD_VERTEX, "NON_MANIFOLD_VERTEX"},
+          {SMP::Diagnosis::WRONG_OPTION, "WRONG_OPTION"},
+          {SMP::Diagnosis::LINEAR_SYSTEM_FAILED, "LINEAR_SYSTEM_FAILED"},
+          {SMP::Diagnosis::STRETCH_BOUND_MISSED, "STRETCH_BOUND_MISSED"},
+          {SMP::Diagnosis::NO_TEXTURE_COORDINATES, "NO_TEXTURE_COORDINATES"},
+          {SMP::Diagnosis::CANNOT_OPEN, "CANNOT_OPEN"},
+          {SMP::Diagnosis::NO_SUCH_EDGE, "NO_SUCH_EDGE"}})
+    BOOST_TEST(to_string(diagnosis) == name);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_topology)
@@ -460,11 +480,11 @@ BOOST_AUTO_TEST_CASE(wrong_topology)
   for(Surface_mesh::Vertex_index v : vertices_around_face(halfedge(inner, punctured), punctured))
     BOOST_REQUIRE(!punctured.is_border(v));
   CGAL::Euler::remove_face(halfedge(inner, punctured), punctured);
-  check_error(punctured, bhd, SMP::ERROR_NO_TOPOLOGICAL_DISC, Report::SEVERAL_BORDERS);
-
   Options options;
-  options.holes = Options::SOLVE;
-  Flattening<Surface_mesh> flattening(options);
+  options.holes = Options::REFUSE;
+  check_error(punctured, bhd, SMP::ERROR_NO_TOPOLOGICAL_DISC, SMP::Diagnosis::SEVERAL_BORDERS, options);
+
+  Flattening<Surface_mesh> flattening;
   BOOST_TEST(flattening.run(punctured, bhd) == SMP::OK);
   BOOST_TEST(flattening.parameterizer.report().layout == Report::EXACT);
   BOOST_TEST(flattening.parameterizer.report().converged);

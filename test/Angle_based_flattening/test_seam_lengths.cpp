@@ -9,6 +9,7 @@
 
 #include "seam_surfaces.h"
 #include "test_data.h"
+#include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
@@ -40,6 +41,7 @@ typedef Mesh::Property_map<Mesh::Edge_index, bool> Seams;
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> UV_map;
 typedef SMP::Cut_mesh<Mesh> Seam_mesh;
 typedef SMP::ABF_plus_plus_report Report;
+using SMP::Seam_options;
 typedef SMP::ABF_plus_plus_options Options;
 
 namespace {
@@ -83,8 +85,8 @@ Map flatten(Mesh& mesh, const Seams& seams, const Options& options)
   Map map;
   BOOST_TEST(SMP::parameterize(cut, parameterizer, border, uv) == SMP::OK);
   map.report = parameterizer.report();
-  BOOST_TEST(map.report.diagnosis == Report::NOTHING_WRONG, map.report.message);
-  if(map.report.diagnosis == Report::NOTHING_WRONG) {
+  BOOST_TEST(map.report.status == SMP::Diagnosis::NOTHING_WRONG, map.report.message);
+  if(map.report.status == SMP::Diagnosis::NOTHING_WRONG) {
     map.measures = SMP::measure_flattening(cut, border, uv);
     map.lengths = planar_lengths(mesh, cut, uv);
     map.jump = largest_jump(mesh, seams, map);
@@ -142,8 +144,8 @@ BOOST_AUTO_TEST_CASE(of_spheres_are_equal)
       Mesh mesh = bumpy_sphere(3, seed);
       const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
       BOOST_REQUIRE(
-          SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(1.02 + 0.05 * seed)).diagnosis ==
-          SMP::Seam_report::NOTHING_WRONG);
+          SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02 + 0.05 * seed))
+              .status == SMP::Diagnosis::NOTHING_WRONG);
       check_equal(mesh, seams, 1.5);
     }
 }
@@ -157,7 +159,7 @@ BOOST_AUTO_TEST_CASE(are_equal_to_the_tolerance)
       {
         Mesh mesh = bumpy_sphere(3, seed);
         const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-        SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(1.02));
+        SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02));
         Options options = with_equal_lengths(true);
         options.tolerance = tolerance;
         const Map map = flatten(mesh, seams, options);
@@ -263,10 +265,10 @@ BOOST_AUTO_TEST_CASE(of_wrong_sides_are_refused)
     return parameterizer.report();
   };
   const Halfedge next = disk.next(border), third = disk.next(next);
-  BOOST_TEST(run(next, third).diagnosis == Report::WRONG_OPTION);
-  BOOST_TEST(run(border, border).diagnosis == Report::WRONG_OPTION);
+  BOOST_TEST(run(next, third).status == SMP::Diagnosis::WRONG_OPTION);
+  BOOST_TEST(run(border, border).status == SMP::Diagnosis::WRONG_OPTION);
   const Report glued = run(next, border); // a cone of both sides of one of the corners
-  BOOST_TEST(glued.diagnosis == Report::NOTHING_WRONG);
+  BOOST_TEST(glued.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(glued.largest_seam_jump < 1e-5);
 }
 
@@ -281,8 +283,9 @@ BOOST_AUTO_TEST_CASE(are_equal)
     Mesh mesh;
     BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / name, mesh));
     const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-    BOOST_REQUIRE(SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(1.2)).diagnosis ==
-                  SMP::Seam_report::NOTHING_WRONG);
+    BOOST_REQUIRE(
+        SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2)).status ==
+        SMP::Diagnosis::NOTHING_WRONG);
     BOOST_TEST_CONTEXT(name)
     check_equal(mesh, seams, 1.02);
   }

@@ -270,32 +270,34 @@ BOOST_AUTO_TEST_CASE(selections)
 
 BOOST_AUTO_TEST_CASE(wrong_selections)
 {
-  const auto check = [](const std::string& text, Report::Diagnosis diagnosis, std::size_t line,
+  const auto check = [](const std::string& text, SMP::Diagnosis diagnosis, std::size_t line,
                         std::size_t element, const std::string& message) {
     Octahedron o;
     const Report report = o.read(text);
     BOOST_TEST(!static_cast<bool>(report));
-    BOOST_TEST(SMP::to_string(report.diagnosis) == SMP::to_string(diagnosis));
+    BOOST_TEST(SMP::to_string(report.status) == SMP::to_string(diagnosis));
     BOOST_TEST(report.line == line);
     BOOST_TEST(report.element == element);
     BOOST_TEST(report.message == message);
     BOOST_TEST(marked(o.mesh, o.seams).empty());
   };
-  check("", Report::TOO_FEW_LINES, 0, 0,
+  check("", SMP::Diagnosis::TOO_FEW_LINES, 0, 0,
         "there are only 0 lines, but edges are in the third line (after vertices and faces)");
-  check("\n\n", Report::TOO_FEW_LINES, 0, 0,
+  check("\n\n", SMP::Diagnosis::TOO_FEW_LINES, 0, 0,
         "there are only 2 lines, but edges are in the third line (after vertices and faces)");
-  check("\n\n0 2 2 x4", Report::NOT_A_NUMBER, 3, 4, "line 3: number 4: \"x4\" is not a vertex number");
-  check("\n\n0 2\n2.5 1", Report::NOT_A_NUMBER, 4, 1, "line 4: number 1: \"2.5\" is not a vertex number");
-  check("\n\n-", Report::NOT_A_NUMBER, 3, 1, "line 3: number 1: \"-\" is not a vertex number");
+  check("\n\n0 2 2 x4", SMP::Diagnosis::NOT_A_NUMBER, 3, 4,
+        "line 3: number 4: \"x4\" is not a vertex number");
+  check("\n\n0 2\n2.5 1", SMP::Diagnosis::NOT_A_NUMBER, 4, 1,
+        "line 4: number 1: \"2.5\" is not a vertex number");
+  check("\n\n-", SMP::Diagnosis::NOT_A_NUMBER, 3, 1, "line 3: number 1: \"-\" is not a vertex number");
   for(const std::string number : {"6", "-1", "99999999999999999999999"})
-    check("\n\n0 2 2 " + number, Report::NUMBER_OUT_OF_RANGE, 3, 4,
+    check("\n\n0 2 2 " + number, SMP::Diagnosis::NUMBER_OUT_OF_RANGE, 3, 4,
           "line 3: number 4: there is no vertex " + number + ": the mesh has 6 vertices, numbered from 0");
-  check("\n\n0 2 2", Report::ODD_COUNT, 3, 3,
+  check("\n\n0 2 2", SMP::Diagnosis::ODD_COUNT, 3, 3,
         "line 3: number 3: vertex 2 has no partner: an edge is a pair of numbers");
-  check("\n\n0 2 5 4 1 0", Report::NO_SUCH_EDGE, 3, 3,
+  check("\n\n0 2 5 4 1 0", SMP::Diagnosis::NO_SUCH_EDGE, 3, 3,
         "line 3: number 3: there is no edge between vertices 5 and 4");
-  check("\n\n0 2\n3 3", Report::NO_SUCH_EDGE, 4, 1,
+  check("\n\n0 2\n3 3", SMP::Diagnosis::NO_SUCH_EDGE, 4, 1,
         "line 4: number 1: there is no edge between vertices 3 and 3");
 }
 
@@ -303,11 +305,11 @@ BOOST_AUTO_TEST_CASE(selection_files)
 {
   Octahedron o;
   const Report missing = SMP::read_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams);
-  BOOST_TEST(SMP::to_string(missing.diagnosis) == "CANNOT_OPEN");
+  BOOST_TEST(SMP::to_string(missing.status) == "CANNOT_OPEN");
   BOOST_TEST(missing.message == "cannot open no such folder/a.selection.txt");
-  BOOST_TEST(SMP::to_string(
-                 SMP::write_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams).diagnosis) ==
-             "CANNOT_OPEN");
+  BOOST_TEST(
+      SMP::to_string(SMP::write_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams).status) ==
+      "CANNOT_OPEN");
 
   // What we write is what CGAL reads.
   BOOST_REQUIRE(static_cast<bool>(o.read("\n\n0 2 2 1 4 0")));

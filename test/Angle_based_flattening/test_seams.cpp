@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "seam_surfaces.h"
+#include "test_options.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedron_3.h>
@@ -41,6 +42,7 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace parameters = CGAL::parameters;
 using seam_surfaces::Surface;
 using SMP::Seam_report;
+using SMP::Seam_options;
 typedef seam_surfaces::Surface_mesh Mesh;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Halfedge_index Halfedge;
@@ -81,7 +83,7 @@ double seam_length(const Mesh& mesh, Seam_map seams)
 void check_report(const Mesh& mesh, Seam_map seams, const Seam_report& report)
 {
   BOOST_TEST_REQUIRE(report.message == "");
-  BOOST_TEST(report.diagnosis == Seam_report::NOTHING_WRONG);
+  BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   const auto check = SMP::is_disk_cut(mesh, seams);
   BOOST_TEST(bool(check), check.message);
   BOOST_TEST(report.number_of_disks == report.number_of_components);
@@ -185,7 +187,8 @@ BOOST_AUTO_TEST_CASE(selected_seams_keep_the_bound)
     const Seam_map seams = add_seams(mesh);
     BOOST_TEST_CONTEXT(surface.name)
     {
-      const Seam_report report = SMP::select_seams(mesh, seams, parameters::stretch_bound(1.2));
+      const Seam_report report =
+          SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
       check_report(mesh, seams, report);
       BOOST_TEST(report.bound_reached);
       BOOST_TEST(report.predicted_stretch <= 1.2);
@@ -200,7 +203,8 @@ BOOST_AUTO_TEST_CASE(the_prediction_is_that_of_the_map)
     for(double bound : {1.3, 1.1, 1.05}) {
       Mesh mesh = surface.mesh();
       const Seam_map seams = add_seams(mesh);
-      const Seam_report report = SMP::select_seams(mesh, seams, parameters::stretch_bound(bound));
+      const Seam_report report =
+          SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, bound));
       BOOST_TEST(report.predicted_stretch <= bound);
       BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch,
                  boost::test_tools::tolerance(0.03));
@@ -254,7 +258,8 @@ BOOST_AUTO_TEST_CASE(large_surfaces_with_handles_and_forbidden_edges)
       }
       BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
       {
-        const Seam_report report = SMP::select_seams(mesh, seams, parameters::edge_weight_map(weights));
+        const Seam_report report =
+            SMP::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
         check_report(mesh, seams, report);
         for(Edge e : mesh.edges())
           BOOST_TEST_REQUIRE(!(seams[e] && std::isinf(weights[e])));
@@ -270,7 +275,8 @@ BOOST_AUTO_TEST_CASE(fewer_terminals_than_the_bound_needs)
   Mesh mesh = seam_surfaces::sphere(3).mesh();
   const Seam_map seams = add_seams(mesh);
   const Seam_report report = SMP::select_seams(
-      mesh, seams, parameters::stretch_bound(1.01, parameters::maximum_number_of_terminals(4)));
+      mesh, seams,
+      with<Seam_options>(&Seam_options::stretch_bound, 1.01, &Seam_options::maximum_number_of_terminals, 4));
   check_report(mesh, seams, report);
   BOOST_TEST(report.number_of_terminals == 4u);
   BOOST_TEST(!report.bound_reached);
@@ -320,7 +326,8 @@ BOOST_AUTO_TEST_CASE(a_seam_of_one_edge_becomes_longer)
         check_report(mesh, seams,
                      kind == 0   ? SMP::cut_to_disks(mesh, seams)
                      : kind == 1 ? SMP::select_seams(mesh, seams)
-                                 : SMP::select_seams(mesh, seams, parameters::stretch_bound(1000)));
+                                 : SMP::select_seams(mesh, seams,
+                                                     with<Seam_options>(&Seam_options::stretch_bound, 1000)));
         BOOST_TEST(seams[given]);
       }
     }
@@ -336,8 +343,8 @@ BOOST_AUTO_TEST_CASE(a_seam_of_one_edge_cannot_become_longer)
   for(bool selects : {false, true}) {
     const auto np = parameters::edge_is_constrained_map(is_forbidden);
     const Seam_report report =
-        selects ? SMP::select_seams(mesh, seams, np) : SMP::cut_to_disks(mesh, seams, np);
-    BOOST_TEST(report.diagnosis == Seam_report::NO_CUT_ALLOWED);
+        selects ? SMP::select_seams(mesh, seams, Seam_options(), np) : SMP::cut_to_disks(mesh, seams, np);
+    BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
   }
 }
 
@@ -368,8 +375,8 @@ BOOST_AUTO_TEST_CASE(no_way_is_left)
   for(bool selects : {false, true}) {
     const auto np = parameters::edge_is_constrained_map(is_forbidden);
     const Seam_report report =
-        selects ? SMP::select_seams(mesh, seams, np) : SMP::cut_to_disks(mesh, seams, np);
-    BOOST_TEST(report.diagnosis == Seam_report::NO_CUT_ALLOWED);
+        selects ? SMP::select_seams(mesh, seams, Seam_options(), np) : SMP::cut_to_disks(mesh, seams, np);
+    BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
     BOOST_TEST(report.message.find("vertex at (") != std::string::npos);
     BOOST_TEST(seam_length(mesh, seams) == 0);
   }
@@ -393,8 +400,9 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
   BOOST_TEST(cheap >= 23);
   for(double wrong : {-1., std::numeric_limits<double>::quiet_NaN()}) {
     weights[Edge(17)] = wrong;
-    const Seam_report report = SMP::select_seams(mesh, seams, parameters::edge_weight_map(weights));
-    BOOST_TEST(report.diagnosis == Seam_report::WRONG_WEIGHT);
+    const Seam_report report =
+        SMP::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+    BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(report.message.find("the edge from (") != std::string::npos);
   }
 }
@@ -425,7 +433,7 @@ BOOST_AUTO_TEST_CASE(seams_become_shorter)
     std::mt19937 random(5);
     for(Edge e : mesh.edges())
       weights[e] = 1 + static_cast<double>(random() % 100);
-    SMP::select_seams(mesh, seams, parameters::edge_weight_map(weights));
+    SMP::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
     std::vector<Vertex> ends;
     const auto is_end = [&](Vertex v) {
       int degree = 0;
@@ -507,7 +515,7 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
   for(auto e : edges(polyhedron))
     put(seams, e, false);
   const Seam_report report = SMP::select_seams(polyhedron, seams);
-  BOOST_TEST(report.diagnosis == Seam_report::NOTHING_WRONG);
+  BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(bool(SMP::is_disk_cut(polyhedron, seams)));
 }
 
@@ -518,26 +526,27 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named)
     const Seam_report report = SMP::select_seams(mesh, seams);
     BOOST_TEST(report.message != "");
     BOOST_TEST(seam_length(mesh, seams) == 0);
-    return report.diagnosis;
+    return report.status;
   };
-  BOOST_TEST(diagnosis_of(Mesh()) == Seam_report::EMPTY_MESH);
+  BOOST_TEST(diagnosis_of(Mesh()) == SMP::Diagnosis::EMPTY_MESH);
   Mesh quad;
   quad.add_face(quad.add_vertex(Mesh::Point(0, 0, 0)), quad.add_vertex(Mesh::Point(1, 0, 0)),
                 quad.add_vertex(Mesh::Point(1, 1, 0)), quad.add_vertex(Mesh::Point(0, 1, 0)));
-  BOOST_TEST(diagnosis_of(quad) == Seam_report::NOT_TRIANGULATED);
+  BOOST_TEST(diagnosis_of(quad) == SMP::Diagnosis::NOT_TRIANGULATED);
   Mesh infinite = seam_surfaces::sphere(1).mesh();
   infinite.point(Vertex(3)) = Mesh::Point(0, (std::numeric_limits<double>::infinity)(), 0);
   Seam_map seams = add_seams(infinite);
-  BOOST_TEST(SMP::cut_to_disks(infinite, seams).diagnosis == Seam_report::NON_FINITE_POINT);
+  BOOST_TEST(SMP::cut_to_disks(infinite, seams).status == SMP::Diagnosis::NON_FINITE_POINT);
 
   Mesh sphere = seam_surfaces::sphere(1).mesh();
   seams = add_seams(sphere);
-  BOOST_TEST(SMP::select_seams(sphere, seams, parameters::stretch_bound(0.9)).diagnosis ==
-             Seam_report::WRONG_OPTION);
-  BOOST_TEST(SMP::select_seams(sphere, seams, parameters::stretch_bound(std::nan(""))).diagnosis ==
-             Seam_report::WRONG_OPTION);
-  BOOST_TEST(SMP::select_seams(sphere, seams, parameters::maximum_number_of_terminals(-1)).diagnosis ==
-             Seam_report::WRONG_OPTION);
+  BOOST_TEST(SMP::select_seams(sphere, seams, with<Seam_options>(&Seam_options::stretch_bound, 0.9)).status ==
+             SMP::Diagnosis::WRONG_OPTION);
+  BOOST_TEST(SMP::select_seams(sphere, seams, with<Seam_options>(&Seam_options::stretch_bound, std::nan("")))
+                 .status == SMP::Diagnosis::WRONG_OPTION);
+  BOOST_TEST(
+      SMP::select_seams(sphere, seams, with<Seam_options>(&Seam_options::maximum_number_of_terminals, -1))
+          .status == SMP::Diagnosis::WRONG_OPTION);
 }
 
 // Triangles without area, and all of a surface at one point

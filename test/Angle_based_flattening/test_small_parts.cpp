@@ -10,6 +10,7 @@
 
 #include "atlas_check.h"
 #include "atlas_surfaces.h"
+#include "test_options.h"
 
 #include <CGAL/Surface_mesh.h>
 
@@ -25,6 +26,8 @@ using atlas_check::Atlas_run;
 using atlas_check::check_atlas;
 using atlas_check::make_atlas_of;
 using atlas_check::Wishes;
+using CGAL::Surface_mesh_parameterization::Atlas_options;
+using CGAL::Surface_mesh_parameterization::Diagnosis;
 using atlas_surfaces::Component;
 using atlas_surfaces::component;
 using atlas_surfaces::Union;
@@ -77,7 +80,7 @@ BOOST_AUTO_TEST_CASE(ten_thousand_parts_have_charts)
 {
   const int number = 10000;
   const Atlas_run run = make_atlas_of(small_parts(number));
-  BOOST_TEST(run.report.diagnosis == Atlas_report::NOTHING_WRONG, run.report.message);
+  BOOST_TEST(run.report.status == Diagnosis::NOTHING_WRONG, run.report.message);
   BOOST_TEST(run.report.number_of_parts == std::size_t(number));
   BOOST_TEST(run.report.charts.size() == std::size_t(number));
   BOOST_TEST(run.report.covered_share > 0.25);
@@ -86,8 +89,9 @@ BOOST_AUTO_TEST_CASE(ten_thousand_parts_have_charts)
 
 BOOST_AUTO_TEST_CASE(small_parts_need_texels)
 {
-  const Atlas_run run = make_atlas_of(small_parts(2000), parameters::resolution(128));
-  BOOST_TEST(run.report.diagnosis == Atlas_report::PACKING_FAILED);
+  const Atlas_run run =
+      make_atlas_of(small_parts(2000), with<Atlas_options>(&Atlas_options::resolution, 128));
+  BOOST_TEST(run.report.status == Diagnosis::PACKING_FAILED);
   BOOST_TEST(run.report.message.find("2000 charts do not fit into the square") != std::string::npos,
              run.report.message);
 }
@@ -95,8 +99,8 @@ BOOST_AUTO_TEST_CASE(small_parts_need_texels)
 BOOST_AUTO_TEST_CASE(threads_do_not_change_small_parts)
 {
   const Mesh mesh = small_parts(1000);
-  const Atlas_run one = make_atlas_of(mesh, parameters::number_of_threads(1));
-  const Atlas_run two = make_atlas_of(mesh, parameters::number_of_threads(2));
+  const Atlas_run one = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::threads, 1));
+  const Atlas_run two = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::threads, 2));
   BOOST_TEST_REQUIRE(one.report.has_atlas(), one.report.message);
   BOOST_TEST((one.uv == two.uv && one.chart == two.chart && one.is_seam == two.is_seam));
 }

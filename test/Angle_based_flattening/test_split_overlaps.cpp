@@ -95,7 +95,7 @@ struct Flat_mesh
   template <typename NamedParameters = parameters::Default_named_parameters>
   Overlap_split_report split(const NamedParameters& np = parameters::default_values())
   {
-    return SMP::split_overlaps(mesh, seams, uv, piece, np);
+    return SMP::split_overlaps(mesh, uv, seams, piece, np);
   }
 
   std::vector<bool> seam_marks() const
@@ -594,7 +594,7 @@ BOOST_AUTO_TEST_CASE(some_edges_must_not_become_seams)
   }
   const std::vector<int> before = flat.pieces();
   const Overlap_split_report report = flat.split(np);
-  BOOST_TEST(report.diagnosis == Overlap_split_report::NO_CUT_ALLOWED);
+  BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
   BOOST_TEST(report.message.find("the face with the vertices at (") == 0u);
   const std::vector<bool> marks = flat.seam_marks();
   BOOST_TEST(std::count(marks.begin(), marks.end(), true) == 0);
@@ -624,7 +624,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
   for(double wrong : {-1., std::nan("")}) {
     weights[Edge(17)] = wrong;
     const Overlap_split_report report = flat.split(np);
-    BOOST_TEST(report.diagnosis == Overlap_split_report::WRONG_WEIGHT);
+    BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(report.message.find("the edge from (") == 0u);
   }
 }
@@ -639,7 +639,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named)
     BOOST_TEST(std::count(marks.begin(), marks.end(), true) == 0);
     for(int piece : flat.pieces())
       BOOST_TEST(piece == -1);
-    return to_string(report.diagnosis);
+    return to_string(report.status);
   };
   Flat_mesh empty;
   BOOST_TEST(diagnosis_of(empty, "no faces") == "EMPTY_MESH");
@@ -666,7 +666,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named)
 
   for(Halfedge other : flat.mesh.halfedges_around_target(h))
     flat.uv[other] = Point_2(-uv.x(), -uv.y());
-  BOOST_TEST(diagnosis_of(flat, "the face with the vertices at (") == "FLIPPED_FACE");
+  BOOST_TEST(diagnosis_of(flat, "the face with the vertices at (") == "FLIPPED_TRIANGLES");
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_may_belong_to_vertices_and_have_exact_numbers)
@@ -677,17 +677,16 @@ BOOST_AUTO_TEST_CASE(coordinates_may_belong_to_vertices_and_have_exact_numbers)
   const std::vector<bool> marks = flat.seam_marks();
   for(Edge e : flat.mesh.edges())
     flat.seams[e] = false;
-  SMP::split_overlaps(flat.mesh, flat.seams, flat.vertex_uv(), flat.piece);
+  SMP::split_overlaps(flat.mesh, flat.vertex_uv(), flat.seams, flat.piece);
   BOOST_TEST(flat.pieces() == pieces);
   BOOST_TEST((flat.seam_marks() == marks));
 
   typedef CGAL::Exact_predicates_exact_constructions_kernel::Point_2 Exact_point;
   for(Edge e : flat.mesh.edges())
     flat.seams[e] = false;
-  SMP::split_overlaps(flat.mesh, flat.seams, boost::make_function_property_map<Halfedge>([&](Halfedge h) {
-                        return Exact_point(flat.uv[h].x(), flat.uv[h].y());
-                      }),
-                      flat.piece);
+  const auto exact_uv = boost::make_function_property_map<Halfedge>(
+      [&](Halfedge h) { return Exact_point(flat.uv[h].x(), flat.uv[h].y()); });
+  SMP::split_overlaps(flat.mesh, exact_uv, flat.seams, flat.piece);
   BOOST_TEST(flat.pieces() == pieces);
   BOOST_TEST((flat.seam_marks() == marks));
 }
@@ -712,7 +711,7 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
       [](auto v) { return Point_2(v->point().x(), v->point().y()); });
   std::vector<boost::graph_traits<Polyhedron>::face_descriptor> overlapping;
   SMP::overlapping_faces(polyhedron, uv, std::back_inserter(overlapping));
-  const Overlap_split_report report = SMP::split_overlaps(polyhedron, seams, uv, piece);
+  const Overlap_split_report report = SMP::split_overlaps(polyhedron, uv, seams, piece);
   BOOST_TEST(report.number_of_overlapping_faces == overlapping.size());
   pieces.emplace_back();
   for(auto f : faces(polyhedron))

@@ -186,16 +186,14 @@ void atlas(const std::string& file, const Atlas_choice& choice, Measurement& m)
   Textured_mesh t;
   read(file, t.mesh);
   m.add("triangles", t.mesh.number_of_faces());
-  const auto np = CGAL::parameters::edge_is_seam_map(
-      t.is_seam, CGAL::parameters::face_chart_map(
-                     t.chart, CGAL::parameters::separate_overlaps(
-                                  choice.separates,
-                                  CGAL::parameters::cut_necks(
-                                      choice.cuts_necks, CGAL::parameters::stretch_bound(choice.bound)))));
+  SMP::Atlas_options options;
+  options.separate_overlaps = choice.separates;
+  options.cut_necks = choice.cuts_necks;
+  options.stretch_bound = choice.bound;
   const Gauge gauge;
-  const SMP::Atlas_report report = SMP::make_atlas(t.mesh, t.uv, np);
+  const SMP::Atlas_report report = SMP::make_atlas(t.mesh, t.is_seam, t.uv, t.chart, options);
   gauge.add_to(m);
-  m.add("diagnosis", to_string(report.diagnosis));
+  m.add("diagnosis", to_string(report.status));
   if(!report.has_atlas())
     return m.fail(report.message);
   add_report(report, m);

@@ -52,7 +52,7 @@ void run(Way& way, Flat_mesh& mesh, Border border, UV_map uv)
     parameterizer.set_angle_sums(*way.angles);
   way.seconds.push_back(seconds_of([&] { SMP::parameterize(mesh, parameterizer, border, uv); }));
   way.report = parameterizer.report();
-  if(way.report.diagnosis == SMP::ABF_plus_plus_report::NOTHING_WRONG)
+  if(way.report.status == SMP::Diagnosis::NOTHING_WRONG)
     way.measures = SMP::measure_flattening(mesh, border, uv);
 }
 
@@ -68,7 +68,7 @@ void add_to(const Way& way, const Way& first, Measurement& m)
 {
   m.add("way", way.name);
   m.add("predicted", way.predicted);
-  if(way.report.diagnosis != SMP::ABF_plus_plus_report::NOTHING_WRONG)
+  if(way.report.status != SMP::Diagnosis::NOTHING_WRONG)
     return m.fail(way.report.message);
   std::vector<double> ratios;
   std::transform(way.seconds.begin(), way.seconds.end(), first.seconds.begin(), std::back_inserter(ratios),
@@ -115,7 +115,7 @@ void print(const std::vector<Way>& ways, Measurement& m)
 
 Way with_cones(const std::string& name, const SMP::Cone_selection<Mesh>& selection)
 {
-  if(selection.diagnosis != SMP::Cone_report::NOTHING_WRONG)
+  if(!selection)
     throw std::runtime_error(selection.message);
   return {name, Options(), selection.angles(), selection.predicted_stretch};
 }
@@ -140,22 +140,25 @@ void cones(const std::string& file, const Control_choice& choice, Measurement& m
   cut_first.equal_seam_lengths = false;
   std::vector<Way> ways = {{"cut first", cut_first, {}}, {"equal", Options(), {}}};
   ways.push_back(with_cones("rigid", selection));
-  const auto least_squares =
-      SMP::select_cones(mesh, choice.cones, CGAL::parameters::cone_angles(SMP::Cone_angles::LEAST_SQUARES));
-  if(least_squares.diagnosis != SMP::Cone_report::INFEASIBLE_ANGLES) // few cones can need a negative angle
+  SMP::Cone_options least, quarters;
+  least.angles = SMP::Cone_angles::LEAST_SQUARES;
+  quarters.angle_multiple = CGAL_PI / 2;
+  const auto least_squares = SMP::select_cones(mesh, choice.cones, least);
+  if(least_squares.status != SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS) // few cones can need a negative angle
     ways.push_back(with_cones("least squares", least_squares));
   if(is_sphere(mesh))
-    ways.push_back(with_cones(
-        "quarters", SMP::select_cones(mesh, choice.cones, CGAL::parameters::angle_quantum(CGAL_PI / 2))));
+    ways.push_back(with_cones("quarters", SMP::select_cones(mesh, choice.cones, quarters)));
   m.add("cones", selection.cones.size());
 
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   SMP::Seam_report seam_report;
-  const std::vector<Mesh::Vertex_index> terminals = selection.vertices();
+  const std::set<Mesh::Vertex_index> terminals = selection.vertices();
   m.add("seam_seconds", seconds_of([&] {
-          seam_report = SMP::cut_to_disks(mesh, seams, CGAL::parameters::terminals(terminals));
+          seam_report = SMP::cut_to_disks(
+              mesh, seams,
+              CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals)));
         }));
-  if(seam_report.diagnosis != SMP::Seam_report::NOTHING_WRONG)
+  if(!seam_report)
     return m.fail(seam_report.message);
   m.add("seam", seam_report.relative_seam_length);
   auto cut = SMP::make_seam_mesh(mesh, seams);
@@ -178,7 +181,7 @@ void rectangle(const std::string& file, const Control_choice& choice, Measuremen
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, abf::Chart::Point_2>("v:uv", {0, 0}).first;
   std::vector<Way> ways = {{"free", Options(), {}}};
   run(ways.front(), mesh, border, uv);
-  if(ways.front().report.diagnosis != SMP::ABF_plus_plus_report::NOTHING_WRONG)
+  if(ways.front().report.status != SMP::Diagnosis::NOTHING_WRONG)
     return m.fail(ways.front().report.message);
 
   std::vector<Mesh::Vertex_index> vertices;

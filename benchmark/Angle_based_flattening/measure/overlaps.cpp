@@ -25,8 +25,10 @@ void overlaps(const std::string& file, double bound, Measurement& m)
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   m.add("triangles", mesh.number_of_faces());
   if(!SMP::is_disk_cut(mesh, seams)) {
-    const SMP::Seam_report report = SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(bound));
-    if(report.diagnosis != report.NOTHING_WRONG)
+    SMP::Seam_options options;
+    options.stretch_bound = bound;
+    const SMP::Seam_report report = SMP::select_seams(mesh, seams, options);
+    if(!report)
       return m.fail(report.message);
   }
 
@@ -40,7 +42,7 @@ void overlaps(const std::string& file, double bound, Measurement& m)
   const auto piece = surface.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece", 0).first;
   SMP::Overlap_split_report report;
   m.add("split_seconds",
-        seconds_of([&] { report = SMP::split_overlaps(surface.mesh, cuts, surface.uv, piece); }));
+        seconds_of([&] { report = SMP::split_overlaps(surface.mesh, surface.uv, cuts, piece); }));
   if(!report)
     return m.fail(report.message);
   std::vector<std::size_t> sizes(report.number_of_pieces, 0);

@@ -116,7 +116,7 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   read_mesh(file, whole);
   const auto seams = whole.add_property_map<Edge, bool>("e:seam", false).first;
   const SMP::Seam_report cut_report = cut(whole, seams, choice.regions);
-  if(cut_report.diagnosis != cut_report.NOTHING_WRONG)
+  if(!cut_report)
     return m.fail(cut_report.message);
 
   Mesh mesh;
@@ -132,7 +132,7 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   }
   const auto cuts = mesh.add_property_map<Edge, bool>("e:cut", false).first;
   const auto chart = mesh.add_property_map<Face, int>("f:chart", 0).first;
-  const SMP::Overlap_split_report split = SMP::split_overlaps(mesh, cuts, uv_of_vertices, chart);
+  const SMP::Overlap_split_report split = SMP::split_overlaps(mesh, uv_of_vertices, cuts, chart);
   if(!split)
     return m.fail(split.message);
   const auto uv = mesh.add_property_map<Halfedge, abf::Chart::Point_2>("h:uv", {0, 0}).first;
@@ -151,11 +151,10 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
         }));
   m.add("rectangle_share", area * scale * scale / choice.resolution / choice.resolution);
   SMP::Packing_report report;
-  m.add("seconds", seconds_of([&] {
-          report = SMP::pack_charts(
-              mesh, chart, uv,
-              CGAL::parameters::resolution(choice.resolution, CGAL::parameters::gutter(choice.gutter)));
-        }));
+  SMP::Packing_options options;
+  options.resolution = choice.resolution;
+  options.gutter = choice.gutter;
+  m.add("seconds", seconds_of([&] { report = SMP::pack_charts(mesh, chart, uv, options); }));
   if(!report)
     return m.fail(report.message);
   m.add("triangles", mesh.number_of_faces());

@@ -32,8 +32,9 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
                          const Seam_choice_options& options)
 {
   if(choice == "cones") {
-    const SMP::Seam_report report =
-        SMP::select_seams(mesh, seams, CGAL::parameters::stretch_bound(options.bound));
+    SMP::Seam_options seam_options;
+    seam_options.stretch_bound = options.bound;
+    const SMP::Seam_report report = SMP::select_seams(mesh, seams, seam_options);
     check(report);
     return report.number_of_terminals;
   }
@@ -50,8 +51,9 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
 // With no terminals to be added, `select_seams()` adds nothing to a disk, but says what it predicts.
 SMP::Seam_report predict(const Mesh& mesh, Seam_map seams)
 {
-  const SMP::Seam_report report =
-      SMP::select_seams(mesh, seams, CGAL::parameters::maximum_number_of_terminals(0));
+  SMP::Seam_options options;
+  options.maximum_number_of_terminals = 0;
+  const SMP::Seam_report report = SMP::select_seams(mesh, seams, options);
   check(report);
   return report;
 }

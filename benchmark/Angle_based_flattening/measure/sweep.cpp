@@ -75,7 +75,7 @@ std::string find_fault(const Mesh& mesh, const Halfedge border, const UV_map uv,
     if(const int wound = wound_vertices(mesh, border, uv))
       return "OK with triangles that wind around " + std::to_string(wound) + " vertices more than once";
   }
-  if(error_code(report.diagnosis) != code)
+  if(error_code(report.status) != code)
     return "the report has another error code";
   if(report.message.empty() != (code == SMP::OK))
     return code == SMP::OK ? "OK with a message of an error" : "an error without a message";
@@ -92,7 +92,7 @@ Measurement flatten(Mesh& mesh, const Halfedge border, Parameterizer parameteriz
     SMP::Error_code code = SMP::OK;
     m.add("seconds", seconds_of([&] { code = SMP::parameterize(mesh, parameterizer, border, uv); }));
     fault = find_fault(mesh, border, uv, code, parameterizer.report());
-    m.add("result", code == SMP::OK ? "valid" : to_string(parameterizer.report().diagnosis));
+    m.add("result", code == SMP::OK ? "valid" : to_string(parameterizer.report().status));
     m.add("message", parameterizer.report().message);
     m.add("injective", fault.empty() && code == SMP::OK && SMP::is_injective(mesh, border, uv));
   } catch(const std::exception& error) {

@@ -29,7 +29,7 @@ typedef Mesh::Property_map<Mesh::Edge_index, bool> Seam_map;
 
 inline void check(const CGAL::Surface_mesh_parameterization::Seam_report& report)
 {
-  if(report.diagnosis != report.NOTHING_WRONG)
+  if(!report)
     throw std::runtime_error(report.message);
 }
 

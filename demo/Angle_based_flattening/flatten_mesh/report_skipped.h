@@ -29,7 +29,7 @@ inline std::string skipped_json(const std::vector<Skipped_part>& parts)
     Json_object json;
     json.add("first_face", json_number(parts[i].first_face + 1));
     json.add("faces", json_number(parts[i].faces));
-    json.add("diagnosis", json_text(parts[i].diagnosis));
+    json.add("diagnosis", json_text(parts[i].status));
     json.add("message", json_text(parts[i].message));
     return json.text();
   });
@@ -55,7 +55,7 @@ inline void tell_skipped_parts(const Command_line& command, const std::vector<Sk
   for(std::size_t i = 0; i < (std::min)(most, parts.size()); ++i) {
     const Skipped_part& part = parts[i];
     std::cerr << "flatten_mesh: " << command.title << ": no chart for " << count_text(part.faces, "face")
-              << ", the first is " << face_name(part.first_face) << ": " << part.diagnosis << ": "
+              << ", the first is " << face_name(part.first_face) << ": " << part.status << ": "
               << part.message << std::endl;
   }
   if(parts.size() > most) {

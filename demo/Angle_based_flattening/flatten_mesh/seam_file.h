@@ -40,22 +40,21 @@ inline void check_no_diagonals(const std::string& file, const Seamed_component& 
   }
 }
 
-inline std::string defect_text(const SMP::Disk_cut_check<Mesh>::Part& part)
+inline std::string defect_text(const SMP::Disk_cut_report<Mesh>::Part& part)
 {
-  using Defect = SMP::Disk_cut_defect;
-  switch(part.defect) {
-  case Defect::CLOSED:
+  switch(part.status) {
+  case SMP::Diagnosis::NO_BORDER:
     return "it has no border";
-  case Defect::HANDLES:
+  case SMP::Diagnosis::NONZERO_GENUS:
     return "it has " + count_text(part.number_of_handles, "handle");
-  case Defect::SEVERAL_BORDERS:
+  case SMP::Diagnosis::SEVERAL_BORDERS:
     return "it has " + std::to_string(part.borders.size()) + " borders";
-  case Defect::SHORT_BORDER:
+  case SMP::Diagnosis::SHORT_BORDER:
     return "a single edge does not open it";
-  case Defect::PARALLEL_EDGES:
+  case SMP::Diagnosis::PARALLEL_EDGES:
     return "two of its edges would have the same vertices";
   default:
-    return to_string(part.defect);
+    return to_string(part.status);
   }
 }
 

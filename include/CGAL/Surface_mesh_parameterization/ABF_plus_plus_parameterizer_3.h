@@ -103,7 +103,7 @@ public:
   /// rest of the surface had up to 6 % more. With the importance 0.1, they had 1.4 to 3.5 times their angular distortion.
   ///
   /// The importance of every face of the flattened component must be in [0.1, 10]. It has no unit. Otherwise,
-  /// `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Flattening_report::WRONG_IMPORTANCE`, and
+  /// `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and
   /// `offending_faces()` returns the faces. If neighbouring faces differ by a factor of 100, the solver may take
   /// 25 times as many steps.
   ///
@@ -130,19 +130,19 @@ public:
   ///
   /// Before anything is solved, `parameterize()` checks whether there is a map with these angles at all, and otherwise returns
   /// `ERROR_WRONG_PARAMETER` with one of these diagnoses:
-  /// - `Flattening_report::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large as the
+  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large as the
   ///   triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices()` returns the vertices.
-  /// - `Flattening_report::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
+  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
   ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other vertices must be positive,
   ///   and less than \f$\pi\f$ for each triangle there. `offending_vertices()` returns these other vertices.
-  /// - `Flattening_report::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between them. That is so
+  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between them. That is so
   ///   where a straight side runs along a triangle with two border edges. `offending_vertices()` returns the two vertices of
   ///   each such edge. `split_flat_chords()` splits these edges.
-  /// - `Flattening_report::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which `offending_vertices()`
+  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which `offending_vertices()`
   ///   returns. This is possible only if an angle is above \f$\pi\f$.
   ///
   /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the diagnosis is
-  /// `Flattening_report::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is an error.
+  /// `Diagnosis::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is an error.
   ///
   /// With equal seam lengths (`ABF_plus_plus_options::equal_seam_lengths`), the sums are those of the surface before it was cut: of all
   /// angles around a vertex in the middle of a seam, which then is a *cone* unless the sum is \f$2\pi\f$, and of the inner angles at a vertex of
@@ -150,10 +150,10 @@ public:
   /// \f$2\pi\f$, and the transitions across seams are rigid motions. The sum of a cone with `free_cone_angle` is free. If all vertices have
   /// sums, these must be \f$\pi\f$ times the number of triangles together: on a closed surface of Euler characteristic \f$\chi\f$, the sum of
   /// \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
-  /// `Flattening_report::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
+  /// `Diagnosis::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
   ///
   /// Programs without the compiled library include `polygon_angles.h` or `ABF_plus_plus_strategies.h`: the check of the angles needs a
-  /// maximum flow. Without it, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Flattening_report::WRONG_OPTION`.
+  /// maximum flow. Without it, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_OPTION`.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
@@ -173,7 +173,7 @@ public:
   /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump`.
   ///
   /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns `ERROR_WRONG_PARAMETER` with
-  /// the diagnosis `Flattening_report::WRONG_OPTION`, and `offending_vertices()` returns the vertices of an edge. The function keeps a
+  /// the diagnosis `Diagnosis::WRONG_OPTION`, and `offending_vertices()` returns the vertices of an edge. The function keeps a
   /// copy of the property map, and so do copies of the parameterizer.
   ///
   /// \tparam HalfedgeSideMap must be a model of `ReadablePropertyMap` with
@@ -237,7 +237,7 @@ public:
           return internal::ABF::flatten_chart(chart, m_options, m_linear_algebra, round);
         });
     m_outcome.set(outcome);
-    return error_code(outcome.report.diagnosis);
+    return error_code(outcome.report.status);
   }
 
   /// returns the given traits object. Copies of it factor the matrices.
@@ -277,6 +277,20 @@ private:
   internal::ABF::Prescriptions<Triangle_mesh> m_prescriptions;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or not on a border is
+/// `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything else is the same.
+///
+/// \relates ABF_plus_plus_parameterizer_3
+template <typename TriangleMesh, typename SolverTraits, typename HD, typename VertexUVmap>
+Error_code parameterize(TriangleMesh& mesh,
+                        ABF_plus_plus_parameterizer_3<TriangleMesh, SolverTraits> parameterizer, HD bhd,
+                        VertexUVmap uvmap)
+{
+  return internal::ABF::parameterize_component(mesh, parameterizer, bhd, uvmap);
+}
 
 } // namespace Surface_mesh_parameterization
 

@@ -61,7 +61,7 @@ struct ABF_plus_plus_report : Flattening_report
   struct Failed_strategy
   {
     Strategy strategy;   ///< The strategy.
-    Diagnosis diagnosis; ///< Why it failed.
+    Diagnosis status;    ///< Why it failed.
     std::string message; ///< The reason as a sentence.
     int iterations;      ///< Newton steps taken.
   };

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 
 #include <cstddef>
@@ -22,24 +23,9 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `make_atlas()` reports. Like the reports on files, it converts to `true` on success.
-struct Atlas_report
+/// What `make_atlas()` reports.
+struct Atlas_report : Report
 {
-  /// What is wrong with the whole mesh, or with a part of it.
-  enum Diagnosis
-  {
-    NOTHING_WRONG,        ///< Each face has a chart, and each chart is good (`Chart::is_good`).
-    STRETCH_BOUND_MISSED, ///< Each face has a chart, and some chart is not good, whatever was tried.
-    SOMETHING_SKIPPED,    ///< Some parts have no charts (`skipped`); all others do.
-    EMPTY_MESH,           ///< The mesh has no faces.
-    WRONG_OPTION,         ///< A named parameter is out of its range.
-    WRONG_WEIGHT,         ///< An edge or face has a negative weight, or one that is not a number.
-    TOO_LARGE,            ///< The surface has more triangles than 32-bit numbers allow.
-    NOTHING_FLATTENED,    ///< All parts were skipped.
-    PACKING_FAILED,       ///< The charts do not fit into the square at this resolution.
-    CANCELLED             ///< A visitor stopped the computation.
-  };
-
   /// How the map of a chart was made.
   enum Method
   {
@@ -57,12 +43,12 @@ struct Atlas_report
     MORE_CHARTS ///< The part was divided, as there was no good map of it in one piece, or it would have left most of the square empty.
   };
 
-  /// Whether both sides of the seams within a chart have equal lengths in the plane (`parameters::equal_seam_lengths()`), and if not why.
+  /// Whether both sides of the seams within a chart have equal lengths in the plane (`Atlas_options::equal_seam_lengths`), and if not why.
   enum Seam_lengths
   {
     NO_SEAMS,      ///< No seam has both sides in the chart.
-    EQUAL_LENGTHS, ///< They have. The map is that of ABF++, or a piece of it.
-    NOT_WANTED,    ///< `parameters::equal_seam_lengths()` is `false`.
+    EQUAL_LENGTHS, ///< Both sides have equal lengths. The map is that of ABF++, or a piece of it.
+    NOT_WANTED,    ///< `Atlas_options::equal_seam_lengths` is `false`.
     OTHER_METHOD, ///< The map, or that of which it is a piece, is hierarchical or injective. These do not keep lengths of seams.
     NOT_TRIED, ///< The part has more than 32 handles and borders, and its map without equal lengths overlaps itself. The chart is a piece of that.
     NO_EQUATIONS,  ///< The seams are such that there are no equations for their lengths.
@@ -82,7 +68,7 @@ struct Atlas_report
     double border_length = 0;        ///< The length of its border on the surface.
 
     /// \f$\sqrt{\sum A^2/A' \; \sum A'}/\sum A\f$, with areas \f$A\f$ on the surface and \f$A'\f$ in the plane: the stretch that is due
-    /// to scale. 1 at best. Seams are added until it is at most 3 % above `parameters::stretch_bound()`.
+    /// to scale. 1 at best. Seams are added until it is at most 3 % above `Seam_options::stretch_bound`.
     double scale_stretch = 1;
     bool bound_reached = true; ///< Whether `scale_stretch` is at most that.
     double l2_stretch = 1;     ///< As `Flattening_measures::l2_stretch`.
@@ -90,7 +76,7 @@ struct Atlas_report
     /// The number of faces whose quasi-conformal ratio is above 1000, although that of the map from an equilateral triangle to them is not.
     std::size_t crushed_faces = 0;
 
-    /// Whether `l2_stretch` is at most 2, or at most `parameters::stretch_bound()` if that is larger, and no face is crushed. With an
+    /// Whether `l2_stretch` is at most 2, or at most `Seam_options::stretch_bound` if that is larger, and no face is crushed. With an
     /// infinite bound, every chart is good.
     bool is_good = true;
     double contact = 0; ///< As `Flattening_report::contact`.
@@ -110,9 +96,8 @@ struct Atlas_report
     std::size_t part = 0;            ///< Its number.
     std::size_t first_face = 0;      ///< Its first face, by its rank in the order of the faces of the mesh.
     std::size_t number_of_faces = 0; ///< The number of its faces.
-    std::string
-        diagnosis; ///< Why, in one word: the name of a `Flattening_report::Diagnosis` or `Seam_report::Diagnosis`, or `"NO_AREA"`.
-    std::string message; ///< A sentence that says what is wrong and where.
+    Diagnosis status = Diagnosis::NOTHING_WRONG; ///< Why.
+    std::string message;                         ///< A sentence that says what is wrong and where.
   };
 
   /// Wall clock time of each stage, in seconds.
@@ -129,9 +114,6 @@ struct Atlas_report
     double total() const { return read + charts + pack + certify + measure + write; }
   };
 
-  Diagnosis diagnosis = NOTHING_WRONG; ///< What went wrong.
-  std::string message; ///< A sentence that says what went wrong and where; empty if nothing is wrong.
-
   std::vector<Chart> charts;    ///< In the order of their numbers.
   std::vector<Skipped> skipped; ///< The parts without charts.
 
@@ -139,7 +121,7 @@ struct Atlas_report
   std::size_t number_of_parts = 0;
   std::size_t number_of_terminals = 0; ///< The vertices that were joined to seams because of their scale.
 
-  /// The polygons that vertices were moved for (see `parameters::edge_is_diagonal_map()`), and that are convex in the plane since then.
+  /// The polygons that vertices were moved for (see `make_atlas()`), and that are convex in the plane since then.
   std::size_t number_of_mended_polygons = 0;
 
   double seam_length = 0; ///< The length of all seams, each counted once.
@@ -160,47 +142,13 @@ struct Atlas_report
 
   Seconds seconds; ///< Time of each stage.
 
-  /// returns whether each face has a chart, and each chart is good.
-  explicit operator bool() const { return diagnosis == NOTHING_WRONG; }
-
   /// returns whether there is an atlas, of the whole surface or of a part.
   bool has_atlas() const
   {
-    return diagnosis == NOTHING_WRONG || diagnosis == STRETCH_BOUND_MISSED || diagnosis == SOMETHING_SKIPPED;
+    return status == Diagnosis::NOTHING_WRONG || status == Diagnosis::STRETCH_BOUND_MISSED ||
+           status == Diagnosis::SOMETHING_SKIPPED;
   }
 };
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// returns the name of a diagnosis, such as `"SOMETHING_SKIPPED"`.
-///
-/// \relates Atlas_report
-inline std::string to_string(Atlas_report::Diagnosis diagnosis)
-{
-  switch(diagnosis) {
-  case Atlas_report::NOTHING_WRONG:
-    return "NOTHING_WRONG";
-  case Atlas_report::STRETCH_BOUND_MISSED:
-    return "STRETCH_BOUND_MISSED";
-  case Atlas_report::SOMETHING_SKIPPED:
-    return "SOMETHING_SKIPPED";
-  case Atlas_report::EMPTY_MESH:
-    return "EMPTY_MESH";
-  case Atlas_report::WRONG_OPTION:
-    return "WRONG_OPTION";
-  case Atlas_report::WRONG_WEIGHT:
-    return "WRONG_WEIGHT";
-  case Atlas_report::TOO_LARGE:
-    return "TOO_LARGE";
-  case Atlas_report::NOTHING_FLATTENED:
-    return "NOTHING_FLATTENED";
-  case Atlas_report::PACKING_FAILED:
-    return "PACKING_FAILED";
-  case Atlas_report::CANCELLED:
-    return "CANCELLED";
-  }
-  return "unknown";
-}
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///

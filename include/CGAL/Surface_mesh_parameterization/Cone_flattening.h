@@ -22,46 +22,12 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// Which part of `flatten_with_cones()` failed.
-enum class Cone_flattening_defect
-{
-  NOTHING_WRONG, ///< There is a map.
-  CONES,         ///< There are no cones: `Cone_flattening::cones` tells why.
-  SEAMS,         ///< No seams lead through the cones: `Cone_flattening::seams` tells why.
-  MAP            ///< There is no map with these cones: `Cone_flattening::map` tells why.
-};
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// returns the name of a defect, such as `"CONES"`.
-inline std::string to_string(Cone_flattening_defect defect)
-{
-  switch(defect) {
-  case Cone_flattening_defect::NOTHING_WRONG:
-    return "NOTHING_WRONG";
-  case Cone_flattening_defect::CONES:
-    return "CONES";
-  case Cone_flattening_defect::SEAMS:
-    return "SEAMS";
-  case Cone_flattening_defect::MAP:
-    return "MAP";
-  }
-  return "unknown";
-}
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// What `flatten_with_cones()` reports.
+/// What `flatten_with_cones()` reports. If anything is wrong, `status` and `message` are those of the first part that failed.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
 template <typename TriangleMesh>
-struct Cone_flattening
+struct Cone_flattening : Report
 {
-  /// which part failed, if any
-  Cone_flattening_defect diagnosis = Cone_flattening_defect::NOTHING_WRONG;
-
-  std::string message; ///< what is wrong, for people; empty if nothing is
-
   Cone_selection<TriangleMesh> cones; ///< the cones with their angles
   Seam_report seams;                  ///< the seams through the cones
   ABF_plus_plus_report map;           ///< the map

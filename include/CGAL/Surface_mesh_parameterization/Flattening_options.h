@@ -45,7 +45,7 @@ struct Flattening_options
 
   /// What is done with a chart that has more than one border. Other charts are flattened in the same way whatever
   /// this is. The result is checked as always.
-  Holes holes = REFUSE;
+  Holes holes = SOLVE;
 
   /// Whether the map must be globally injective: no two triangles overlap, wherever they are on the surface. Then the
   /// result is an injective map or an error. The hierarchical method starts from Tutte's map of a coarse chart, stays injective on

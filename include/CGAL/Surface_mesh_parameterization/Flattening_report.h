@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
 #include <cstddef>
@@ -21,37 +22,8 @@ namespace Surface_mesh_parameterization {
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// What the reports of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have in common.
-struct Flattening_report
+struct Flattening_report : Report
 {
-  /// What is wrong with an input, or why a run stopped.
-  enum Diagnosis
-  {
-    NOTHING_WRONG,       ///< The run succeeded.
-    EMPTY_MESH,          ///< There is no face at the given border.
-    NO_BORDER,           ///< The surface is closed: it must be cut open first.
-    NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
-    NOT_TRIANGULATED,    ///< A face is not a triangle.
-    NON_FINITE_POINT,    ///< A coordinate is infinite or not a number.
-    TOO_LARGE,           ///< More than 153 million triangles.
-    NON_MANIFOLD_VERTEX, ///< The surface is not a manifold at a vertex.
-    SEVERAL_BORDERS, ///< The chart has holes, and `Flattening_options::holes` is `Flattening_options::REFUSE`.
-    NONZERO_GENUS,   ///< The chart has handles, so it is not a disk.
-    PARALLEL_EDGES,  ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
-    LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
-    NO_CONVERGENCE,    ///< The constraints could not be met, and the resulting layout has flipped triangles.
-    WRONG_OPTION,      ///< An option is out of its range.
-    WRONG_IMPORTANCE,  ///< The importance of a face is out of its range, or not a number.
-    WRONG_ANGLE_SUM,   ///< A prescribed angle is not possible at its vertex.
-    WRONG_ANGLE_TOTAL, ///< The prescribed angles do not sum to those of a polygon.
-    FLAT_CHORD, ///< There is no room between an edge that joins two border vertices and the prescribed border.
-    INFEASIBLE_ANGLE_SUMS, ///< The triangles near some border vertices cannot have the angles that are prescribed there.
-    SCALE_TOO_LARGE,   ///< The chart has several borders, and its map would need a range of scale above 1e10.
-    FLIPPED_TRIANGLES, ///< The layout has flipped triangles although the angles are correct.
-    OVERLAPPING, ///< The map overlaps itself, although it was to be injective: why a strategy was not enough.
-    PRECISION_EXCEEDED, ///< There is a valid map, but the number type of the coordinates cannot hold the one found.
-    CANCELLED           ///< A visitor or an exception stopped the computation.
-  };
-
   /// Wall clock time of each stage, in seconds; 0 for those that the method does not have.
   struct Seconds
   {
@@ -89,9 +61,6 @@ struct Flattening_report
     }
   };
 
-  Diagnosis diagnosis = NOTHING_WRONG; ///< What is wrong.
-  std::string message;                 ///< A sentence that names the offending element; empty on success.
-
   int vertices = 0;  ///< Vertices of the chart.
   int triangles = 0; ///< Triangles of the chart.
   int borders = 0;   ///< Border cycles of the chart.
@@ -125,106 +94,39 @@ struct Flattening_report
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the name of a diagnosis, such as `"NO_CONVERGENCE"`.
-///
-/// \relates Flattening_report
-inline std::string to_string(Flattening_report::Diagnosis diagnosis)
-{
-  switch(diagnosis) {
-  case Flattening_report::NOTHING_WRONG:
-    return "NOTHING_WRONG";
-  case Flattening_report::EMPTY_MESH:
-    return "EMPTY_MESH";
-  case Flattening_report::NO_BORDER:
-    return "NO_BORDER";
-  case Flattening_report::NOT_ON_BORDER:
-    return "NOT_ON_BORDER";
-  case Flattening_report::NOT_TRIANGULATED:
-    return "NOT_TRIANGULATED";
-  case Flattening_report::NON_FINITE_POINT:
-    return "NON_FINITE_POINT";
-  case Flattening_report::TOO_LARGE:
-    return "TOO_LARGE";
-  case Flattening_report::NON_MANIFOLD_VERTEX:
-    return "NON_MANIFOLD_VERTEX";
-  case Flattening_report::SEVERAL_BORDERS:
-    return "SEVERAL_BORDERS";
-  case Flattening_report::NONZERO_GENUS:
-    return "NONZERO_GENUS";
-  case Flattening_report::PARALLEL_EDGES:
-    return "PARALLEL_EDGES";
-  case Flattening_report::LINEAR_SYSTEM_FAILED:
-    return "LINEAR_SYSTEM_FAILED";
-  case Flattening_report::NO_CONVERGENCE:
-    return "NO_CONVERGENCE";
-  case Flattening_report::WRONG_OPTION:
-    return "WRONG_OPTION";
-  case Flattening_report::WRONG_IMPORTANCE:
-    return "WRONG_IMPORTANCE";
-  case Flattening_report::WRONG_ANGLE_SUM:
-    return "WRONG_ANGLE_SUM";
-  case Flattening_report::WRONG_ANGLE_TOTAL:
-    return "WRONG_ANGLE_TOTAL";
-  case Flattening_report::FLAT_CHORD:
-    return "FLAT_CHORD";
-  case Flattening_report::INFEASIBLE_ANGLE_SUMS:
-    return "INFEASIBLE_ANGLE_SUMS";
-  case Flattening_report::SCALE_TOO_LARGE:
-    return "SCALE_TOO_LARGE";
-  case Flattening_report::FLIPPED_TRIANGLES:
-    return "FLIPPED_TRIANGLES";
-  case Flattening_report::OVERLAPPING:
-    return "OVERLAPPING";
-  case Flattening_report::PRECISION_EXCEEDED:
-    return "PRECISION_EXCEEDED";
-  case Flattening_report::CANCELLED:
-    return "CANCELLED";
-  }
-  return "";
-}
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
 /// returns the code that `parameterize()` returns for a diagnosis. A run that a visitor stopped has no code of its
 /// own: its code is `ERROR_NO_1_TO_1_MAPPING`.
 ///
 /// \relates Flattening_report
-inline Error_code error_code(Flattening_report::Diagnosis diagnosis)
+inline Error_code error_code(Diagnosis diagnosis)
 {
   switch(diagnosis) {
-  case Flattening_report::NOTHING_WRONG:
+  case Diagnosis::NOTHING_WRONG:
     return OK;
-  case Flattening_report::EMPTY_MESH:
+  case Diagnosis::EMPTY_MESH:
     return ERROR_EMPTY_MESH;
-  case Flattening_report::NOT_TRIANGULATED:
+  case Diagnosis::NOT_TRIANGULATED:
     return ERROR_NON_TRIANGULAR_MESH;
-  case Flattening_report::NO_BORDER:
-  case Flattening_report::NON_MANIFOLD_VERTEX:
-  case Flattening_report::SEVERAL_BORDERS:
-  case Flattening_report::NONZERO_GENUS:
+  case Diagnosis::NO_BORDER:
+  case Diagnosis::NON_MANIFOLD_VERTEX:
+  case Diagnosis::SEVERAL_BORDERS:
+  case Diagnosis::NONZERO_GENUS:
     return ERROR_NO_TOPOLOGICAL_DISC;
-  case Flattening_report::LINEAR_SYSTEM_FAILED:
+  case Diagnosis::LINEAR_SYSTEM_FAILED:
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  case Flattening_report::NOT_ON_BORDER:
-  case Flattening_report::NON_FINITE_POINT:
-  case Flattening_report::TOO_LARGE:
-  case Flattening_report::WRONG_OPTION:
-  case Flattening_report::WRONG_IMPORTANCE:
-  case Flattening_report::WRONG_ANGLE_SUM:
-  case Flattening_report::WRONG_ANGLE_TOTAL:
-  case Flattening_report::FLAT_CHORD:
-  case Flattening_report::INFEASIBLE_ANGLE_SUMS:
+  case Diagnosis::NOT_ON_BORDER:
+  case Diagnosis::NON_FINITE_POINT:
+  case Diagnosis::TOO_LARGE:
+  case Diagnosis::WRONG_OPTION:
+  case Diagnosis::WRONG_WEIGHT:
+  case Diagnosis::WRONG_ANGLE_SUM:
+  case Diagnosis::WRONG_ANGLE_TOTAL:
+  case Diagnosis::FLAT_CHORD:
+  case Diagnosis::INFEASIBLE_ANGLE_SUMS:
     return ERROR_WRONG_PARAMETER;
-  case Flattening_report::PARALLEL_EDGES:
-  case Flattening_report::NO_CONVERGENCE:
-  case Flattening_report::SCALE_TOO_LARGE:
-  case Flattening_report::FLIPPED_TRIANGLES:
-  case Flattening_report::OVERLAPPING:
-  case Flattening_report::PRECISION_EXCEEDED:
-  case Flattening_report::CANCELLED:
-    break;
+  default:
+    return ERROR_NO_1_TO_1_MAPPING;
   }
-  return ERROR_NO_1_TO_1_MAPPING;
 }
 
 } // namespace Surface_mesh_parameterization

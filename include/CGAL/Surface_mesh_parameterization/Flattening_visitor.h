@@ -18,7 +18,7 @@ namespace Surface_mesh_parameterization {
 ///
 /// A visitor follows the progress of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`, and may stop
 /// them. If one of its functions returns `false`, the computation ends. `parameterize()` then returns `ERROR_NO_1_TO_1_MAPPING` with
-/// the diagnosis `Flattening_report::CANCELLED`, and the caller's property maps are unchanged. The report then has
+/// the diagnosis `Diagnosis::CANCELLED`, and the caller's property maps are unchanged. The report then has
 /// the size of the chart, but not the steps that were taken. If a function throws an exception, the exception passes
 /// through `parameterize()`, with the same effects.
 ///

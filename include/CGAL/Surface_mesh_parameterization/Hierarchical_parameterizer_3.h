@@ -224,7 +224,7 @@ public:
                                                              m_linear_algebra, round);
         });
     m_outcome.set(outcome);
-    return error_code(outcome.report.diagnosis);
+    return error_code(outcome.report.status);
   }
 
   /// returns the traits object that solves the linear systems of polishing.
@@ -266,6 +266,22 @@ private:
   internal::ABF::Face_importance<Triangle_mesh> m_importance;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or not on a border is
+/// `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything else is the same.
+///
+/// \relates Hierarchical_parameterizer_3
+template <typename TriangleMesh, typename CoarseParameterizer, typename SolverTraits, typename HD,
+          typename VertexUVmap>
+Error_code
+parameterize(TriangleMesh& mesh,
+             Hierarchical_parameterizer_3<TriangleMesh, CoarseParameterizer, SolverTraits> parameterizer,
+             HD bhd, VertexUVmap uvmap)
+{
+  return internal::ABF::parameterize_component(mesh, parameterizer, bhd, uvmap);
+}
 
 /// \ingroup PkgAngleBasedFlatteningRef
 /// \anchor hierarchical_abf_plus_plus_parameterizer

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <cstddef>
 #include <string>
 
@@ -19,29 +20,9 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `pack_charts()` reports. Like the reports on files, it converts to `true` on success.
-struct Packing_report
+/// What `pack_charts()` reports.
+struct Packing_report : Report
 {
-  /// What went wrong. In all cases but the first, the coordinates are unchanged.
-  enum Diagnosis
-  {
-    NOTHING_WRONG,         ///< No two charts share a texel with its gutter, which is certified.
-    EMPTY_MESH,            ///< No face has a chart.
-    NOT_TRIANGULATED,      ///< A face is not a triangle.
-    NON_FINITE_POINT,      ///< A coordinate of a point in space is infinite or not a number.
-    NON_FINITE_COORDINATE, ///< A coordinate in the plane is infinite or not a number.
-    WRONG_WEIGHT,          ///< A face has a weight that is negative or not finite.
-    WRONG_OPTION,          ///< The resolution, the gutter, or the number of rotations is out of its range.
-    DEGENERATE_CHART, ///< A chart has no area in the plane up to rounding, or is too large to compute it.
-    NO_AREA,          ///< No face has area in space, or a weight that is not 0.
-    TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the square, however small the charts are.
-    NOT_CERTIFIED, ///< The coordinates could not be certified, because the number type of the map rounds too coarsely.
-    TOO_LARGE ///< The surface has more triangles than 32-bit numbers allow.
-  };
-
-  Diagnosis diagnosis = NOTHING_WRONG; ///< What went wrong.
-  std::string message; ///< A sentence that says what went wrong and where; empty if nothing is wrong.
-
   std::size_t number_of_faces = 0;  ///< The faces that have a chart.
   std::size_t number_of_charts = 0; ///< The charts that have a face.
 
@@ -61,46 +42,7 @@ struct Packing_report
   std::size_t number_of_enlarged_charts = 0;
 
   std::size_t number_of_attempts = 0; ///< How many scales were tried.
-
-  /// returns whether the charts are packed.
-  explicit operator bool() const { return diagnosis == NOTHING_WRONG; }
 };
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// returns the name of a diagnosis, such as `"TOO_MANY_CHARTS"`.
-///
-/// \relates Packing_report
-inline std::string to_string(Packing_report::Diagnosis diagnosis)
-{
-  switch(diagnosis) {
-  case Packing_report::NOTHING_WRONG:
-    return "NOTHING_WRONG";
-  case Packing_report::EMPTY_MESH:
-    return "EMPTY_MESH";
-  case Packing_report::NOT_TRIANGULATED:
-    return "NOT_TRIANGULATED";
-  case Packing_report::NON_FINITE_POINT:
-    return "NON_FINITE_POINT";
-  case Packing_report::NON_FINITE_COORDINATE:
-    return "NON_FINITE_COORDINATE";
-  case Packing_report::WRONG_WEIGHT:
-    return "WRONG_WEIGHT";
-  case Packing_report::WRONG_OPTION:
-    return "WRONG_OPTION";
-  case Packing_report::DEGENERATE_CHART:
-    return "DEGENERATE_CHART";
-  case Packing_report::NO_AREA:
-    return "NO_AREA";
-  case Packing_report::TOO_MANY_CHARTS:
-    return "TOO_MANY_CHARTS";
-  case Packing_report::NOT_CERTIFIED:
-    return "NOT_CERTIFIED";
-  case Packing_report::TOO_LARGE:
-    return "TOO_LARGE";
-  }
-  return "unknown";
-}
 
 } // namespace Surface_mesh_parameterization
 

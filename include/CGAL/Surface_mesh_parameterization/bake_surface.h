@@ -11,10 +11,8 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
-#include <CGAL/Surface_mesh_parameterization/atlas_parameters.h>
-#include <CGAL/Surface_mesh_parameterization/baking_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/Baking_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
 
 /// \file bake_surface.h
 
@@ -29,16 +27,16 @@ bakes a fine surface into textures of a simple one: its normals, its distance, a
 shaded like the fine one (Section 6.1 and Figure 9 of the paper \cgalCite{cgal:slmb-abf-05}).
 
 Every texel that a triangle of the simple surface touches gets values. They are those at its centre, or at the point of the chart that is closest to its centre in the plane.
-From this point of the simple surface, a ray goes along the interpolated normals of the vertices, to both sides as far as `ray_length`. Of the faces of the fine surface that
+From this point of the simple surface, a ray goes along the interpolated normals of the vertices, to both sides as far as `Baking_options::ray_length`. Of the faces of the fine surface that
 it meets, the nearest one that looks along the ray is taken. If there is none, the nearest that looks against it is taken, and its normal is turned around. If the ray meets nothing, the
 closest point of the fine surface is taken, and a normal that looks against the ray is turned around. The report counts these texels, and `Baked_textures::texels` marks them.
 There the normals and colours of the fine surface's vertices are interpolated.
 
 Normals are in tangent space, in the convention of glTF: x along growing \f$u\f$, y along growing \f$v\f$, which is up in the picture, and z along the normal. At each corner, the tangent is the mean of
 those of the triangles around its vertex in its chart, weighted by their angles, orthogonal to the normal. Normals, tangents and bitangents are interpolated, and scaled to length 1 each,
-as common glTF viewers do. So that these do not compute other directions, write those of `parameters::tangent_frame_map()` into the file. Programs that only know files without tangents compute nearly the same.
+as common glTF viewers do. So that these do not compute other directions, write those that `frames` receives into the file. Programs that only know files without tangents compute nearly the same.
 
-Then `gutter` texels around each chart, in rows, columns and between, get the values of the nearest texel of a chart, so that interpolation and smaller copies of the texture find no foreign values at seams.
+Then `Baking_options::gutter` texels around each chart, in rows, columns and between, get the values of the nearest texel of a chart, so that interpolation and smaller copies of the texture find no foreign values at seams.
 
 For \f$n\f$ triangles of both surfaces and \f$t\f$ texels of charts, it takes time \cgalBigO{n \log n + t \log n} as a rule, and 17 bytes for each texel of the square, 29 with colours, and about 200 for each triangle of the fine surface.
 Rows are baked side by side if the program is linked with `CGAL::TBB_support`. The result does not depend on the number of threads.
@@ -47,12 +45,17 @@ Rows are baked side by side if the program is linked with `CGAL::TBB_support`. T
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point of any kernel as value type
 \tparam FineMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TangentFrameMap a model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `Tangent_frame` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam FineNamedParameters the same
 
 \param mesh the simple surface, a triangle mesh
 \param uv the texture coordinates in the unit square, as `make_atlas()` writes them: a halfedge of a face has those of its target at that face
 \param fine_mesh the fine surface, a triangle mesh, in the same place as the simple one
+\param frames receives the directions at each corner, to which normals in tangent space refer: a halfedge gets those at its target in its
+       face; faces without a chart get none
+\param options the options
 \param np optional named parameters for the simple surface:
 
 \cgalNamedParamsBegin
@@ -66,41 +69,10 @@ Rows are baked side by side if the program is linked with `CGAL::TBB_support`. T
     \cgalParamType{a model of `ReadablePropertyMap` with a `Vector_3` of any kernel as value type}
     \cgalParamDefault{the mean of the normals of the faces around each vertex, weighted by their angles}
   \cgalParamNEnd
-  \cgalParamNBegin{face_chart_map}
-    \cgalParamDescription{the number of each face's chart (see `parameters::face_chart_map()`). A face with a negative number is ignored.}
+  \cgalParamNBegin{face_patch_map}
+    \cgalParamDescription{the number of each face's chart, as `make_atlas()` writes it. A face with a negative number is left out.}
     \cgalParamType{a model of `ReadablePropertyMap` with an integer as value type}
     \cgalParamDefault{all faces have charts}
-  \cgalParamNEnd
-  \cgalParamNBegin{resolution}
-    \cgalParamDescription{the number of texels along a side of the square, from 1 to 16384}
-    \cgalParamType{`int`}
-    \cgalParamDefault{`1024`}
-  \cgalParamNEnd
-  \cgalParamNBegin{gutter}
-    \cgalParamDescription{how many texels around charts are filled, from 0 to 1024. It should be at most that of `pack_charts()`; between charts that are closer than two gutters, each texel belongs to the
-                           nearest one.}
-    \cgalParamType{`int`}
-    \cgalParamDefault{`2`}
-  \cgalParamNEnd
-  \cgalParamNBegin{ray_length}
-    \cgalParamDescription{how far rays go to both sides, in units of the surface (see `parameters::ray_length()`)}
-    \cgalParamType{`double`}
-    \cgalParamDefault{a twentieth of the diagonal of the bounding box of the simple surface}
-  \cgalParamNEnd
-  \cgalParamNBegin{normals_in_object_space}
-    \cgalParamDescription{whether normals are in the coordinates of the surface, instead of the tangent space}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{tangent_frame_map}
-    \cgalParamDescription{receives the directions at each corner (see `parameters::tangent_frame_map()`); faces without a chart get none.}
-    \cgalParamType{a model of `WritablePropertyMap` with `Tangent_frame` as value type}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{the number of threads (see `Flattening_options::threads`)}
-    \cgalParamType{`int`}
-    \cgalParamDefault{`0`: one for each processor}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -128,16 +100,33 @@ Rows are baked side by side if the program is linked with `CGAL::TBB_support`. T
 
 \sa `make_atlas()`
 */
+template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh, typename TangentFrameMap,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename FineNamedParameters = parameters::Default_named_parameters>
+Baked_textures bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh,
+                            TangentFrameMap frames, const Baking_options& options = Baking_options(),
+                            const NamedParameters& np = parameters::default_values(),
+                            const FineNamedParameters& fine_np = parameters::default_values())
+{
+  return internal::ABF::Mesh_baker<TriangleMesh, HalfedgeUVMap, FineMesh, TangentFrameMap, NamedParameters,
+                                   FineNamedParameters>(mesh, uv, fine_mesh, frames, options, np, fine_np)
+      .run();
+}
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+bakes a fine surface into textures of a simple one, and does not write the tangent frames. Everything else is as above.
+*/
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh,
           typename NamedParameters = parameters::Default_named_parameters,
           typename FineNamedParameters = parameters::Default_named_parameters>
 Baked_textures bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh,
+                            const Baking_options& options = Baking_options(),
                             const NamedParameters& np = parameters::default_values(),
                             const FineNamedParameters& fine_np = parameters::default_values())
 {
-  return internal::ABF::Mesh_baker<TriangleMesh, HalfedgeUVMap, FineMesh, NamedParameters,
-                                   FineNamedParameters>(mesh, uv, fine_mesh, np, fine_np)
-      .run();
+  return bake_surface(mesh, uv, fine_mesh, nullptr, options, np, fine_np);
 }
 
 } // namespace Surface_mesh_parameterization

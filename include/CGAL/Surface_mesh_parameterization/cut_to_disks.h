@@ -12,11 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <vector>
 
 /// \file cut_to_disks.h
 
@@ -33,8 +28,8 @@ Borders are joined by shortest paths, in the manner of Mehlhorn's approximation 
 basis of Erickson and Whittlesey (2005). Key-path exchange then shortens the seams: without one path between two branches, the disk is an annulus, and the
 shortest path between its two borders makes it a disk again. A sphere is cut along a path between two vertices that are far from each other.
 
-The seams reach all given terminals, and then have no other ends inside the surface: a sphere with two terminals or more is cut along a tree that joins
-them. Terminals on borders and on edges that are seams already are reached as they are.
+The seams reach all given vertices (`vertex_is_constrained_map`), and then have no other ends inside the surface: a sphere with two given vertices or more is cut along a tree that joins
+them. Given vertices on borders and on edges that are seams already are reached as they are.
 
 Edges that are seams already remain so, and count as borders. A seam of one edge on a sphere becomes longer, because a border of two edges is no polygon. `select_seams()` cuts so that the disks can be flattened with
 little stretch.
@@ -62,19 +57,20 @@ For \f$n\f$ triangles and genus \f$g\f$, this takes time \f$O(n \log n)\f$, and 
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamDescription{what a seam along each edge costs}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
-  \cgalParamNBegin{terminals}
-    \cgalParamDescription{the vertices that the seams reach (see `parameters::terminals()`)}
-    \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
-    \cgalParamDefault{none}
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{the vertices that seams must reach, such as cones}
+    \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as
+    value type. `TriangleMesh` must then be a model of `VertexListGraph` as well.}
+    \cgalParamDefault{no vertex}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the length of all seams. `Seam_report::NO_CUT_ALLOWED` means that edges which must not become seams leave no way.
-`Seam_report::WRONG_OPTION` means that a terminal has no face.
+\return what is wrong, if anything, and the length of all seams. `Diagnosis::NO_CUT_ALLOWED` means that edges which must not become seams leave no way.
+`Diagnosis::WRONG_OPTION` means that a given vertex has no face.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -83,15 +79,11 @@ Seam_report cut_to_disks(const TriangleMesh& mesh, EdgeIsSeamMap seams,
 {
   namespace ABF = internal::ABF;
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
-  const auto terminals = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::seam_terminals),
-      std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>());
   Seam_report report;
-  ABF::check_terminals(mesh, terminals, report);
-  if(!report.message.empty())
+  if(!ABF::can_reach_terminals(mesh, np, report))
     return report;
   return application.run([&](const ABF::Surface_part& part) {
-    return ABF::find_topological_seams(part.chart, part.cost, application.vertices_of(part, terminals));
+    return ABF::find_topological_seams(part.chart, part.cost, application.terminals_of(part));
   });
 }
 

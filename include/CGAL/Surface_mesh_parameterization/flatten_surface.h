@@ -54,12 +54,12 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_on_bord
 flattens the connected component of the longest border of `mesh`. If that is not possible, the report says why.
 
 `parameterize()` requires a mesh that is neither closed nor empty. This function accepts such a mesh, and reports the diagnosis
-`Flattening_report::NO_BORDER` or `Flattening_report::EMPTY_MESH`. Everything else is as with `parameterize()`: the
+`Diagnosis::NO_BORDER` or `Diagnosis::EMPTY_MESH`. Everything else is as with `parameterize()`: the
 coordinates, the requirements on the surface, errors, and complexity. Finding the longest border takes linear time.
 
 \code{.cpp}
 const auto report = flatten_surface(mesh, uvmap);
-if(report.diagnosis != report.NOTHING_WRONG)
+if(report.status != Diagnosis::NOTHING_WRONG)
   std::cerr << report.message << "\n";
 \endcode
 
@@ -90,10 +90,10 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameteriz
   }
   std::decay_t<decltype(parameterizer.report())> report;
   if(faces(mesh).empty())
-    internal::ABF::fail(report, Flattening_report::EMPTY_MESH, "the mesh has no faces");
+    internal::ABF::fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
   else
     internal::ABF::fail(
-        report, Flattening_report::NO_BORDER,
+        report, Diagnosis::NO_BORDER,
         "the surface is closed: it has no border; cut it open first, for example by select_seams()");
   return report;
 }

@@ -11,7 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Cone_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
+#include <CGAL/Surface_mesh_parameterization/Cone_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/cone_flattener.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -32,9 +32,9 @@ flattens a surface of any topology along short seams through cones, so that the 
 `select_cones()` chooses the cones, `cut_to_disks()` leads seams through them, and ABF++ flattens the disk that these leave. The planar angles around each
 cone sum to the angle that was chosen, and to \f$2\pi\f$ around all other vertices inside the surface, also on seams. Both sides of a seam have the same lengths and
 turns: a rotation and a translation take one side to the other, from one cone or branch of the seams to the next, up to the tolerance. If the angles are multiples
-of \f$\pi/2\f$ (`parameters::angle_quantum()`), so are these rotations on a sphere, and a grid of the plane goes on across all seams but for a shift.
+of \f$\pi/2\f$ (`Cone_options::angle_multiple`), so are these rotations on a sphere, and a grid of the plane goes on across all seams but for a shift.
 
-With `parameters::free_cones()`, the sums at all vertices on seams are free. Lengths on both sides of a seam are still equal, and the map is as good as that of the surface
+With `Cone_angles::FREE`, the sums at all vertices on seams are free. Lengths on both sides of a seam are still equal, and the map is as good as that of the surface
 cut open.
 
 The map is locally injective, has the area of the surface and positive orientation, and its bounding box starts at the origin.
@@ -51,8 +51,9 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
 \param mesh a connected triangle mesh, of any genus and with any number of borders
 \param n the number of cones (see `select_cones()`)
 \param seams receives whether each edge is a seam; unchanged if anything is wrong
-\param uvmap receives the coordinates: a halfedge of a face has those of its target at that face, and a border halfedge those at the face on the other side of
+\param uv receives the coordinates: a halfedge of a face has those of its target at that face, and a border halfedge those at the face on the other side of
        its edge. They are also at the vertices of `make_seam_mesh(mesh, seams)`. It is unchanged if anything is wrong.
+\param options the options
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -61,33 +62,13 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
-  \cgalParamNBegin{cone_angles}
-    \cgalParamDescription{how the angles of cones are found (see `parameters::cone_angles()`)}
-    \cgalParamType{`Cone_angles`}
-    \cgalParamDefault{`Cone_angles::PREDICTED`}
-  \cgalParamNEnd
-  \cgalParamNBegin{angle_quantum}
-    \cgalParamDescription{the angle of which those of the cones are multiples, in radians (see `parameters::angle_quantum()`)}
-    \cgalParamType{`double`}
-    \cgalParamDefault{`0`: any angles}
-  \cgalParamNEnd
-  \cgalParamNBegin{free_cones}
-    \cgalParamDescription{whether the angle sums at all vertices on seams are free (see `parameters::free_cones()`)}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{parameterizer_options}
-    \cgalParamDescription{the options of ABF++ (see `parameters::parameterizer_options()`). Only free cones may go with `ABF_plus_plus_options::equal_seam_lengths` set to `false`.}
-    \cgalParamType{`ABF_plus_plus_options`}
-    \cgalParamDefault{`ABF_plus_plus_options()`}
-  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the edges that must not become seams}
     \cgalParamType{a model of `ReadablePropertyMap` with `bool` as value type}
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamDescription{what a seam along each edge costs}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
@@ -109,11 +90,12 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Cone_flattening<TriangleMesh> flatten_with_cones(const TriangleMesh& mesh, std::size_t n, EdgeIsSeamMap seams,
-                                                 HalfedgeUVMap uvmap,
+                                                 HalfedgeUVMap uv,
+                                                 const Cone_options& options = Cone_options(),
                                                  const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Cone_flattener<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, NamedParameters>(
-             mesh, seams, uvmap, np)
+             mesh, seams, uv, options, np)
       .run(n);
 }
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/Disk_cut_check.h>
+#include <CGAL/Surface_mesh_parameterization/Disk_cut_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/check_parts.h>
 
 #include <cstddef>
@@ -35,8 +35,8 @@ namespace Surface_mesh_parameterization {
 /// each part of `make_seam_mesh(mesh, seams)`, provided that coordinates are finite.
 ///
 /// \code{.cpp}
-/// if(const auto check = is_disk_cut(mesh, seams); !check)
-///   std::cerr << check.message << "\n";
+/// if(const auto report = is_disk_cut(mesh, seams); !report)
+///   std::cerr << report.message << "\n";
 /// \endcode
 ///
 /// Time and memory are linear in the size of the mesh.
@@ -48,29 +48,28 @@ namespace Surface_mesh_parameterization {
 /// \param mesh the surface. Isolated vertices do not matter.
 /// \param seams is `true` for the edges to be cut open.
 ///
-/// \return a check that is `true` if all parts are disks that can be flattened. Bad input is no
-///         exception, but a defect.
+/// \return a report that converts to `true` if all parts are disks that can be flattened
 template <typename TriangleMesh, typename EdgeIsSeamMap>
-Disk_cut_check<TriangleMesh> is_disk_cut(const TriangleMesh& mesh, EdgeIsSeamMap seams)
+Disk_cut_report<TriangleMesh> is_disk_cut(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
-  Disk_cut_check<TriangleMesh> check;
+  Disk_cut_report<TriangleMesh> report;
   if(faces(mesh).empty()) {
-    check.defect = Disk_cut_defect::EMPTY_MESH;
-    check.message = "the mesh has no faces";
-    return check;
+    report.status = Diagnosis::EMPTY_MESH;
+    report.message = "the mesh has no faces";
+    return report;
   }
-  check.parts = internal::ABF::Part_checker<TriangleMesh>(mesh, seams).parts();
-  check.defective_part = check.parts.size();
-  for(std::size_t p = check.parts.size(); p-- > 0;)
-    if(check.parts[p].defect == Disk_cut_defect::NOTHING_WRONG)
-      ++check.number_of_disks;
+  report.parts = internal::ABF::Part_checker<TriangleMesh>(mesh, seams).parts();
+  report.defective_part = report.parts.size();
+  for(std::size_t p = report.parts.size(); p-- > 0;)
+    if(report.parts[p].status == Diagnosis::NOTHING_WRONG)
+      ++report.number_of_disks;
     else
-      check.defective_part = p;
-  if(check.defective_part < check.parts.size()) {
-    check.defect = check.parts[check.defective_part].defect;
-    check.message = internal::ABF::message(check.parts[check.defective_part], mesh);
+      report.defective_part = p;
+  if(report.defective_part < report.parts.size()) {
+    report.status = report.parts[report.defective_part].status;
+    report.message = internal::ABF::message(report.parts[report.defective_part], mesh);
   }
-  return check;
+  return report;
 }
 
 } // namespace Surface_mesh_parameterization

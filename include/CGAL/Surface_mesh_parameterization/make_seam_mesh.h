@@ -161,7 +161,7 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 /// \param seams is `true` for the edges to be cut open. They need not leave disks.
 ///
 /// \exception std::invalid_argument if a vertex is surrounded by faces, and is on a seam or border of other faces as well
-///            (`Disk_cut_defect::NON_MANIFOLD_VERTEX`).
+///            (`Diagnosis::NON_MANIFOLD_VERTEX`).
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {

@@ -10,9 +10,9 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Packing_options.h>
 #include <CGAL/Surface_mesh_parameterization/Packing_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
 
 /// \file pack_charts.h
 
@@ -26,14 +26,14 @@ namespace Surface_mesh_parameterization {
 turns, scales and moves charts so that they fill the unit square, as a texture atlas. Charts are not mirrored, and the maps of the
 charts stay as they are up to a similarity.
 
-The square has `resolution`\f$^2\f$ *texels*. All charts get the same number of texels for their area in space, or as many as
+The square has `Packing_options::resolution`\f$^2\f$ *texels*. All charts get the same number of texels for their area in space, or as many as
 the weights of the faces say, and the largest number is searched for which all charts fit. Then a texel that one chart touches, and a texel that another one
-touches, have at least `gutter` texels between them, in a row or in a column; next to the border of the square, half as many, rounded up, are free. So charts
+touches, have at least `Packing_options::gutter` texels between them, in a row or in a column; next to the border of the square, half as many, rounded up, are free. So charts
 have the gutter between them also where the texture is repeated. This is certified for the coordinates as they are in the map, rounded to its number type:
 all triangles are drawn, and rounding errors make them larger only.
 
 Charts are sets of texels. They come by the areas of their convex hulls, the largest first, and each is put where its upper end is lowest; all places are tried, 64 at a
-time, also those within the holes and between the branches of other charts. Charts of at least 2 % of the area are tried in `number_of_rotations` directions and that of their smallest enclosing square, others in the four of their smallest enclosing rectangle. Charts of less than 0.2 %
+time, also those within the holes and between the branches of other charts. Charts of at least 2 % of the area are tried in `Packing_options::number_of_rotations` directions and that of their smallest enclosing square, others in the four of their smallest enclosing rectangle. Charts of less than 0.2 %
 are not tried in rows where a chart of about the same size had no place just before. The report counts these charts. Several rules of placement are tried, the fewer the more charts there are.
 With a resolution above 1024, charts are put at every second, third, ... texel.
 
@@ -50,10 +50,11 @@ For \f$n\f$ faces, it takes time and memory \cgalBigO{n} to find the outlines of
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh
-\param face_chart_map the number of each face's chart. A face with a negative number has none: it is ignored, and its coordinates stay as they are. Faces
+\param charts the number of each face's chart. A face with a negative number has none: it is ignored, and its coordinates stay as they are. Faces
        of a chart need not be connected.
 \param uv the coordinates. A halfedge of a face has those of its target at that face; those of border halfedges are not used. Unchanged if
        anything is wrong
+\param options the options
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -62,24 +63,8 @@ For \f$n\f$ faces, it takes time and memory \cgalBigO{n} to find the outlines of
     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
-  \cgalParamNBegin{resolution}
-    \cgalParamDescription{how many texels are along a side of the unit square (see `parameters::resolution()`)}
-    \cgalParamType{`int`}
-    \cgalParamDefault{1024}
-  \cgalParamNEnd
-  \cgalParamNBegin{gutter}
-    \cgalParamDescription{how many texels are free between two charts (see `parameters::gutter()`)}
-    \cgalParamType{`int`}
-    \cgalParamDefault{2}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_rotations}
-    \cgalParamDescription{in how many directions large charts are tried (see `parameters::number_of_rotations()`)}
-    \cgalParamType{`int`}
-    \cgalParamDefault{32}
-  \cgalParamNEnd
-  \cgalParamNBegin{face_weight_map}
-    \cgalParamDescription{how many texels a length on each face should have, in proportion (see `parameters::face_weight_map()`). A chart has
-                           the quadratic mean of the weights of its faces, by area.}
+  \cgalParamNBegin{face_size_map}
+    \cgalParamDescription{how many texels a length on each face gets, in proportion. A chart has the quadratic mean of its faces, by area.}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{1 for all faces}
   \cgalParamNEnd
@@ -89,11 +74,12 @@ For \f$n\f$ faces, it takes time and memory \cgalBigO{n} to find the outlines of
 */
 template <typename TriangleMesh, typename FaceChartMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Packing_report pack_charts(const TriangleMesh& mesh, FaceChartMap face_chart_map, HalfedgeUVMap uv,
+Packing_report pack_charts(const TriangleMesh& mesh, FaceChartMap charts, HalfedgeUVMap uv,
+                           const Packing_options& options = Packing_options(),
                            const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Chart_packer<TriangleMesh, FaceChartMap, HalfedgeUVMap, NamedParameters>(
-             mesh, face_chart_map, uv, np)
+             mesh, charts, uv, options, np)
       .run();
 }
 

@@ -92,7 +92,7 @@ Seam_selection_report read_seam_selection(std::istream& in, const TriangleMesh& 
     }
   }
   if(const std::size_t i = pairs.first_not_found(numbers.size()); i != numbers.size())
-    return internal::ABF::failure(Seam_selection_report::NO_SUCH_EDGE,
+    return internal::ABF::failure(Diagnosis::NO_SUCH_EDGE,
                                   "there is no edge between vertices " + std::to_string(numbers[i].value) +
                                       " and " + std::to_string(numbers[i + 1].value),
                                   numbers[i].line, numbers[i].element);
@@ -110,7 +110,7 @@ Seam_selection_report read_seam_selection(const std::string& file_name, const Tr
 {
   std::ifstream in(file_name);
   if(!in)
-    return internal::ABF::failure(Seam_selection_report::CANNOT_OPEN, "cannot open " + file_name);
+    return internal::ABF::failure(Diagnosis::CANNOT_OPEN, "cannot open " + file_name);
   Seam_selection_report report = read_seam_selection(in, mesh, seams);
   if(!report)
     report.message = file_name + ": " + report.message;
@@ -151,7 +151,7 @@ Seam_selection_report write_seam_selection(std::ostream& out, const TriangleMesh
                std::to_string(get(number_of, target(e, mesh))) + " ";
   }
   out << "\n" << std::flush;
-  return out ? report : internal::ABF::failure(Seam_selection_report::CANNOT_WRITE, "writing failed");
+  return out ? report : internal::ABF::failure(Diagnosis::CANNOT_WRITE, "writing failed");
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -164,7 +164,7 @@ Seam_selection_report write_seam_selection(const std::string& file_name, const T
 {
   std::ofstream out(file_name);
   if(!out)
-    return internal::ABF::failure(Seam_selection_report::CANNOT_OPEN, "cannot open " + file_name);
+    return internal::ABF::failure(Diagnosis::CANNOT_OPEN, "cannot open " + file_name);
   Seam_selection_report report = write_seam_selection(out, mesh, seams);
   if(!report)
     report.message = file_name + ": " + report.message;

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Cone_options.h>
 #include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
-#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -31,11 +31,11 @@ As for `select_seams()`, the cotangent Laplacian predicts the scale \f$e^u\f$ of
 angle defect of a vertex, and \f$u\f$ vanishes at cones and borders. The vertex of the largest \f$|u|\f$ becomes the next cone. The first cone of a closed surface is
 where the scale of the map to a surface of constant curvature is farthest from its mean.
 
-The angles of the cones are those that make the predicted \f$u\f$ vanish at all of them, or those that make it vary least (`parameters::cone_angles()`). On
+The angles of the cones are those that make the predicted \f$u\f$ vanish at all of them, or those that make it vary least (`Cone_options::angles`). On
 a closed surface of genus \f$g\f$, the angles of \f$k\f$ cones sum to \f$2\pi(k - 2 + 2g)\f$; what rounding leaves of that goes to the largest angle. A sphere needs
 three cones at least.
 
-With `parameters::angle_quantum()`, the angles are multiples of an angle such as \f$\pi/2\f$: on a sphere, those charges \f$2\pi - \theta\f$ are rounded up that leave the largest
+With `Cone_options::angle_multiple`, the angles are multiples of an angle such as \f$\pi/2\f$: on a sphere, those charges \f$2\pi - \theta\f$ are rounded up that leave the largest
 remainders; on a disk, each is rounded to the nearest one. Cones that become flat by that are dropped.
 
 There are fewer cones than `n` if fewer make the scale constant, if the surface has fewer interior vertices, or if some are dropped.
@@ -47,6 +47,7 @@ For \f$m\f$ vertices, this takes one factorization of the Laplacian, and time \c
 
 \param mesh a connected triangle mesh, of any genus and with any number of borders
 \param n the number of cones, at most 1000
+\param options the options
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -55,21 +56,6 @@ For \f$m\f$ vertices, this takes one factorization of the Laplacian, and time \c
     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
-  \cgalParamNBegin{cone_angles}
-    \cgalParamDescription{how the angles are found}
-    \cgalParamType{`Cone_angles`}
-    \cgalParamDefault{`Cone_angles::PREDICTED`}
-  \cgalParamNEnd
-  \cgalParamNBegin{angle_quantum}
-    \cgalParamDescription{the angle of which all angles are multiples, in radians; \f$2\pi\f$ must be a multiple of it. The surface must be a sphere or a disk.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{`0`: any angles}
-  \cgalParamNEnd
-  \cgalParamNBegin{free_cones}
-    \cgalParamDescription{whether the angles do not matter: all are `free_cone_angle` then, and a sphere may have fewer than three cones}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of the linear systems}
     \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
@@ -77,16 +63,17 @@ For \f$m\f$ vertices, this takes one factorization of the Laplacian, and time \c
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the cones with their angles, or what is wrong. `Cone_report::INFEASIBLE_ANGLES` means that the angle of a cone would not be in \f$(0, d\pi)\f$ for a vertex
+\return the cones with their angles, or what is wrong. `Diagnosis::INFEASIBLE_ANGLE_SUMS` means that the angle of a cone would not be in \f$(0, d\pi)\f$ for a vertex
 with \f$d\f$ triangles: other cones, or more of them, can help.
 
 \sa `flatten_with_cones()`
 */
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Cone_selection<TriangleMesh> select_cones(const TriangleMesh& mesh, std::size_t n,
+                                          const Cone_options& options = Cone_options(),
                                           const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::select_cones_of_mesh(mesh, n, np);
+  return internal::ABF::select_cones_of_mesh(mesh, n, options, np);
 }
 
 } // namespace Surface_mesh_parameterization

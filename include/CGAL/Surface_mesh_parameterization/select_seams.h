@@ -9,11 +9,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_options.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
 
 /// \file select_seams.h
 
@@ -28,7 +28,7 @@ cuts a surface of any topology to disks that can be flattened with little stretc
 
 First the surface is cut to disks as by `cut_to_disks()`. The cotangent Laplacian then predicts the scale \f$e^u\f$ of a conformal map: \f$L u = -K\f$, where \f$K\f$ is the
 angle defect of a vertex, and \f$u\f$ vanishes on seams and borders. The vertex of the largest \f$|u|\f$ becomes a *terminal*: the shortest path joins it to the seams. That is
-repeated until the predicted \f$L_2\f$ stretch \f$\sqrt{\overline{e^{-2u}}\;\overline{e^{2u}}}\f$, with means over the area, is at most `stretch_bound`. Key-path exchange then shortens the seams.
+repeated until the predicted \f$L_2\f$ stretch \f$\sqrt{\overline{e^{-2u}}\;\overline{e^{2u}}}\f$, with means over the area, is at most `Seam_options::stretch_bound`. Key-path exchange then shortens the seams.
 The terminals of a sphere begin with a vertex where it shrinks most; there are at least two of them.
 
 The stretch of a map by ABF++ is mostly within a few percent of the prediction. Coarse triangulations with long thin triangles can stretch more: measure the map.
@@ -46,6 +46,7 @@ For \f$n\f$ triangles this takes time \f$O(n \log n)\f$ for the copy and the pat
 
 \param mesh a triangle mesh, of any number of connected components
 \param seams which edges are seams; unchanged if anything is wrong
+\param options the options
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -60,19 +61,9 @@ For \f$n\f$ triangles this takes time \f$O(n \log n)\f$ for the copy and the pat
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamDescription{what a seam along each edge costs}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
-  \cgalParamNEnd
-  \cgalParamNBegin{stretch_bound}
-    \cgalParamDescription{the largest predicted \f$L_2\f$ stretch (see `parameters::stretch_bound()`)}
-    \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{`1.1`}
-  \cgalParamNEnd
-  \cgalParamNBegin{maximum_number_of_terminals}
-    \cgalParamDescription{the largest number of terminals of each part of the surface (see `parameters::maximum_number_of_terminals()`)}
-    \cgalParamType{`int`, at least 0}
-    \cgalParamDefault{`100`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of the linear systems}
@@ -81,29 +72,23 @@ For \f$n\f$ triangles this takes time \f$O(n \log n)\f$ for the copy and the pat
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the length of all seams. `Seam_report::NO_CUT_ALLOWED` means that edges which must not become seams leave no way.
+\return what is wrong, if anything, and the length of all seams. `Diagnosis::NO_CUT_ALLOWED` means that edges which must not become seams leave no way.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Seam_report select_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                         const Seam_options& options = Seam_options(),
                          const NamedParameters& np = parameters::default_values())
 {
   namespace ABF = internal::ABF;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  ABF::Seam_options options;
-  options.stretch_bound =
-      choose_parameter(get_parameter(np, internal_np::stretch_bound), options.stretch_bound);
-  options.maximum_number_of_terminals = choose_parameter(
-      get_parameter(np, internal_np::maximum_number_of_terminals), options.maximum_number_of_terminals);
   Seam_report report;
   report.message = ABF::wrong_option(options);
   if(!report.message.empty()) {
-    report.diagnosis = Seam_report::WRONG_OPTION;
+    report.status = Diagnosis::WRONG_OPTION;
     return report;
   }
-  const ABF::Linear_solvers solvers(
-      choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+  const ABF::Linear_solvers solvers(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
   report = application.run([&](const ABF::Surface_part& part) {
     return ABF::find_seams(part.chart, part.cost, options, solvers);

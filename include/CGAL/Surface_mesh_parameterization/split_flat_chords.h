@@ -64,7 +64,7 @@ struct Split_edge
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// splits the edges of `mesh` that are in the way of a planar border with prescribed angles: those for which
-/// `ABF_plus_plus_parameterizer_3::parameterize()` has the diagnosis `Flattening_report::FLAT_CHORD`.
+/// `ABF_plus_plus_parameterizer_3::parameterize()` has the diagnosis `Diagnosis::FLAT_CHORD`.
 ///
 /// Such an edge joins two border vertices, and the border between them is to be straight, or to turn away from the edge. The triangles
 /// between the two would have no area. The most frequent one cuts off a triangle with two border edges, whose
@@ -95,7 +95,7 @@ split_flat_chords(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>
     const internal::ABF::Chart_defect defect = internal::ABF::read_angle_sums(
         reader.vertex_descriptors, internal::ABF::vertex_angle_sums<TriangleMesh>(angle_sums), mesh,
         reader.chart);
-    if(defect.diagnosis != Flattening_report::FLAT_CHORD)
+    if(defect.status != Diagnosis::FLAT_CHORD)
       return {};
     for(int v : defect.vertices)
       ends.push_back(reader.vertex_descriptors[v]);

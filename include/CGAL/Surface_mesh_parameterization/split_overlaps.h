@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Overlap_split_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/split_charts.h>
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
 
 /// \file split_overlaps.h
 
@@ -39,19 +38,19 @@ each cut takes time \cgalBigO{(n + k) \log n} and a maximum flow on a planar gra
 time to flatten the chart. Memory is linear in \f$n\f$. The result does not depend on the number of threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-\tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose number type is exact or has only numbers that `double` has too.
         The key type is `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` or `boost::graph_traits<TriangleMesh>::%vertex_descriptor`.
+\tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 \tparam FaceChartMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh, of any number of connected components
-\param seams which edges are seams; new ones are added, and none if anything is wrong. Marked border edges do no harm.
 \param uv the coordinates. A halfedge of a face has those of its target at that face: all halfedges of faces need some, and around a
        vertex they are the same from seam to seam. Coordinates of vertices are enough where no vertex is on a seam that opens its chart.
-\param face_chart_map receives the number of each face's piece, from 0 on, in the order of the first faces of the pieces; unchanged if anything is wrong
+\param seams which edges are seams; new ones are added, and none if anything is wrong. Marked border edges do no harm.
+\param charts receives the number of each face's piece, from 0 on, in the order of the first faces of the pieces; unchanged if anything is wrong
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -66,7 +65,7 @@ time to flatten the chart. Memory is linear in \f$n\f$. The result does not depe
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs (see `parameters::edge_weight_map()`)}
+    \cgalParamDescription{what a seam along each edge costs}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
@@ -76,15 +75,15 @@ time to flatten the chart. Memory is linear in \f$n\f$. The result does not depe
 
 \sa `overlapping_faces()`
 */
-template <typename TriangleMesh, typename EdgeIsSeamMap, typename UVMap, typename FaceChartMap,
+template <typename TriangleMesh, typename UVMap, typename EdgeIsSeamMap, typename FaceChartMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Overlap_split_report split_overlaps(const TriangleMesh& mesh, EdgeIsSeamMap seams, UVMap uv,
-                                    FaceChartMap face_chart_map,
+Overlap_split_report split_overlaps(const TriangleMesh& mesh, UVMap uv, EdgeIsSeamMap seams,
+                                    FaceChartMap charts,
                                     const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Chart_splitter<TriangleMesh, EdgeIsSeamMap, UVMap, NamedParameters>(mesh, seams, uv,
                                                                                             np)
-      .run(face_chart_map);
+      .run(charts);
 }
 
 } // namespace Surface_mesh_parameterization

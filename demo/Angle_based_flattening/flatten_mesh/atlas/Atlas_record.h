@@ -45,9 +45,9 @@ struct Atlas_record
 inline std::string status_name(const Atlas_record& record)
 {
   if(record.report.has_atlas() && !record.skipped.empty()) {
-    return to_string(SMP::Atlas_report::SOMETHING_SKIPPED);
+    return to_string(SMP::Diagnosis::SOMETHING_SKIPPED);
   }
-  return record.report ? "OK" : to_string(record.report.diagnosis);
+  return record.report ? "OK" : to_string(record.report.status);
 }
 
 inline Exit_status exit_status(const Atlas_record& record)

@@ -14,10 +14,11 @@
 #include "flatten_mesh/plain/Cut_mesh.h"
 #include "flatten_mesh/atlas/keep_seams.h"
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
 #include <CGAL/property_map.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -26,25 +27,39 @@ namespace flatten_mesh {
 
 namespace internal {
 
+inline SMP::Atlas_options options_of_atlas(const Command_line& command, Atlas_progress& progress)
+{
+  SMP::Atlas_options options;
+  options.stretch_bound = command.stretch_bound;
+  options.resolution = command.atlas.resolution;
+  options.gutter = command.atlas.gutter;
+  options.number_of_rotations = command.atlas.rotations;
+  if(command.asks_for_area_weight) {
+    options.area_weight = command.options.area_weight;
+  }
+  options.separate_overlaps = options.cut_necks = command.atlas.separates;
+  options.equal_seam_lengths = command.equal_seams != "off";
+  options.pack_into_square = command.atlas.is_packed;
+  options.threads = command.options.threads;
+  options.visitor = &progress;
+  return options;
+}
+
+// No seam divides a polygon of the input.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
                                          Atlas_progress& progress)
 {
   namespace np = CGAL::parameters;
-  const Atlas_options& options = command.atlas;
-  const double area_weight = command.asks_for_area_weight ? command.options.area_weight
-                                                          : SMP::internal::ABF::Atlas_options().area_weight;
   const Edge_marks is_diagonal = diagonals(mesh);
-  const auto edges = np::edge_is_diagonal_map(is_diagonal, np::edge_is_constrained_map(is_diagonal));
-  const auto seams = np::edge_is_seam_map(atlas.seams, edges);
-  const auto charts = np::face_chart_map(atlas.chart, np::stretch_bound(command.stretch_bound, seams));
-  const auto pieces = np::separate_overlaps(options.separates, np::cut_necks(options.separates, charts));
-  const auto maps =
-      np::equal_seam_lengths(command.equal_seams != "off", np::area_weight(area_weight, pieces));
-  const auto packing = np::resolution(
-      options.resolution, np::gutter(options.gutter, np::number_of_rotations(options.rotations, maps)));
-  const auto all =
-      np::pack_into_square(options.is_packed, np::number_of_threads(command.options.threads, packing));
-  return SMP::make_atlas(mesh, atlas.uv, np::atlas_visitor(progress, all));
+  const auto is_side =
+      boost::make_function_property_map<Edge>([is_diagonal](const Edge e) { return !is_diagonal[e]; });
+  auto polygon = mesh.add_property_map<Face, std::size_t>().first;
+  CGAL::Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
+  SMP::Atlas_report report =
+      SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options_of_atlas(command, progress),
+                      np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
+  mesh.remove_property_map(polygon);
+  return report;
 }
 
 // A component as a mesh of its own

@@ -83,7 +83,7 @@ void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_reco
   for(const SMP::Atlas_report::Skipped& part : record.report.skipped) {
     const Face first(static_cast<Mesh::size_type>(part.first_face));
     record.skipped.push_back(
-        {face_in_file(input, first), count_faces(input, atlas, first), part.diagnosis, part.message});
+        {face_in_file(input, first), count_faces(input, atlas, first), to_string(part.status), part.message});
   }
   std::stable_sort(record.skipped.begin(), record.skipped.end(),
                    [](const auto& a, const auto& b) { return a.first_face < b.first_face; });
@@ -279,7 +279,7 @@ void make_charts(const Command_line& command, Atlas_input& input, const Atlas& a
                  Atlas_progress& progress)
 {
   if(input.mesh.is_empty()) {
-    record.report.diagnosis = SMP::Atlas_report::NOTHING_FLATTENED;
+    record.report.status = SMP::Diagnosis::NOTHING_FLATTENED;
     record.report.message = "no part of the surface can be flattened";
     return;
   }

@@ -133,15 +133,15 @@ Baked_surface bake_textures(const Command_line& command, Atlas_input& input, con
   const Fine_surface fine = read_fine_surface(command.atlas.bake_from, notes);
   Baked_surface baked;
   baked.frames = mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:flatten_mesh_frame").first;
-  const auto parameters = np::resolution(
-      command.atlas.resolution,
-      np::gutter(command.atlas.gutter,
-                 np::face_chart_map(
-                     atlas.chart,
-                     np::tangent_frame_map(baked.frames, np::number_of_threads(command.options.threads)))));
-  baked.textures = fine.has_colors ? SMP::bake_surface(mesh, atlas.uv, fine.mesh, parameters,
-                                                       np::vertex_color_map(fine.colors))
-                                   : SMP::bake_surface(mesh, atlas.uv, fine.mesh, parameters);
+  SMP::Baking_options options;
+  options.resolution = command.atlas.resolution;
+  options.gutter = command.atlas.gutter;
+  options.threads = command.options.threads;
+  const auto charts = np::face_patch_map(atlas.chart);
+  baked.textures = fine.has_colors
+                       ? SMP::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts,
+                                           np::vertex_color_map(fine.colors))
+                       : SMP::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts);
   if(!baked.textures) {
     throw Input_error("cannot bake '" + command.atlas.bake_from + "': " + baked.textures.report.message);
   }

@@ -18,7 +18,7 @@ struct Skipped_part
 {
   std::size_t first_face = 0; // in the file, from 0
   std::size_t faces = 0;      // of the file
-  std::string diagnosis;      // in one word
+  std::string status;         // in one word
   std::string message;
 };
 
@@ -27,7 +27,7 @@ inline bool is_failure_of_computation(const Skipped_part& part)
 {
   static const std::array<const char*, 5> names = {"LINEAR_SYSTEM_FAILED", "NO_CONVERGENCE",
                                                    "FLIPPED_TRIANGLES", "OVERLAPPING", "PRECISION_EXCEEDED"};
-  return std::find(names.begin(), names.end(), part.diagnosis) != names.end();
+  return std::find(names.begin(), names.end(), part.status) != names.end();
 }
 
 } // namespace flatten_mesh

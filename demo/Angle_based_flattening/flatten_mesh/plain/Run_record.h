@@ -44,7 +44,7 @@ struct Flattening
   double parameterize_seconds = 0;
   double measure_seconds = 0;
 
-  bool succeeded() const { return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG; }
+  bool succeeded() const { return report.status == SMP::Diagnosis::NOTHING_WRONG; }
 
   // Counts the time of another one that this one replaced, or that was worse.
   void add_attempt(const Flattening& other)
@@ -119,7 +119,7 @@ struct Run_record
 // The name of a diagnosis, "OK" for none.
 inline std::string status_name(const SMP::ABF_plus_plus_report& report)
 {
-  return report.diagnosis == SMP::Flattening_report::NOTHING_WRONG ? "OK" : to_string(report.diagnosis);
+  return report.status == SMP::Diagnosis::NOTHING_WRONG ? "OK" : to_string(report.status);
 }
 
 inline std::string strategy_name(const SMP::ABF_plus_plus_report::Strategy strategy)
@@ -156,14 +156,13 @@ inline std::string layout_name(const SMP::ABF_plus_plus_report& report)
 // Whether the computation failed rather than the input.
 inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
 {
-  using Report = SMP::ABF_plus_plus_report;
-  switch(report.diagnosis) {
-  case Report::NOTHING_WRONG:
-  case Report::LINEAR_SYSTEM_FAILED:
-  case Report::NO_CONVERGENCE:
-  case Report::FLIPPED_TRIANGLES:
-  case Report::OVERLAPPING:
-  case Report::PRECISION_EXCEEDED:
+  switch(report.status) {
+  case SMP::Diagnosis::NOTHING_WRONG:
+  case SMP::Diagnosis::LINEAR_SYSTEM_FAILED:
+  case SMP::Diagnosis::NO_CONVERGENCE:
+  case SMP::Diagnosis::FLIPPED_TRIANGLES:
+  case SMP::Diagnosis::OVERLAPPING:
+  case SMP::Diagnosis::PRECISION_EXCEEDED:
     return true;
   default:
     return false;

@@ -13,8 +13,10 @@
 #include <CGAL/Surface_mesh_parameterization/select_cones.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,7 @@ namespace {
 
 void check_cones(const SMP::Cone_selection<Mesh>& selection, const Seamed_component& component)
 {
-  if(selection.diagnosis == SMP::Cone_report::NOTHING_WRONG) {
+  if(selection) {
     return;
   }
   std::string text = "cannot choose cones: " + selection.message;
@@ -33,7 +35,7 @@ void check_cones(const SMP::Cone_selection<Mesh>& selection, const Seamed_compon
             vertex_name(component.part.origins[selection.offending_vertices[i].idx()].idx());
   }
   text += selection.offending_vertices.empty() ? "" : ")";
-  if(selection.diagnosis == SMP::Cone_report::LINEAR_SYSTEM_FAILED) {
+  if(selection.status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED) {
     throw Seams_failed(text);
   }
   throw Input_error(text);
@@ -42,22 +44,22 @@ void check_cones(const SMP::Cone_selection<Mesh>& selection, const Seamed_compon
 // Marks short seams through the cones that make the surface a disk.
 SMP::Seam_report cut_through_cones(Seamed_component& component)
 {
-  std::vector<Vertex> terminals;
+  std::set<Vertex> cones;
   for(const auto& cone : *component.cones) {
-    terminals.push_back(cone.first);
+    cones.insert(cone.first);
   }
-  return SMP::cut_to_disks(
-      component.part.mesh, component.seams,
-      CGAL::parameters::terminals(terminals, CGAL::parameters::edge_is_constrained_map(component.forbidden)));
+  return SMP::cut_to_disks(component.part.mesh, component.seams,
+                           CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(cones))
+                               .edge_is_constrained_map(component.forbidden));
 }
 
 void check_report(const SMP::Seam_report& report)
 {
-  if(report.diagnosis == SMP::Seam_report::NOTHING_WRONG) {
+  if(report) {
     return;
   }
   const std::string text = "cannot choose seams: " + report.message;
-  if(report.diagnosis == SMP::Seam_report::LINEAR_SYSTEM_FAILED) {
+  if(report.status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED) {
     throw Seams_failed(text);
   }
   throw Input_error(text);
@@ -70,8 +72,9 @@ Cone_record choose_cones(const Command_line& command, Seamed_component& componen
   Cone_record record;
   record.wanted = static_cast<std::size_t>(command.cones);
   record.multiple = command.cone_angle_multiple / 180 * CGAL_PI;
-  const auto selection =
-      SMP::select_cones(component.part.mesh, record.wanted, CGAL::parameters::angle_quantum(record.multiple));
+  SMP::Cone_options options;
+  options.angle_multiple = record.multiple;
+  const auto selection = SMP::select_cones(component.part.mesh, record.wanted, options);
   check_cones(selection, component);
   record.predicted_stretch = selection.predicted_stretch;
   component.cones.emplace();
@@ -92,19 +95,20 @@ bool is_cut(const Command_line& command, Mesh& mesh, const Component& component)
 void choose_seams(const Command_line& command, Mesh& input, Seamed_component& component, Seam_record& record)
 {
   const Mesh& mesh = component.part.mesh;
-  const auto options = CGAL::parameters::edge_is_constrained_map(component.forbidden);
+  const auto forbidden = CGAL::parameters::edge_is_constrained_map(component.forbidden);
   record.cut = component.cones ? "cones" : command.cut;
   if(component.cones) {
     check_report(cut_through_cones(component));
   } else if(command.cut == "auto") {
-    const SMP::Seam_report report = SMP::select_seams(
-        mesh, component.seams, CGAL::parameters::stretch_bound(command.stretch_bound, options));
+    SMP::Seam_options options;
+    options.stretch_bound = command.stretch_bound;
+    const SMP::Seam_report report = SMP::select_seams(mesh, component.seams, options, forbidden);
     check_report(report);
     record.stretch_bound = command.stretch_bound;
     record.terminals = report.number_of_terminals;
     record.predicted_stretch = report.predicted_stretch;
   } else if(command.cut == "topology") {
-    check_report(SMP::cut_to_disks(mesh, component.seams, options));
+    check_report(SMP::cut_to_disks(mesh, component.seams, forbidden));
   } else {
     read_seams(command.cut, input, component);
   }

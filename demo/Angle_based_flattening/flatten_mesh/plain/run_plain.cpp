@@ -367,16 +367,15 @@ void split_surface(Surface& surface, Run_record& record, const Progress& progres
 // Says what else can be done.
 std::string remedy(Surface& surface, const SMP::ABF_plus_plus_report& report)
 {
-  if(report.diagnosis == SMP::Flattening_report::LINEAR_SYSTEM_FAILED) {
+  if(report.status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED) {
     return std::string("; the usual cause: ") + memory_text; // solvers only say that they failed
   }
   if(surface.seamed) {
     return "";
   }
-  const std::string cut = report.diagnosis == SMP::Flattening_report::NONZERO_GENUS ? "; --cut auto does that"
-                          : report.diagnosis == SMP::Flattening_report::SCALE_TOO_LARGE
-                              ? "; --cut topology does that"
-                              : "";
+  const std::string cut = report.status == SMP::Diagnosis::NONZERO_GENUS     ? "; --cut auto does that"
+                          : report.status == SMP::Diagnosis::SCALE_TOO_LARGE ? "; --cut topology does that"
+                                                                             : "";
   return cut + other_component_text(surface.input, surface.component.number);
 }
 

@@ -77,7 +77,7 @@ Split_chart split_chart(const Mesh& mesh, const Chart& chart, const Flattening& 
   const auto forbidden = boost::make_function_property_map<Edge>(
       [&](const Edge e) { return is_forbidden(alone.edge_origins[e.idx()]); });
   const SMP::Overlap_split_report report =
-      SMP::split_overlaps(alone.mesh, seams, uv, piece, CGAL::parameters::edge_is_constrained_map(forbidden));
+      SMP::split_overlaps(alone.mesh, uv, seams, piece, CGAL::parameters::edge_is_constrained_map(forbidden));
   if(!report) {
     throw Seams_failed("cannot split overlaps: " + report.message);
   }

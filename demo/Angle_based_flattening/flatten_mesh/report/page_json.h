@@ -52,7 +52,7 @@ inline std::string page_skipped_json(const Skipped_part& part)
   Json_object json;
   json.add("faces", json_number(part.faces));
   json.add("first_face", json_number(part.first_face));
-  json.add("diagnosis", json_text(part.diagnosis));
+  json.add("diagnosis", json_text(part.status));
   json.add("message", json_text(part.message));
   return json.text();
 }

@@ -69,7 +69,7 @@ private:
   // Of a corner at the vertex
   int corner(int i) const { return next_corner(m_border[i]); }
 
-  static Chart_defect defect(Flattening_report::Diagnosis diagnosis, const std::ostringstream& message,
+  static Chart_defect defect(Diagnosis diagnosis, const std::ostringstream& message,
                              std::vector<int> vertices)
   {
     return {diagnosis, message.str(), std::move(vertices), {}};
@@ -87,7 +87,7 @@ private:
     std::ostringstream message;
     message << "the prescribed angle at the vertex at " << position_text(m_chart, vertices.front())
             << (m_rank[vertices.front()] < 0 ? " is not at the outer border" : " is not a positive number");
-    return defect(Flattening_report::WRONG_ANGLE_SUM, message, vertices);
+    return defect(Diagnosis::WRONG_ANGLE_SUM, message, vertices);
   }
 
   Chart_defect find_wrong_total() const
@@ -101,7 +101,7 @@ private:
       message << "the prescribed angles of all " << size() << " border vertices sum to "
               << (size() - 2) * pi - left << ", but must sum to " << size() - 2
               << " pi = " << (size() - 2) * pi;
-      return defect(Flattening_report::WRONG_ANGLE_TOTAL, message, {});
+      return defect(Diagnosis::WRONG_ANGLE_TOTAL, message, {});
     }
     // What is left for the others counts their turning as zero.
     const double sum = left + m_free.back() * pi;
@@ -116,7 +116,7 @@ private:
       return {};
     message << "the prescribed angles leave a sum of " << sum << " to the " << others.size()
             << " other border vertices, which must be above 0 and below " << triangles << " pi";
-    return defect(Flattening_report::WRONG_ANGLE_TOTAL, message, others);
+    return defect(Diagnosis::WRONG_ANGLE_TOTAL, message, others);
   }
 
   // An edge between two border vertices cuts off a part of the plane on each side, if the border turns towards it between them.
@@ -142,7 +142,7 @@ private:
     if(ends.size() > 2)
       message << ", as beside " << ends.size() / 2 - 1 << " other edge(s)";
     message << ": split it, for example by split_flat_chords()";
-    return defect(Flattening_report::FLAT_CHORD, message, ends);
+    return defect(Diagnosis::FLAT_CHORD, message, ends);
   }
 
   // Whether the vertices between two of ranks i < j, or the others, are all prescribed and do not turn to the left together
@@ -172,7 +172,7 @@ private:
     message << "the prescribed angle " << m_chart.angle_sums[vertices.front()] << " at the vertex at "
             << position_text(m_chart, vertices.front()) << " is too large: it has only " << triangles
             << " triangle(s)";
-    return defect(Flattening_report::WRONG_ANGLE_SUM, message, vertices);
+    return defect(Diagnosis::WRONG_ANGLE_SUM, message, vertices);
   }
 
   // Where no angle is above pi, only chords can be in the way.
@@ -199,7 +199,7 @@ private:
       message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
     message << (flow.is_too_large() ? " are too large" : " are too small")
             << " together for the triangles that are there";
-    return defect(Flattening_report::INFEASIBLE_ANGLE_SUMS, message, vertices);
+    return defect(Diagnosis::INFEASIBLE_ANGLE_SUMS, message, vertices);
   }
 
   const Chart& m_chart;

@@ -65,8 +65,6 @@ public:
   double missing_angle() const { return m_free.empty() ? m_left : 0; }
 
 private:
-  typedef Flattening_report::Diagnosis Diagnosis;
-
   static Chart_defect defect(Diagnosis diagnosis, const std::string& message,
                              const std::vector<int>& vertices)
   {
@@ -113,7 +111,7 @@ private:
         message << ", " << sum << ", is too large: it has only " << m_corners[place] << " triangle(s)";
       else
         continue;
-      return defect(Flattening_report::WRONG_ANGLE_SUM, message.str(), {v});
+      return defect(Diagnosis::WRONG_ANGLE_SUM, message.str(), {v});
     }
     return {};
   }
@@ -128,14 +126,14 @@ private:
       message << "the prescribed angle sums are too " << (m_left > 0 ? "small" : "large") << " by "
               << std::abs(m_left)
               << " together: the sums of all vertices must be pi times the number of triangles";
-      return defect(Flattening_report::WRONG_ANGLE_TOTAL, message.str(), given());
+      return defect(Diagnosis::WRONG_ANGLE_TOTAL, message.str(), given());
     }
     if(m_left > 0 && m_left < m_corners_of_free * pi)
       return {};
     message << "the prescribed angle sums leave a sum of " << m_left << " to the " << m_free.size()
             << " vertices whose sums are free, which must be above 0 and below " << m_corners_of_free
             << " pi";
-    return defect(Flattening_report::WRONG_ANGLE_TOTAL, message.str(), m_free);
+    return defect(Diagnosis::WRONG_ANGLE_TOTAL, message.str(), m_free);
   }
 
   // The vertices with a sum that was given, one copy of each
@@ -163,7 +161,7 @@ private:
       message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
     message << (flow.is_too_large() ? " are too large" : " are too small")
             << " together for the triangles that are there";
-    return defect(Flattening_report::INFEASIBLE_ANGLE_SUMS, message.str(), vertices);
+    return defect(Diagnosis::INFEASIBLE_ANGLE_SUMS, message.str(), vertices);
   }
 
   const Chart& m_chart;

@@ -14,7 +14,6 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
-#include <CGAL/Surface_mesh_parameterization/atlas_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
@@ -24,8 +23,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
-#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Real_timer.h>
@@ -46,33 +43,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-template <typename NamedParameters>
-Atlas_options atlas_options(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Atlas_options options;
-  const auto read = [&](auto tag, auto& option) {
-    option = choose_parameter(get_parameter(np, tag), option);
-  };
-  read(internal_np::stretch_bound, options.seams.stretch_bound);
-  read(internal_np::maximum_number_of_terminals, options.seams.maximum_number_of_terminals);
-  read(internal_np::packing_resolution, options.packing.resolution);
-  read(internal_np::packing_gutter, options.packing.gutter);
-  read(internal_np::packing_rotations, options.packing.number_of_rotations);
-  read(internal_np::atlas_area_weight, options.area_weight);
-  read(internal_np::atlas_separates, options.separates);
-  read(internal_np::atlas_cuts_necks, options.cuts_necks);
-  read(internal_np::atlas_equal_seams, options.equal_seam_lengths);
-  read(internal_np::atlas_packs, options.packs);
-  read(internal_np::atlas_threads, options.threads);
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::atlas_visitor_t>::value)
-    options.visitor = &get_parameter(np, internal_np::atlas_visitor).get();
-  return options;
-}
-
 // Reads a mesh for `make_atlas()`, and writes what comes out.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+// Maps of seams and charts may be null pointers.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
+          typename NamedParameters>
 class Atlas_maker
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -82,20 +56,26 @@ class Atlas_maker
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
   typedef Atlas_report Report;
+  static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
+  static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
+  static constexpr bool has_polygons =
+      !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
   // Faces that cannot be flattened because of one of them
   struct Bad_component
   {
     std::size_t component;
-    std::string diagnosis, message;
+    Diagnosis status;
+    std::string message;
   };
 
 public:
-  Atlas_maker(const TriangleMesh& mesh, HalfedgeUVMap uv, const NamedParameters& np)
-      : m_mesh(mesh), m_uv(uv), m_np(np),
+  Atlas_maker(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
+              const Atlas_options& options, const NamedParameters& np)
+      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts), m_options{options}, m_np(np),
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                               get_const_property_map(CGAL::vertex_point, mesh))),
-        m_options(atlas_options(np)), m_reader(mesh, m_points)
+        m_reader(mesh, m_points)
   {}
 
   Report run()
@@ -103,7 +83,7 @@ public:
     Report report;
     report.message = wrong_option(m_options);
     if(!report.message.empty()) {
-      report.diagnosis = Report::WRONG_OPTION;
+      report.status = Diagnosis::WRONG_OPTION;
       return report;
     }
     with_threads(m_options.threads, [&]() {
@@ -111,7 +91,7 @@ public:
         report = make();
       } catch(const Cancelled&) {
         report = Report();
-        report.diagnosis = Report::CANCELLED;
+        report.status = Diagnosis::CANCELLED;
         report.message = "a visitor stopped the computation";
       }
     });
@@ -134,7 +114,7 @@ private:
     m_atlas = build_atlas(m_reader.parts(), m_weight, m_options, solvers, &round_to_points<Point>);
     report = std::move(m_atlas.report);
     report.seconds.read = seconds;
-    if(m_options.packs)
+    if(m_options.pack_into_square)
       report.scale /= m_weight_scale;
     list_parts(report);
     if(!report.has_atlas())
@@ -155,10 +135,21 @@ private:
 
   bool is_given_seam(edge_descriptor e) const
   {
-    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::atlas_seam_map_t>::value)
+    if constexpr(has_seams)
+      return get(m_seams, e);
+    else {
+      (void)e;
       return false;
-    else
-      return get(parameters::get_parameter(m_np, internal_np::atlas_seam_map), e);
+    }
+  }
+
+  // Whether both faces of an edge are parts of one polygon
+  bool is_in_polygon(edge_descriptor e) const
+  {
+    const auto polygons = parameters::get_parameter(m_np, internal_np::face_patch);
+    const halfedge_descriptor h = halfedge(e, m_mesh);
+    return !CGAL::is_border(e, m_mesh) &&
+           get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
   }
 
   // Returns whether there is something to flatten.
@@ -167,7 +158,7 @@ private:
     const bool has_faces = find_components();
     if(has_faces && !m_bad.empty() && m_bad.size() == m_number_of_components) {
       list_parts(report);
-      report.diagnosis = Report::NOTHING_FLATTENED;
+      report.status = Diagnosis::NOTHING_FLATTENED;
       report.message = "no part of the surface can be flattened";
       return false;
     }
@@ -176,16 +167,14 @@ private:
     Seam_report reading;
     if(m_reader.read(is_given, is_skipped, reading) &&
        m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading)) {
-      if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::atlas_diagonals_t>::value)
-        m_reader.read_diagonals([this](edge_descriptor e) {
-          return get(parameters::get_parameter(m_np, internal_np::atlas_diagonals), e);
-        });
+      if constexpr(has_polygons)
+        m_reader.read_diagonals([this](edge_descriptor e) { return is_in_polygon(e); });
       return read_weights(report);
     }
     report.message = reading.message;
-    report.diagnosis = reading.diagnosis == Seam_report::EMPTY_MESH     ? Report::EMPTY_MESH
-                       : reading.diagnosis == Seam_report::WRONG_WEIGHT ? Report::WRONG_WEIGHT
-                                                                        : Report::TOO_LARGE;
+    report.status = reading.status == Diagnosis::EMPTY_MESH     ? Diagnosis::EMPTY_MESH
+                    : reading.status == Diagnosis::WRONG_WEIGHT ? Diagnosis::WRONG_WEIGHT
+                                                                : Diagnosis::TOO_LARGE;
     return false;
   }
 
@@ -203,8 +192,8 @@ private:
     for(face_descriptor f : faces(m_mesh)) {
       put(m_rank, f, rank++);
       const std::size_t component = get(m_component, f);
-      const std::string diagnosis = m_is_bad[component] ? "" : defect(f);
-      if(diagnosis.empty())
+      const Diagnosis diagnosis = m_is_bad[component] ? Diagnosis::NOTHING_WRONG : defect(f);
+      if(diagnosis == Diagnosis::NOTHING_WRONG)
         continue;
       m_is_bad[component] = true;
       m_bad.push_back({component, diagnosis, message(f, diagnosis)});
@@ -212,26 +201,26 @@ private:
     return rank > 0;
   }
 
-  std::string defect(face_descriptor f) const
+  Diagnosis defect(face_descriptor f) const
   {
     if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
-      return "NOT_TRIANGULATED";
+      return Diagnosis::NOT_TRIANGULATED;
     for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
       const auto& p = get(m_points, target(h, m_mesh));
       if(!(CGAL::is_finite(CGAL::to_double(p.x())) && CGAL::is_finite(CGAL::to_double(p.y())) &&
            CGAL::is_finite(CGAL::to_double(p.z()))))
-        return "NON_FINITE_POINT";
+        return Diagnosis::NON_FINITE_POINT;
     }
-    return "";
+    return Diagnosis::NOTHING_WRONG;
   }
 
-  std::string message(face_descriptor f, const std::string& diagnosis) const
+  std::string message(face_descriptor f, Diagnosis diagnosis) const
   {
     const auto& p = get(m_points, target(halfedge(f, m_mesh), m_mesh));
     std::ostringstream text;
     text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
          << ", " << CGAL::to_double(p.z()) << ") "
-         << (diagnosis == "NOT_TRIANGULATED"
+         << (diagnosis == Diagnosis::NOT_TRIANGULATED
                  ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() before"
                  : "has a vertex whose coordinates are not all finite");
     return text.str();
@@ -239,15 +228,14 @@ private:
 
   bool read_weights(Report& report)
   {
-    if constexpr(!parameters::is_default_parameter<NamedParameters,
-                                                   internal_np::packing_face_weight_t>::value) {
-      const auto weights = parameters::get_parameter(m_np, internal_np::packing_face_weight);
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value) {
+      const auto weights = parameters::get_parameter(m_np, internal_np::face_size_map);
       for(const Surface_part& part : m_reader.parts())
         for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
           const face_descriptor f = m_reader.face_of(part.first_triangle + t);
           m_weight.push_back(CGAL::to_double(get(weights, f)));
           if(!(m_weight.back() >= 0 && CGAL::is_finite(m_weight.back()))) {
-            report.diagnosis = Report::WRONG_WEIGHT;
+            report.status = Diagnosis::WRONG_WEIGHT;
             report.message = "face " + std::to_string(get(m_rank, f)) + " has the weight " +
                              std::to_string(m_weight.back()) +
                              ", and weights must be finite and not negative";
@@ -276,12 +264,12 @@ private:
       if(size[get(m_component, f)]++ == 0)
         first[get(m_component, f)] = get(m_rank, f);
     for(const Bad_component& bad : m_bad)
-      parts.push_back({{0, first[bad.component], size[bad.component], bad.diagnosis, bad.message}, false});
+      parts.push_back({{0, first[bad.component], size[bad.component], bad.status, bad.message}, false});
     for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
       parts.push_back({{0, get(m_rank, m_reader.face_of(part.first_triangle)),
-                        static_cast<std::size_t>(part.chart.number_of_triangles()),
-                        m_atlas.parts[i].diagnosis, m_atlas.parts[i].message},
+                        static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas.parts[i].status,
+                        m_atlas.parts[i].message},
                        true});
     }
     std::sort(parts.begin(), parts.end(), [](const Listed_part& p, const Listed_part& q) {
@@ -299,14 +287,14 @@ private:
       parts[i].part.part = i;
       if(parts[i].is_read)
         numbers.push_back(i);
-      if(!parts[i].part.diagnosis.empty())
+      if(parts[i].part.status != Diagnosis::NOTHING_WRONG)
         report.skipped.push_back(parts[i].part);
     }
     report.number_of_parts = parts.size();
     for(typename Report::Chart& chart : report.charts)
       chart.part = numbers[chart.part];
     if(!report.skipped.empty() && report.has_atlas()) {
-      report.diagnosis = Report::SOMETHING_SKIPPED;
+      report.status = Diagnosis::SOMETHING_SKIPPED;
       report.message = std::to_string(report.skipped.size()) + " of " + std::to_string(parts.size()) +
                        " parts of the surface have no charts; the first: " + report.skipped.front().message;
     }
@@ -341,8 +329,6 @@ private:
 
   void write()
   {
-    constexpr bool has_seam_map =
-        !parameters::is_default_parameter<NamedParameters, internal_np::atlas_seam_map_t>::value;
     for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
       const Part_atlas& atlas = m_atlas.parts[i];
@@ -351,35 +337,35 @@ private:
       for(int c = 0; c < part.chart.number_of_corners(); ++c)
         put(m_uv, m_reader.halfedge_to(3 * part.first_triangle + c),
             planar_point<Point>(atlas.uv[atlas.chart.vertex[c]]));
-      if constexpr(has_seam_map)
+      if constexpr(has_seams)
         for(int c = 0; c < part.chart.number_of_corners(); ++c)
           if(part.chart.opposite[c] > c && atlas.chart.opposite[c] < 0)
-            put(parameters::get_parameter(m_np, internal_np::atlas_seam_map),
-                m_reader.edge_of(3 * part.first_triangle + c), true);
+            put(m_seams, m_reader.edge_of(3 * part.first_triangle + c), true);
     }
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::atlas_chart_map_t>::value)
-      write_charts(parameters::get_parameter(m_np, internal_np::atlas_chart_map));
+    if constexpr(has_charts)
+      write_charts();
   }
 
-  template <typename FaceChartMap>
-  void write_charts(FaceChartMap charts) const
+  void write_charts() const
   {
     typedef typename boost::property_traits<FaceChartMap>::value_type Number;
     static_assert(std::is_signed<Number>::value, "faces without a chart get -1");
     for(face_descriptor f : faces(m_mesh))
-      put(charts, f, Number(-1));
+      put(m_charts, f, Number(-1));
     for(std::size_t i = 0; i < m_atlas.parts.size(); ++i)
       for(std::size_t t = 0; m_atlas.parts[i].succeeded() && t < m_atlas.parts[i].piece.size(); ++t)
-        put(charts, m_reader.face_of(m_reader.parts()[i].first_triangle + static_cast<int>(t)),
+        put(m_charts, m_reader.face_of(m_reader.parts()[i].first_triangle + static_cast<int>(t)),
             static_cast<Number>(m_atlas.first_chart[i] +
                                 static_cast<std::size_t>(m_atlas.parts[i].piece[t])));
   }
 
   const TriangleMesh& m_mesh;
+  EdgeIsSeamMap m_seams;
   HalfedgeUVMap m_uv;
+  FaceChartMap m_charts;
+  const Atlas_settings m_options;
   const NamedParameters& m_np;
   Vertex_point_map m_points;
-  Atlas_options m_options;
   Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
       m_component,

@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
@@ -25,21 +25,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What `make_atlas()` is told.
-struct Atlas_options
+// The options of `make_atlas()`, and what it sets for some parts.
+struct Atlas_settings : Atlas_options
 {
-  Seam_options seams;
-  Packing_options packing;
-  double area_weight = 0.02;                                      // of injective maps
-  bool separates = false;                                         // maps that overlap become several charts
   double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
   bool is_isometric = false;   // maps that would overlap keep areas: conformal ones were bad
   bool keeps_distance = false; // all maps are injective ones, between whose borders there is some clearance
-  bool cuts_necks = false;     // branches become charts of their own
-  bool equal_seam_lengths = true; // in maps of ABF++
-  bool packs = true;
-  int threads = 0;
-  Atlas_visitor* visitor = nullptr;
 };
 
 // The weight of areas for maps that are as isometric as possible
@@ -48,7 +39,7 @@ inline constexpr double isometric_weight = 1;
 // Charts of more triangles are flattened hierarchically.
 inline constexpr int largest_direct_chart = 20000;
 
-inline Flattening_options flattening_options(const Atlas_options& options)
+inline Flattening_options flattening_options(const Atlas_settings& options)
 {
   Flattening_options result;
   result.area_weight = options.area_weight;
@@ -56,14 +47,14 @@ inline Flattening_options flattening_options(const Atlas_options& options)
   return result;
 }
 
-inline ABF_plus_plus_options direct_options(const Atlas_options& options)
+inline ABF_plus_plus_options direct_options(const Atlas_settings& options)
 {
   ABF_plus_plus_options result;
   static_cast<Flattening_options&>(result) = flattening_options(options);
   return result;
 }
 
-inline Hierarchical_options hierarchical_options(const Atlas_options& options, bool injective)
+inline Hierarchical_options hierarchical_options(const Atlas_settings& options, bool injective)
 {
   Hierarchical_options result;
   static_cast<Flattening_options&>(result) = flattening_options(options);
@@ -75,10 +66,12 @@ inline Hierarchical_options hierarchical_options(const Atlas_options& options, b
   return result;
 }
 
-inline std::string wrong_option(const Atlas_options& options)
+inline std::string wrong_option(const Atlas_settings& options)
 {
-  for(const std::string& wrong : {wrong_option(options.seams), wrong_option(flattening_options(options)),
-                                  options.packs ? wrong_option(options.packing) : std::string()})
+  const Seam_options& seams = options;
+  const Packing_options& packing = options;
+  for(const std::string& wrong : {wrong_option(seams), wrong_option(flattening_options(options)),
+                                  options.pack_into_square ? wrong_option(packing) : std::string()})
     if(!wrong.empty())
       return wrong;
   return "";

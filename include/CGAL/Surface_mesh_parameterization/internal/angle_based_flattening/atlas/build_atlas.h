@@ -36,7 +36,7 @@ struct Atlas
 // flattened is skipped. If something else is wrong, the report says so.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
                                                      const std::vector<double>& weight,
-                                                     const Atlas_options& options,
+                                                     const Atlas_settings& options,
                                                      const Linear_solvers& solvers, Rounding round);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

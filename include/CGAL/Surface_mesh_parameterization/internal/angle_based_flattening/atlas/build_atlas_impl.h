@@ -43,14 +43,14 @@ class Atlas_builder
 
 public:
   Atlas_builder(const std::vector<Surface_part>& parts, const std::vector<double>& weight,
-                const Atlas_options& options, const Linear_solvers& solvers, Rounding round)
+                const Atlas_settings& options, const Linear_solvers& solvers, Rounding round)
       : m_parts(parts), m_weight(weight), m_options(options), m_solvers(solvers), m_round(round)
   {
     double area = 0;
     for(const Surface_part& part : parts)
       for(int t = 0; t < part.chart.number_of_triangles(); ++t)
         area += surface_area(part.chart, t) * part.chart.scale * part.chart.scale;
-    if(options.packs && std::isfinite(options.seams.stretch_bound))
+    if(options.pack_into_square && std::isfinite(options.stretch_bound))
       m_options.longest_chart = largest_aspect * std::sqrt(area);
   }
 
@@ -139,11 +139,11 @@ private:
   {
     const int charts = number_charts();
     if(charts == 0) {
-      fail(Atlas_report::NOTHING_FLATTENED, "no part of the surface can be flattened");
+      fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
       return false;
     }
     take_maps_as_made();
-    if(!m_options.packs)
+    if(!m_options.pack_into_square)
       scale_charts();
     else if(!pack_charts(charts))
       return false;
@@ -220,15 +220,14 @@ private:
   {
     const Stage stage(visitor_of(Atlas_visitor::PACK), Atlas_visitor::PACK, m_atlas.report.seconds.pack);
     const Packed_triangles triangles = packed_triangles();
-    const Packing packing =
-        pack(triangles.corners, triangles.chart, triangles.area, charts, m_options.packing);
+    const Packing packing = pack(triangles.corners, triangles.chart, triangles.area, charts, m_options);
     if(packing.status != Packing::DONE) {
-      fail(Atlas_report::PACKING_FAILED, describe(packing));
+      fail(Diagnosis::PACKING_FAILED, describe(packing));
       return false;
     }
     m_atlas.report.covered_share = packing.covered_share;
-    m_atlas.report.scale = packing.texels_per_length / m_options.packing.resolution /
-                           m_parts.front().chart.scale; // alike for all parts
+    m_atlas.report.scale =
+        packing.texels_per_length / m_options.resolution / m_parts.front().chart.scale; // alike for all parts
     move_charts(packing);
     return true;
   }
@@ -301,7 +300,7 @@ private:
   {
     m_remakes.resize(m_parts.size(), 0);
     m_uv_as_made[i].clear();
-    Atlas_options options = m_options;
+    Atlas_settings options = m_options;
     options.keeps_distance = true;
     Atlas_progress progress(nullptr, {1});
     Divided_part_atlas maker(m_parts[i].chart, m_parts[i].cost, options, m_solvers,
@@ -311,24 +310,24 @@ private:
       if(m_atlas.parts[i].succeeded())
         return;
     }
-    m_atlas.parts[i].diagnosis = to_string(Flattening_report::PRECISION_EXCEEDED);
+    m_atlas.parts[i].status = Diagnosis::PRECISION_EXCEEDED;
     m_atlas.parts[i].message = wrong;
   }
 
   // Returns whether no two charts share a texel with its gutter.
   bool is_packing_certified()
   {
-    if(!m_options.packs)
+    if(!m_options.pack_into_square)
       return true;
     const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
                       m_atlas.report.seconds.certify);
     const Packed_triangles triangles = packed_triangles();
     const Packing_check check =
         certify_packing(triangles.corners, triangles.chart, static_cast<int>(m_atlas.report.charts.size()),
-                        m_options.packing.resolution, m_options.packing.gutter);
+                        m_options.resolution, m_options.gutter);
     if(check.status == Packing_check::CERTIFIED)
       return true;
-    fail(Atlas_report::PACKING_FAILED,
+    fail(Diagnosis::PACKING_FAILED,
          "chart " + std::to_string(triangles.chart[check.triangle]) + " is not certified to be " +
              (check.status == Packing_check::OUTSIDE ? "in the square" : "apart from other charts"));
     return false;
@@ -344,7 +343,7 @@ private:
     for(const Part_atlas& part : m_atlas.parts)
       for(int t = 0; part.succeeded() && t < part.chart.number_of_triangles(); ++t, ++triangles)
         surface += surface_area(part.chart, t);
-    Atlas_measurement measurement(triangles, surface, m_options.seams.stretch_bound);
+    Atlas_measurement measurement(triangles, surface, m_options.stretch_bound);
     for(std::size_t i = 0; i < m_parts.size(); ++i)
       if(m_atlas.parts[i].succeeded()) {
         measurement.add(m_atlas.parts[i], report, m_atlas.first_chart[i]);
@@ -366,7 +365,7 @@ private:
     text << std::count_if(first, charts.end(), is_bad) << " of " << charts.size()
          << " charts stretch the surface badly: chart " << first - charts.begin() << " has an L2 stretch of "
          << first->l2_stretch << " and " << first->crushed_faces << " crushed faces";
-    fail(Atlas_report::STRETCH_BOUND_MISSED, text.str());
+    fail(Diagnosis::STRETCH_BOUND_MISSED, text.str());
   }
 
   std::string describe(const Packing& packing) const
@@ -375,8 +374,7 @@ private:
     case Packing::TOO_MANY_CHARTS:
       return std::to_string(m_atlas.report.charts.size()) +
              " charts do not fit into the square with a resolution of " +
-             std::to_string(m_options.packing.resolution) + " and a gutter of " +
-             std::to_string(m_options.packing.gutter);
+             std::to_string(m_options.resolution) + " and a gutter of " + std::to_string(m_options.gutter);
     case Packing::NO_AREA:
       return "all faces have the weight 0";
     default:
@@ -384,15 +382,15 @@ private:
     }
   }
 
-  void fail(Atlas_report::Diagnosis diagnosis, const std::string& message)
+  void fail(Diagnosis diagnosis, const std::string& message)
   {
-    m_atlas.report.diagnosis = diagnosis;
+    m_atlas.report.status = diagnosis;
     m_atlas.report.message = message;
   }
 
   const std::vector<Surface_part>& m_parts;
   const std::vector<double>& m_weight;
-  Atlas_options m_options;
+  Atlas_settings m_options;
   const Linear_solvers& m_solvers;
   Rounding m_round;
   Atlas_visitor::Stage m_stage = Atlas_visitor::READ;    // the last one that began
@@ -403,7 +401,7 @@ private:
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
                                                      const std::vector<double>& weight,
-                                                     const Atlas_options& options,
+                                                     const Atlas_settings& options,
                                                      const Linear_solvers& solvers, Rounding round)
 {
   return Atlas_builder(parts, weight, options, solvers, round).run();

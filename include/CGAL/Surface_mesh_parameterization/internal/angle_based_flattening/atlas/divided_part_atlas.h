@@ -83,7 +83,7 @@ public:
   };
 
   // `cost` is that of the edge that each corner of the surface faces.
-  Divided_part_atlas(const Chart& surface, const std::vector<double>& cost, const Atlas_options& options,
+  Divided_part_atlas(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
                      const Linear_solvers& solvers, const Part_progress& progress)
       : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress)
   {}
@@ -92,7 +92,7 @@ public:
   {
     Part_atlas atlas = Part_atlas_maker(m_surface, m_cost, m_options, m_solvers, m_progress).run();
     if(!atlas.succeeded()) {
-      if(!is_failure_of_computation(atlas.diagnosis))
+      if(!is_failure_of_computation(atlas.status))
         return atlas;
       const int regions =
           (std::max)(Division().number_of_regions, m_surface.number_of_triangles() / size_of_region);
@@ -112,12 +112,12 @@ public:
         triangles_of_regions(Surface_division(m_surface, m_cost).run(division.number_of_regions));
     if(triangles.size() < 2) {
       Part_atlas failure;
-      failure.diagnosis = to_string(Flattening_report::PRECISION_EXCEEDED);
+      failure.status = Diagnosis::PRECISION_EXCEEDED;
       failure.message =
           "the part of the surface with the vertex at " + position_text(m_surface, 0) + " cannot be divided";
       return failure;
     }
-    Atlas_options options = m_options;
+    Atlas_settings options = m_options;
     options.is_isometric = options.is_isometric || division.is_isometric;
     Part_atlas atlas = joined(triangles, [&](int, const Dual_patch& region) {
       return Divided_part_atlas(region.chart, region.cost, options, m_solvers, m_progress).run();
@@ -138,7 +138,7 @@ private:
       const Map_stretch stretch = sums.stretch();
       if(stretch.length > most)
         result.push_back({static_cast<int>((std::min)(std::ceil(3 * stretch.length / most), 64.)), false});
-      else if(stretch.is_mendable(m_options.seams.stretch_bound))
+      else if(stretch.is_mendable(m_options.stretch_bound))
         result.push_back(Division());
       else
         result.push_back({1, false});
@@ -198,7 +198,7 @@ private:
 
   const Chart& m_surface;
   const std::vector<double>& m_cost;
-  const Atlas_options& m_options;
+  const Atlas_settings& m_options;
   const Linear_solvers& m_solvers;
   Part_progress m_progress;
 };

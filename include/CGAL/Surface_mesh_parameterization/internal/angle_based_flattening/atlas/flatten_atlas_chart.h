@@ -44,7 +44,7 @@ struct Chart_map
   bool is_hopeless = false;  // no map is worth the time: the surface should be divided
   Atlas_report::Seam_lengths seam_lengths = Atlas_report::OTHER_METHOD;
   double contact = 0;
-  Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
+  Diagnosis status = Diagnosis::NOTHING_WRONG;
   std::string message;
 
   std::shared_ptr<const Chart_map> overlapping; // that of ABF++, if this one is injective instead
@@ -65,7 +65,7 @@ class Atlas_chart_flattener
   {};
 
 public:
-  Atlas_chart_flattener(const Atlas_options& options, const Linear_solvers& solvers,
+  Atlas_chart_flattener(const Atlas_settings& options, const Linear_solvers& solvers,
                         Flattening_visitor* visitor)
       : m_options(options), m_solvers(solvers), m_visitor(visitor)
   {}
@@ -75,8 +75,8 @@ public:
   {
     if(m_options.keeps_distance)
       return injective_map(chart);
-    Chart_map map = abf_plus_plus(chart, m_options.separates);
-    if(map.is_valid() && (!map.overlaps || m_options.separates))
+    Chart_map map = abf_plus_plus(chart, m_options.separate_overlaps);
+    if(map.is_valid() && (!map.overlaps || m_options.separate_overlaps))
       return map;
     const bool is_locked = is_hopeless(chart);
     if(is_locked && chart.number_of_triangles() > largest_isometric_chart)
@@ -133,8 +133,8 @@ private:
   bool is_hopeless(const Chart& chart) const
   {
     const int least_triangles = 20000, vertices_of_copy = chart.number_of_vertices() / 15;
-    const double bound = m_options.seams.stretch_bound;
-    if(chart.number_of_triangles() < least_triangles || m_options.separates || keeps_areas() ||
+    const double bound = m_options.stretch_bound;
+    if(chart.number_of_triangles() < least_triangles || m_options.separate_overlaps || keeps_areas() ||
        !std::isfinite(bound))
       return false;
     Chart fine = chart;
@@ -149,7 +149,7 @@ private:
   {
     Chart_map map;
     map.is_hopeless = true;
-    map.diagnosis = Flattening_report::OVERLAPPING;
+    map.status = Diagnosis::OVERLAPPING;
     map.message = "the map overlaps itself, and the border is too winding for an injective one";
     return map;
   }
@@ -163,7 +163,7 @@ private:
     if(!equal.has_equal_seams)
       return direct_map(chart, Atlas_report::NO_SEAMS);
     std::optional<Flattening<ABF_plus_plus_report>> free;
-    if(equal.number_of_loops > many_loops && !m_options.separates) {
+    if(equal.number_of_loops > many_loops && !m_options.separate_overlaps) {
       free = direct_flattening(chart);
       if(!free->succeeded() || !free->report.border_is_simple)
         return result(*std::move(free), Atlas_report::ABF_PLUS_PLUS, Atlas_report::NOT_TRIED);
@@ -232,7 +232,7 @@ private:
     Chart_map map;
     map.method = method;
     map.seam_lengths = seam_lengths;
-    map.diagnosis = flattening.report.diagnosis;
+    map.status = flattening.report.status;
     map.message = std::move(flattening.report.message);
     map.contact = flattening.report.contact;
     if(flattening.succeeded()) {
@@ -245,7 +245,7 @@ private:
   // The final coordinates are rounded and certified later, when they are packed.
   static void leave_as_it_is(std::vector<Chart::Point_2>&) {}
 
-  const Atlas_options& m_options;
+  const Atlas_settings& m_options;
   const Linear_solvers& m_solvers;
   Flattening_visitor* m_visitor;
 };

@@ -36,14 +36,15 @@ struct Atlas_piece
 // The charts of one connected part of a surface
 struct Part_atlas
 {
-  std::string diagnosis, message; // empty, or why there are no charts
+  Diagnosis status = Diagnosis::NOTHING_WRONG; // or why there are no charts
+  std::string message;
   Chart chart; // the part, opened along the seams; its triangles and corners are those of the part
   std::vector<Chart::Point_2> uv;  // of each vertex of the chart, in the units of the surface
   std::vector<int> piece;          // of each triangle: the chart of the atlas that it is in
   std::vector<Atlas_piece> pieces; // by their numbers
   std::size_t number_of_terminals = 0;
 
-  bool succeeded() const { return diagnosis.empty(); }
+  bool succeeded() const { return status == Diagnosis::NOTHING_WRONG; }
 };
 
 // Numbers the pieces anew after the chart was opened along further seams. Each is made as the one that it was cut out of.

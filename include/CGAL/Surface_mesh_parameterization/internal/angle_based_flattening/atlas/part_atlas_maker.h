@@ -36,15 +36,19 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Whether a part has no charts because a computation failed, rather than because it cannot be cut to a disk
-inline bool is_failure_of_computation(const std::string& diagnosis)
+inline bool is_failure_of_computation(Diagnosis diagnosis)
 {
-  for(Flattening_report::Diagnosis failure :
-      {Flattening_report::LINEAR_SYSTEM_FAILED, Flattening_report::NO_CONVERGENCE,
-       Flattening_report::FLIPPED_TRIANGLES, Flattening_report::OVERLAPPING,
-       Flattening_report::SCALE_TOO_LARGE, Flattening_report::PRECISION_EXCEEDED})
-    if(diagnosis == to_string(failure))
-      return true;
-  return false;
+  switch(diagnosis) {
+  case Diagnosis::LINEAR_SYSTEM_FAILED:
+  case Diagnosis::NO_CONVERGENCE:
+  case Diagnosis::FLIPPED_TRIANGLES:
+  case Diagnosis::OVERLAPPING:
+  case Diagnosis::SCALE_TOO_LARGE:
+  case Diagnosis::PRECISION_EXCEEDED:
+    return true;
+  default:
+    return false;
+  }
 }
 
 // Cuts a connected surface open and flattens it, with more seams as long as it stretches too much. If there is no map, or one that
@@ -53,7 +57,7 @@ class Part_atlas_maker
 {
 public:
   // `cost` is that of the edge that each corner of the surface faces.
-  Part_atlas_maker(const Chart& surface, const std::vector<double>& cost, const Atlas_options& options,
+  Part_atlas_maker(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
                    const Linear_solvers& solvers, const Part_progress& progress)
       : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
         m_flattener(options, solvers, &m_progress)
@@ -62,10 +66,10 @@ public:
   Part_atlas run()
   {
     if(has_no_area())
-      return failure("NO_AREA", "the part of the surface with the vertex at " + position_text(m_surface, 0) +
-                                    " has no area");
+      return failure(Diagnosis::NO_AREA, "the part of the surface with the vertex at " +
+                                             position_text(m_surface, 0) + " has no area");
     m_progress.set_stage(0, 0.1);
-    Seams seams = find_seams(m_surface, m_cost, m_options.seams, m_solvers);
+    Seams seams = find_seams(m_surface, m_cost, m_options, m_solvers);
     if(seams.status != Seams::DONE)
       return failure(seams.status);
     m_best.is_seam = std::move(seams.is_seam);
@@ -74,14 +78,14 @@ public:
     flatten(m_best);
     keep_areas();
     if(!m_best.map.is_valid())
-      return failure(to_string(m_best.map.diagnosis), m_best.map.message);
+      return failure(m_best.map.status, m_best.map.message);
     m_progress.set_stage(0.5, 0.9);
     if(!m_best.map.is_isometric)
       add_seams();
     avoid_stretch();
     m_progress.set_stage(0.9, 1);
     Part_atlas atlas = m_best.map.overlaps ? separated() : result();
-    if(m_options.cuts_necks && atlas.succeeded())
+    if(m_options.cut_necks && atlas.succeeded())
       open_along(Neck_cutter(atlas.chart, atlas.uv, m_cost).run(), atlas);
     return atlas;
   }
@@ -111,7 +115,7 @@ private:
     const Chart& chart = attempt.patch.chart;
     if(const Chart_defect defect = diagnose(chart, false)) {
       attempt.map = Chart_map();
-      attempt.map.diagnosis = defect.diagnosis;
+      attempt.map.status = defect.status;
       attempt.map.message = defect.message;
       return;
     }
@@ -129,10 +133,10 @@ private:
   void keep_areas()
   {
     const bool has_map = m_best.map.is_valid();
-    if(m_options.separates || m_flattener.keeps_areas() || m_best.map.is_isometric ||
+    if(m_options.separate_overlaps || m_flattener.keeps_areas() || m_best.map.is_isometric ||
        m_best.map.is_hopeless ||
-       (has_map ? !m_best.stretch.is_mendable(m_options.seams.stretch_bound)
-                : !is_failure_of_computation(to_string(m_best.map.diagnosis))))
+       (has_map ? !m_best.stretch.is_mendable(m_options.stretch_bound)
+                : !is_failure_of_computation(m_best.map.status)))
       return;
     Chart_map map = m_flattener.isometric_map(m_best.patch.chart);
     map.overlapping = m_best.map.overlapping;
@@ -140,10 +144,7 @@ private:
       take(std::move(map), m_best);
   }
 
-  bool misses_bound(double stretch) const
-  {
-    return stretch > stretch_tolerance * m_options.seams.stretch_bound;
-  }
+  bool misses_bound(double stretch) const { return stretch > stretch_tolerance * m_options.stretch_bound; }
 
   void add_seams()
   {
@@ -168,7 +169,7 @@ private:
   // Takes the map with more seams if that stretches less.
   void improve(Stretch_criterion criterion, std::size_t count)
   {
-    const std::size_t most = static_cast<std::size_t>(m_options.seams.maximum_number_of_terminals);
+    const std::size_t most = static_cast<std::size_t>(m_options.maximum_number_of_terminals);
     count = (std::min)(count, most - (std::min)(most, m_terminals));
     Terminal_adder adder(m_surface, m_cost, m_best.is_seam);
     const int added = adder.add(
@@ -188,7 +189,7 @@ private:
   // Injective maps whose branches get stuck between one another shrink them, where that of ABF++ does not. It is separated then.
   void avoid_stretch()
   {
-    const double bound = m_options.seams.stretch_bound;
+    const double bound = m_options.stretch_bound;
     const auto is_wanted = [&](const Map_stretch& stretch) {
       return !stretch.is_mendable(bound) && (m_best.map.is_isometric || !misses_bound(stretch.scale));
     };
@@ -225,9 +226,9 @@ private:
       return result();
     }
     if(separation.status != Separation::DONE)
-      return failure(to_string(Flattening_report::OVERLAPPING),
-                     "the map of the part of the surface with the vertex at " + position_text(m_surface, 0) +
-                         " overlaps itself, and could not be separated");
+      return failure(Diagnosis::OVERLAPPING, "the map of the part of the surface with the vertex at " +
+                                                 position_text(m_surface, 0) +
+                                                 " overlaps itself, and could not be separated");
     Part_atlas atlas = result();
     if(separation.number_of_pieces > 1) {
       atlas.pieces.front().method = Atlas_report::SEPARATED;
@@ -250,10 +251,10 @@ private:
     renumber_pieces(atlas);
   }
 
-  static Part_atlas failure(const std::string& diagnosis, const std::string& message)
+  static Part_atlas failure(Diagnosis diagnosis, const std::string& message)
   {
     Part_atlas atlas;
-    atlas.diagnosis = diagnosis;
+    atlas.status = diagnosis;
     atlas.message = message;
     return atlas;
   }
@@ -262,9 +263,9 @@ private:
   {
     const std::string where = "the part of the surface with the vertex at " + position_text(m_surface, 0);
     return status == Seams::NO_CUT
-               ? failure("NO_CUT_ALLOWED",
+               ? failure(Diagnosis::NO_CUT_ALLOWED,
                          where + " cannot be cut to a disk along the edges that may become seams")
-               : failure("LINEAR_SYSTEM_FAILED",
+               : failure(Diagnosis::LINEAR_SYSTEM_FAILED,
                          "the linear system that predicts the scale could not be solved for " + where);
   }
 
@@ -272,7 +273,7 @@ private:
 
   const Chart& m_surface;
   const std::vector<double>& m_cost;
-  const Atlas_options& m_options;
+  const Atlas_settings& m_options;
   const Linear_solvers& m_solvers;
   Part_progress m_progress;
   Atlas_chart_flattener m_flattener;

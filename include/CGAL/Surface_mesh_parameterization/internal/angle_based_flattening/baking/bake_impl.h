@@ -60,7 +60,7 @@ public:
         const Baking_options& options)
       : m_simple(simple), m_fine(fine), m_frames(frames), m_options(options), m_tree(fine)
   {
-    m_reach = options.ray_length > 0 ? options.ray_length : diagonal() / 20;
+    m_reach = options.ray_length ? *options.ray_length : diagonal() / 20;
   }
 
   Baked_textures run()
@@ -182,7 +182,7 @@ private:
   Space_vector normal_to_store(const Texel_source& source, const Space_vector& direction,
                                const Space_vector& normal) const
   {
-    if(m_options.in_object_space)
+    if(m_options.normals_in_object_space)
       return normal;
     const Frame frame = frame_at(source, direction);
     Eigen::Matrix3d axes;

@@ -12,13 +12,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
-#include <CGAL/Surface_mesh_parameterization/atlas_parameters.h>
-#include <CGAL/Surface_mesh_parameterization/baking_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/read_shaded_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/shaded_surfaces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
-#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -39,31 +36,23 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Bakes a mesh into textures of another one.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh, typename NamedParameters,
-          typename FineNamedParameters>
+template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh, typename TangentFrameMap,
+          typename NamedParameters, typename FineNamedParameters>
 class Mesh_baker
 {
   typedef Shaded_mesh_reader<TriangleMesh, NamedParameters> Reader;
   typedef Shaded_mesh_reader<FineMesh, FineNamedParameters> Fine_reader;
   typedef typename Reader::face_descriptor face_descriptor;
   typedef Baking_report Report;
+  static constexpr bool all_have_charts =
+      parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
 public:
-  Mesh_baker(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh, const NamedParameters& np,
-             const FineNamedParameters& fine_np)
-      : m_uv(uv), m_np(np), m_fine_np(fine_np), m_reader(mesh, np), m_fine_reader(fine_mesh, fine_np)
-  {
-    const auto choose = [&np](auto parameter, auto otherwise) {
-      return parameters::choose_parameter(parameters::get_parameter(np, parameter), otherwise);
-    };
-    m_options.resolution = choose(internal_np::packing_resolution, m_options.resolution);
-    m_options.gutter = choose(internal_np::packing_gutter, m_options.gutter);
-    m_options.in_object_space = choose(internal_np::baking_object_space, m_options.in_object_space);
-    m_options.threads = choose(internal_np::atlas_threads, m_options.threads);
-    m_has_distance =
-        !parameters::is_default_parameter<NamedParameters, internal_np::baking_distance_t>::value;
-    m_options.ray_length = choose(internal_np::baking_distance, m_options.ray_length);
-  }
+  Mesh_baker(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh, TangentFrameMap frames,
+             const Baking_options& options, const NamedParameters& np, const FineNamedParameters& fine_np)
+      : m_uv(uv), m_frames(frames), m_np(np), m_fine_np(fine_np), m_reader(mesh, np),
+        m_fine_reader(fine_mesh, fine_np), m_options(options)
+  {}
 
   Baked_textures run()
   {
@@ -81,7 +70,7 @@ public:
   }
 
 private:
-  bool fail(Report::Diagnosis diagnosis, const std::string& message)
+  bool fail(Diagnosis diagnosis, const std::string& message)
   {
     return Reader::fail(m_report, diagnosis, message);
   }
@@ -90,42 +79,42 @@ private:
   {
     const auto is_wrong = [this](const char* what, int value, int least, int most) {
       return (value < least || value > most) &&
-             !fail(Report::WRONG_OPTION, std::string("the ") + what + " is " + std::to_string(value) +
-                                             ", and must be from " + std::to_string(least) + " to " +
-                                             std::to_string(most));
+             !fail(Diagnosis::WRONG_OPTION, std::string("the ") + what + " is " + std::to_string(value) +
+                                                ", and must be from " + std::to_string(least) + " to " +
+                                                std::to_string(most));
     };
     if(is_wrong("resolution", m_options.resolution, 1, largest_baked_resolution) ||
        is_wrong("gutter", m_options.gutter, 0, largest_baked_gutter))
       return false;
     if(m_options.threads < 0)
-      return fail(Report::WRONG_OPTION, "the number of threads must not be negative");
-    if(m_has_distance && !(m_options.ray_length > 0 && std::isfinite(m_options.ray_length)))
-      return fail(Report::WRONG_OPTION, "the largest distance must be finite and above 0");
+      return fail(Diagnosis::WRONG_OPTION, "the number of threads must not be negative");
+    if(m_options.ray_length && !(*m_options.ray_length > 0 && std::isfinite(*m_options.ray_length)))
+      return fail(Diagnosis::WRONG_OPTION, "the largest distance must be finite and above 0");
     return true;
   }
 
   bool read_simple()
   {
-    const auto has_chart = [this](face_descriptor f) {
-      if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::atlas_chart_map_t>::value) {
+    const auto has_chart = [&](face_descriptor f) {
+      if constexpr(all_have_charts) {
         (void)f;
         return true;
       } else
-        return get(parameters::get_parameter(m_np, internal_np::atlas_chart_map), f) >= 0;
+        return get(parameters::get_parameter(m_np, internal_np::face_patch), f) >= 0;
     };
-    if(!m_reader.read(has_chart, m_simple, Report::NOT_TRIANGULATED, m_report))
+    if(!m_reader.read(has_chart, m_simple, Diagnosis::NOT_TRIANGULATED, m_report))
       return false;
     if(m_simple.vertex.empty())
-      return fail(Report::EMPTY_MESH, "no face of the simple surface has a chart");
+      return fail(Diagnosis::EMPTY_MESH, "no face of the simple surface has a chart");
     for(std::size_t v = 0; v < m_simple.points.size(); ++v)
       if(!(m_simple.points[v].array().abs() < largest_point).all())
-        return fail(Report::NON_FINITE_POINT, "the vertex at " +
-                                                  m_reader.point_text(m_reader.vertices_read()[v]) +
-                                                  " has a coordinate that is not finite, or above 1e37");
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::atlas_chart_map_t>::value)
+        return fail(Diagnosis::NON_FINITE_POINT, "the vertex at " +
+                                                     m_reader.point_text(m_reader.vertices_read()[v]) +
+                                                     " has a coordinate that is not finite, or above 1e37");
+    if constexpr(!all_have_charts)
       for(const face_descriptor f : m_reader.faces_read())
         m_simple.chart.push_back(
-            static_cast<long>(get(parameters::get_parameter(m_np, internal_np::atlas_chart_map), f)));
+            static_cast<long>(get(parameters::get_parameter(m_np, internal_np::face_patch), f)));
     return read_texture_coordinates();
   }
 
@@ -137,35 +126,36 @@ private:
         const auto& p = get(m_uv, m_reader.halfedge_to(f, k));
         m_simple.uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
         if(!m_simple.uv.back().allFinite())
-          return fail(Report::NO_TEXTURE_COORDINATES,
+          return fail(Diagnosis::NO_TEXTURE_COORDINATES,
                       m_reader.face_text(f) + " has texture coordinates that are not finite");
         if(m_simple.uv.back().minCoeff() < 0 || m_simple.uv.back().maxCoeff() > 1)
-          return fail(Report::OUTSIDE_SQUARE,
+          return fail(Diagnosis::OUTSIDE_SQUARE,
                       m_reader.face_text(f) + " has texture coordinates outside of the unit square");
       }
       const Planar_point* uv = &m_simple.uv[m_simple.uv.size() - 3];
       has_area = has_area || cross(uv[1] - uv[0], uv[2] - uv[0]) != 0;
     }
     return has_area ||
-           fail(Report::NO_TEXTURE_COORDINATES, "the texture coordinates of all faces have no area");
+           fail(Diagnosis::NO_TEXTURE_COORDINATES, "the texture coordinates of all faces have no area");
   }
 
   bool read_fine()
   {
-    if(!m_fine_reader.read([](auto) { return true; }, m_fine, Report::FINE_MESH_NOT_TRIANGULATED, m_report))
+    if(!m_fine_reader.read([](auto) { return true; }, m_fine, Diagnosis::FINE_MESH_NOT_TRIANGULATED,
+                           m_report))
       return false;
     read_scale();
     for(std::size_t v = 0; v < m_fine.points.size(); ++v) {
       m_fine.points[v] = moved(m_fine.points[v]);
       if(!(m_fine.points[v].array().abs() < largest_coordinate).all())
-        return fail(Report::WRONG_FINE_POINT,
+        return fail(Diagnosis::WRONG_FINE_POINT,
                     "the vertex at " + m_fine_reader.point_text(m_fine_reader.vertices_read()[v]) +
                         " of the fine surface has a coordinate that is not finite, or too far from the "
                         "simple surface");
     }
     remove_triangles_without_area();
     if(m_fine.vertex.empty())
-      return fail(Report::EMPTY_FINE_MESH, "the fine surface has no face with area");
+      return fail(Diagnosis::EMPTY_FINE_MESH, "the fine surface has no face with area");
     if constexpr(!parameters::is_default_parameter<FineNamedParameters,
                                                    internal_np::vertex_color_map_t>::value) {
       const auto colors = parameters::get_parameter(m_fine_np, internal_np::vertex_color_map);
@@ -210,9 +200,9 @@ private:
   {
     for(Space_vector& p : m_simple.points)
       p = moved(p);
-    if(m_has_distance) // no ray has to go farther than that
+    if(m_options.ray_length) // no ray has to go farther than that
       m_options.ray_length = (std::min)(
-          (std::max)(std::ldexp(m_options.ray_length, -m_exponent), (std::numeric_limits<double>::min)()),
+          (std::max)(std::ldexp(*m_options.ray_length, -m_exponent), (std::numeric_limits<double>::min)()),
           4 * largest_coordinate);
   }
 
@@ -233,12 +223,11 @@ private:
 
   void write_frames(const std::vector<Tangent_frame>& frames)
   {
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::baking_frame_map_t>::value) {
-      const auto map = parameters::get_parameter(m_np, internal_np::baking_frame_map);
+    if constexpr(!std::is_same<TangentFrameMap, std::nullptr_t>::value)
       for(std::size_t i = 0; i < m_reader.faces_read().size(); ++i)
         for(int k = 0; k < 3; ++k)
-          put(map, m_reader.halfedge_to(m_reader.faces_read()[i], k), frames[3 * i + k]);
-    } else
+          put(m_frames, m_reader.halfedge_to(m_reader.faces_read()[i], k), frames[3 * i + k]);
+    else
       (void)frames;
   }
 
@@ -246,12 +235,12 @@ private:
   static constexpr double largest_coordinate = 1e15; // where the simple surface is about as large as 1
 
   HalfedgeUVMap m_uv;
+  TangentFrameMap m_frames; // or a null pointer
   const NamedParameters& m_np;
   const FineNamedParameters& m_fine_np;
   Reader m_reader;
   Fine_reader m_fine_reader;
   Baking_options m_options;
-  bool m_has_distance = false;
   Report m_report;
   Charted_surface m_simple;
   Painted_surface m_fine;

@@ -70,8 +70,7 @@ public:
 
   // Reads the faces with `is_read(f)`. A point that is not finite is not looked for.
   template <typename IsRead>
-  bool read(const IsRead& is_read, Shaded_surface& surface, Baking_report::Diagnosis not_triangulated,
-            Baking_report& report)
+  bool read(const IsRead& is_read, Shaded_surface& surface, Diagnosis not_triangulated, Baking_report& report)
   {
     for(const vertex_descriptor v : vertices(m_mesh))
       put(m_number, v, -1);
@@ -81,8 +80,7 @@ public:
       if(halfedge_to(f, 3) != halfedge_to(f, 0))
         return fail(report, not_triangulated, face_text(f) + " is not a triangle");
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
-        return fail(report, Baking_report::TOO_LARGE,
-                    "a surface has more triangles than 32-bit numbers allow");
+        return fail(report, Diagnosis::TOO_LARGE, "a surface has more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
       for(int k = 0; k < 3; ++k)
         surface.vertex.push_back(number_of(target(halfedge_to(f, k), m_mesh), surface));
@@ -98,9 +96,9 @@ public:
     return text.str();
   }
 
-  static bool fail(Baking_report& report, Baking_report::Diagnosis diagnosis, const std::string& message)
+  static bool fail(Baking_report& report, Diagnosis diagnosis, const std::string& message)
   {
-    report.diagnosis = diagnosis;
+    report.status = diagnosis;
     report.message = message;
     return false;
   }
@@ -134,7 +132,7 @@ private:
       for(const vertex_descriptor v : m_vertices) {
         const Space_vector normal = vector_of(get(normals, v));
         if(!normal.allFinite() || normal.isZero(0))
-          return fail(report, Baking_report::WRONG_NORMAL,
+          return fail(report, Diagnosis::WRONG_NORMAL,
                       "the normal of the vertex at " + point_text(v) + " is zero or not finite");
         surface.normals.push_back(normal.stableNormalized());
       }

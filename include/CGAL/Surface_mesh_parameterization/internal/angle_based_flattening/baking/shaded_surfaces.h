@@ -23,15 +23,6 @@ typedef Eigen::Vector3d Space_vector;
 
 inline constexpr int largest_baked_resolution = 1 << 14, largest_baked_gutter = 1 << 10;
 
-struct Baking_options
-{
-  int resolution = 1024;
-  int gutter = 2;
-  double ray_length = 0; // 0: a share of the diagonal of the simple surface
-  bool in_object_space = false;
-  int threads = 0;
-};
-
 // Triangles in space with a normal at each vertex
 struct Shaded_surface
 {

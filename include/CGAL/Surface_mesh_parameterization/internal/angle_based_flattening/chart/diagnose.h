@@ -22,18 +22,17 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // What is wrong with a chart, and where.
 struct Chart_defect
 {
-  Flattening_report::Diagnosis diagnosis = Flattening_report::NOTHING_WRONG;
+  Diagnosis status = Diagnosis::NOTHING_WRONG;
   std::string message;
   std::vector<int> vertices;
   std::vector<int> triangles;
 
-  explicit operator bool() const { return diagnosis != Flattening_report::NOTHING_WRONG; }
+  explicit operator bool() const { return status != Diagnosis::NOTHING_WRONG; }
 };
 
-inline void fail(Flattening_report& report, Flattening_report::Diagnosis diagnosis,
-                 const std::string& message)
+inline void fail(Flattening_report& report, Diagnosis diagnosis, const std::string& message)
 {
-  report.diagnosis = diagnosis;
+  report.status = diagnosis;
   report.message = message;
 }
 

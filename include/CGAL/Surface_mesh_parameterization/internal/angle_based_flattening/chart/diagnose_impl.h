@@ -36,7 +36,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Char
   for(int v = 0; v < chart.number_of_vertices(); ++v)
     for(int i = 0; i < 3; ++i)
       if(!std::isfinite(chart.points[v][i]))
-        return {Flattening_report::NON_FINITE_POINT,
+        return {Diagnosis::NON_FINITE_POINT,
                 "a vertex has coordinates " + position_text(chart, v) + ", which are not all finite numbers",
                 {v},
                 {}};
@@ -52,7 +52,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& cha
   auto walk = [&](int first) -> Chart_defect {
     const int v = chart.vertex[first];
     if(has_fan[v])
-      return {Flattening_report::NON_MANIFOLD_VERTEX,
+      return {Diagnosis::NON_MANIFOLD_VERTEX,
               "the surface is pinched at the vertex at " + position_text(chart, v) +
                   ": its triangles form more than one fan",
               {v},
@@ -72,7 +72,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& cha
       if(next < 0 && !again)
         again = meet(w = chart.vertex[next_corner(c)]);
       if(again)
-        return {Flattening_report::PARALLEL_EDGES,
+        return {Diagnosis::PARALLEL_EDGES,
                 "two edges, or a loop, join the vertices at " + position_text(chart, v) + " and " +
                     position_text(chart, w) +
                     ": a planar triangulation has at most one edge between two vertices",
@@ -103,14 +103,14 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_wrong_topology(const Chart&
   const int borders = static_cast<int>(chart.borders.size());
   const int twice_genus = 2 - borders - (chart.number_of_vertices() - edges + chart.number_of_triangles());
   if(twice_genus != 0)
-    return {Flattening_report::NONZERO_GENUS,
+    return {Diagnosis::NONZERO_GENUS,
             "the surface has " + std::to_string(twice_genus / 2) +
                 " handle(s): cut it open to a disk first, for example by select_seams()",
             {},
             {}};
   if(borders > 1 && !with_holes) {
     const int v = chart.edge_source(chart.borders[1].front());
-    return {Flattening_report::SEVERAL_BORDERS,
+    return {Diagnosis::SEVERAL_BORDERS,
             "the surface has " + std::to_string(borders) + " borders, a second one at the vertex at " +
                 position_text(chart, v) + ", and holes are refused",
             {v},

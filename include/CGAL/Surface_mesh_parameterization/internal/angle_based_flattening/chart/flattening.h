@@ -27,7 +27,7 @@ struct Flattening
   std::vector<int> invalid; // the triangles that make the map invalid, if that is what is wrong
   Report report;
 
-  bool succeeded() const { return report.diagnosis == Report::NOTHING_WRONG; }
+  bool succeeded() const { return report.status == Diagnosis::NOTHING_WRONG; }
 };
 
 // Rounds coordinates to what the caller can store.

@@ -52,7 +52,7 @@ inline Chart_defect find_wrong_weight(const std::vector<double>& weight)
   std::ostringstream text;
   text << "the importance of a face is " << weight[defect.triangles.front()] << ", but must be between "
        << least_importance << " and " << largest_importance;
-  defect.diagnosis = Flattening_report::WRONG_IMPORTANCE;
+  defect.status = Diagnosis::WRONG_WEIGHT;
   defect.message = text.str();
   return defect;
 }

@@ -83,7 +83,7 @@ struct Prescriptions
   {
     if(!angle_sums.of_surface || wants_equal_seams())
       return {};
-    return {Flattening_report::WRONG_OPTION,
+    return {Diagnosis::WRONG_OPTION,
             "angle sums of the surface before it is cut need equal lengths of seams",
             {},
             {}};
@@ -95,7 +95,7 @@ inline Chart_defect find_wrong_seam(const Chart& chart)
 {
   for(int c = 0; c < chart.number_of_corners(); ++c)
     if(const int across = chart.seam[c]; across >= 0 && (across == c || chart.seam[across] != c))
-      return {Flattening_report::WRONG_OPTION,
+      return {Diagnosis::WRONG_OPTION,
               "the sides of a seam do not belong to one another at the vertex at " +
                   position_text(chart, chart.edge_source(c)),
               {chart.edge_source(c), chart.edge_target(c)},
@@ -110,7 +110,7 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   for(int k = 0; k < chart.number_of_holes(); ++k)
     for(int c : chart.hole(k))
       if(all_of_them && !chart.seam.empty() && chart.seam[c] >= 0)
-        return {Flattening_report::WRONG_OPTION,
+        return {Diagnosis::WRONG_OPTION,
                 "equal lengths of seams need all seams on the outer border, but one is on a hole",
                 {chart.edge_source(c)},
                 {}};
@@ -143,7 +143,7 @@ read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::ve
     return {};
   if(optional_angle_sums == nullptr)
     return {
-        Flattening_report::WRONG_OPTION,
+        Diagnosis::WRONG_OPTION,
         "prescribed angle sums need #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>",
         {},
         {}};

@@ -110,10 +110,10 @@ public:
   Chart_defect read(halfedge_descriptor bhd, VertexIndexMap vimap)
   {
     if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
-      return {Flattening_report::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
+      return {Diagnosis::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
     const halfedge_descriptor inner = opposite(bhd, m_mesh);
     if(CGAL::is_border(inner, m_mesh))
-      return {Flattening_report::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
+      return {Diagnosis::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
     if(Chart_defect defect = find_faces(inner, vimap))
       return defect;
     if constexpr(Seam_sides<TriangleMesh>::has_seams)
@@ -180,12 +180,11 @@ private:
     enter(inner, face(inner, m_mesh), -1, first, find_vertex(prev(inner, m_mesh)));
     for(int t = 0; t < number_of_faces(); ++t) {
       if(!m_faces.is_triangle(t))
-        return {Flattening_report::NOT_TRIANGULATED, "a face is not a triangle", {}, {t}};
+        return {Diagnosis::NOT_TRIANGULATED, "a face is not a triangle", {}, {t}};
       chart.vertex[3 * t + 1] = find_vertex(next(m_faces.entry(t), m_mesh));
       m_faces.link_others(t, t, [&](halfedge_descriptor h, int k) { link(h, 3 * t + k); });
       if(number_of_faces() > largest_number_of_triangles)
-        return {
-            Flattening_report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
+        return {Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
     }
     return {};
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Cone_options.h>
 #include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
@@ -25,18 +26,10 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 inline constexpr std::size_t largest_number_of_cones = 1000;
 
-struct Cone_options
-{
-  std::size_t number_of_cones = 0;
-  Cone_angles angles = Cone_angles::PREDICTED;
-  double quantum = 0;    // none
-  bool are_free = false; // the angles do not matter
-};
-
 // Vertices of a connected surface, and the sums of their planar angles, if nothing is wrong
 struct Chosen_cones
 {
-  Cone_report::Diagnosis diagnosis = Cone_report::NOTHING_WRONG;
+  Diagnosis status = Diagnosis::NOTHING_WRONG;
   std::string message;
   std::vector<int> offending_vertices;
   std::vector<int> vertices;
@@ -61,19 +54,20 @@ inline int quanta_of_turn(double quantum)
 }
 
 // What is wrong with the options, or nothing
-inline std::string wrong_option(const Cone_options& options)
+inline std::string wrong_option(std::size_t number_of_cones, const Cone_options& options)
 {
-  if(options.number_of_cones > largest_number_of_cones)
-    return std::to_string(options.number_of_cones) + " cones are wanted, and there may be " +
+  if(number_of_cones > largest_number_of_cones)
+    return std::to_string(number_of_cones) + " cones are wanted, and there may be at most " +
            std::to_string(largest_number_of_cones);
-  if(options.quantum != 0 && quanta_of_turn(options.quantum) == 0)
-    return "2 pi is no multiple of the angle " + std::to_string(options.quantum);
-  if(options.quantum != 0 && options.are_free)
-    return "free cones do not have multiples of an angle";
+  if(options.angle_multiple != 0 && quanta_of_turn(options.angle_multiple) == 0)
+    return "2 pi is no multiple of the angle " + std::to_string(options.angle_multiple);
+  if(options.angle_multiple != 0 && options.angles == Cone_angles::FREE)
+    return "free angles of cones cannot be multiples of an angle";
   return "";
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chosen_cones choose_cones(const Chart& surface,
+                                                             std::size_t number_of_cones,
                                                              const Cone_options& options,
                                                              const Linear_solvers& solvers);
 

@@ -31,9 +31,10 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Cone_chooser
 {
 public:
-  Cone_chooser(const Chart& surface, const Cone_options& options, const Linear_solvers& solvers)
-      : m_surface(surface), m_options(options), m_solution(surface, solvers), m_total(m_solution.total()),
-        m_valence(surface.points.size(), 0)
+  Cone_chooser(const Chart& surface, std::size_t number_of_cones, const Cone_options& options,
+               const Linear_solvers& solvers)
+      : m_surface(surface), m_number_of_cones(number_of_cones), m_options(options),
+        m_solution(surface, solvers), m_total(m_solution.total()), m_valence(surface.points.size(), 0)
   {
     for(int v : surface.vertex)
       ++m_valence[v];
@@ -41,25 +42,25 @@ public:
 
   Chosen_cones run()
   {
-    if(!m_solution.choose(m_options.number_of_cones) ||
+    if(!m_solution.choose(m_number_of_cones) ||
        (m_options.angles == Cone_angles::LEAST_SQUARES && !m_solution.balance()))
       return unsolved();
     m_cones = m_solution.cones();
     m_charges.assign(m_solution.charges().begin(), m_solution.charges().end());
-    if(m_options.quantum > 0 && !round())
-      return failure(Cone_report::INFEASIBLE_ANGLES,
-                     "no multiples of the angle " + std::to_string(m_options.quantum) +
+    if(m_options.angle_multiple > 0 && !round())
+      return failure(Diagnosis::INFEASIBLE_ANGLE_SUMS,
+                     "no multiples of the angle " + std::to_string(m_options.angle_multiple) +
                          " are possible at these cones: more cones are needed");
     Chosen_cones result;
     result.vertices = m_cones;
     for(double charge : m_charges)
       result.angles.push_back(2 * pi - charge);
     complete_total(result.angles);
-    if(m_options.are_free)
+    if(m_options.angles == Cone_angles::FREE)
       result.angles.assign(m_cones.size(), free_cone_angle);
     else
       check(result);
-    if(result.diagnosis != Cone_report::NOTHING_WRONG)
+    if(result.status != Diagnosis::NOTHING_WRONG)
       return result;
     const std::optional<double> stretch = m_solution.stretch(m_cones, m_charges);
     if(!stretch)
@@ -71,24 +72,24 @@ public:
 private:
   bool is_closed() const { return m_surface.borders.empty(); }
 
-  static Chosen_cones failure(Cone_report::Diagnosis diagnosis, const std::string& message)
+  static Chosen_cones failure(Diagnosis diagnosis, const std::string& message)
   {
     Chosen_cones result;
-    result.diagnosis = diagnosis;
+    result.status = diagnosis;
     result.message = message;
     return result;
   }
 
   static Chosen_cones unsolved()
   {
-    return failure(Cone_report::LINEAR_SYSTEM_FAILED,
+    return failure(Diagnosis::LINEAR_SYSTEM_FAILED,
                    "the linear system that predicts the scale could not be solved");
   }
 
   // Rounds the charges to multiples of the quantum, and drops cones without charge. Returns whether that is possible.
   bool round()
   {
-    const int turn = quanta_of_turn(m_options.quantum);
+    const int turn = quanta_of_turn(m_options.angle_multiple);
     const double quantum = 2 * pi / turn;
     std::vector<Quantized_charge> wanted;
     for(std::size_t i = 0; i < m_cones.size(); ++i) {
@@ -142,12 +143,13 @@ private:
     result.message = message.str();
     if(result.message.empty())
       return;
-    result.diagnosis = Cone_report::INFEASIBLE_ANGLES;
+    result.status = Diagnosis::INFEASIBLE_ANGLE_SUMS;
     result.vertices.clear();
     result.angles.clear();
   }
 
   const Chart& m_surface;
+  const std::size_t m_number_of_cones;
   const Cone_options& m_options;
   Cone_charges m_solution;
   const double m_total;       // of the charges of a closed surface
@@ -157,10 +159,11 @@ private:
 };
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chosen_cones choose_cones(const Chart& surface,
+                                                             std::size_t number_of_cones,
                                                              const Cone_options& options,
                                                              const Linear_solvers& solvers)
 {
-  return Cone_chooser(surface, options, solvers).run();
+  return Cone_chooser(surface, number_of_cones, options, solvers).run();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -12,7 +12,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Cone_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
@@ -28,6 +27,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -53,64 +53,63 @@ class Cone_flattener
 
 public:
   Cone_flattener(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uvmap,
-                 const NamedParameters& np)
-      : m_mesh(mesh), m_seams(seams), m_uvmap(uvmap), m_np(np),
-        m_marks(get(CGAL::dynamic_edge_property_t<bool>(), mesh)),
+                 const Cone_options& options, const NamedParameters& np)
+      : m_mesh(mesh), m_seams(seams), m_uvmap(uvmap), m_cone_options(options),
+        m_options(options.parameterizer), m_np(np), m_marks(get(CGAL::dynamic_edge_property_t<bool>(), mesh)),
         m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                     get_const_property_map(CGAL::vertex_point, mesh)))
-  {
-    m_options = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::cone_parameterizer_options), m_options);
-    m_are_free =
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::cones_are_free), m_are_free);
-  }
+  {}
 
   Cone_flattening<TriangleMesh> run(std::size_t number_of_cones)
   {
-    m_result.cones = select_cones_of_mesh(m_mesh, number_of_cones, m_np);
-    if(m_result.cones.diagnosis != Cone_report::NOTHING_WRONG) {
-      fail(Cone_flattening_defect::CONES, m_result.cones.message);
+    m_result.cones = select_cones_of_mesh(m_mesh, number_of_cones, m_cone_options, m_np);
+    if(!m_result.cones) {
+      fail(m_result.cones);
       return std::move(m_result);
     }
     for(const auto& e : edges(m_mesh))
       put(m_marks, e, false);
-    m_result.seams = cut_to_disks(m_mesh, m_marks, parameters::terminals(m_result.cones.vertices(), m_np));
-    if(m_result.seams.diagnosis != Seam_report::NOTHING_WRONG) {
-      fail(Cone_flattening_defect::SEAMS, m_result.seams.message);
+    const auto cones = m_result.cones.vertices();
+    m_result.seams =
+        cut_to_disks(m_mesh, m_marks, m_np.vertex_is_constrained_map(CGAL::make_boolean_property_map(cones)));
+    if(!m_result.seams) {
+      fail(m_result.seams);
       return std::move(m_result);
     }
     with_threads(m_options.threads, [&]() {
       try {
         flatten();
       } catch(const Cancelled&) {
-        ABF::fail(m_result.map, Flattening_report::CANCELLED, "a visitor stopped the computation");
+        ABF::fail(m_result.map, Diagnosis::CANCELLED, "a visitor stopped the computation");
       }
     });
     m_result.map.peak_memory = peak_resident_size();
-    if(m_result.map.diagnosis != Flattening_report::NOTHING_WRONG)
-      fail(Cone_flattening_defect::MAP, m_result.map.message);
+    if(!m_result.map)
+      fail(m_result.map);
     return std::move(m_result);
   }
 
 private:
-  void fail(Cone_flattening_defect diagnosis, const std::string& message)
+  void fail(const Report& part)
   {
-    m_result.diagnosis = diagnosis;
-    m_result.message = message;
+    m_result.status = part.status;
+    m_result.message = part.message;
   }
+
+  bool are_free() const { return m_cone_options.angles == Cone_angles::FREE; }
 
   void flatten()
   {
     typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
     const Chart chart = read();
-    if(m_result.map.diagnosis != Flattening_report::NOTHING_WRONG)
+    if(m_result.map.status != Diagnosis::NOTHING_WRONG)
       return;
     const Linear_solvers solvers(parameters::choose_parameter(
         parameters::get_parameter(m_np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
     Flattening<ABF_plus_plus_report> flattening =
         flatten_chart(chart, m_options, solvers, &round_to_points<Point>);
     m_result.map = std::move(flattening.report);
-    if(m_result.map.diagnosis != Flattening_report::NOTHING_WRONG)
+    if(m_result.map.status != Diagnosis::NOTHING_WRONG)
       return;
     for(const auto& e : edges(m_mesh))
       put(m_seams, e, bool(get(m_marks, e)));
@@ -136,21 +135,21 @@ private:
     }
     if(!defect && m_options.equal_seam_lengths.value_or(true))
       defect = equalize_seams(chart);
-    if(!defect && !m_are_free && chart.has_equal_seams)
+    if(!defect && !are_free() && chart.has_equal_seams)
       defect = optional_angle_sums(sums_at_seams(chart), chart);
     if(defect)
-      ABF::fail(m_result.map, defect.diagnosis, defect.message);
+      ABF::fail(m_result.map, defect.status, defect.message);
     return chart;
   }
 
   Chart_defect find_wrong_option() const
   {
     std::string message = wrong_option(m_options);
-    if(message.empty() && !m_are_free && !m_options.equal_seam_lengths.value_or(true))
+    if(message.empty() && !are_free() && !m_options.equal_seam_lengths.value_or(true))
       message = "the angles of cones need equal lengths of seams";
     if(message.empty())
       return {};
-    return {Flattening_report::WRONG_OPTION, message, {}, {}};
+    return {Diagnosis::WRONG_OPTION, message, {}, {}};
   }
 
   Chart cut_open(const Chart& surface) const
@@ -178,9 +177,9 @@ private:
   const TriangleMesh& m_mesh;
   EdgeIsSeamMap m_seams;
   HalfedgeUVMap m_uvmap;
+  const Cone_options& m_cone_options;
+  const ABF_plus_plus_options& m_options;
   const NamedParameters& m_np;
-  ABF_plus_plus_options m_options;
-  bool m_are_free = false;
   Marks m_marks; // of the seams
   Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
   Cone_flattening<TriangleMesh> m_result;

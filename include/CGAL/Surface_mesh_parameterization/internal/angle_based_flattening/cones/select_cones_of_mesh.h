@@ -12,7 +12,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/SuperLU_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/cone_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones.h>
@@ -62,7 +61,7 @@ inline bool is_sphere_or_disk(const Chart& surface)
 
 template <typename TriangleMesh, typename NamedParameters>
 Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std::size_t n,
-                                                  const NamedParameters& np)
+                                                  const Cone_options& options, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -70,18 +69,13 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
 
   Selection selection;
-  const auto fail = [&](Cone_report::Diagnosis diagnosis, const std::string& message) {
-    selection.diagnosis = diagnosis;
+  const auto fail = [&](Diagnosis diagnosis, const std::string& message) {
+    selection.status = diagnosis;
     selection.message = message;
     return selection;
   };
-  Cone_options options;
-  options.number_of_cones = n;
-  options.angles = choose_parameter(get_parameter(np, internal_np::cone_angles), options.angles);
-  options.quantum = choose_parameter(get_parameter(np, internal_np::cone_angle_quantum), options.quantum);
-  options.are_free = choose_parameter(get_parameter(np, internal_np::cones_are_free), options.are_free);
-  if(const std::string message = wrong_option(options); !message.empty())
-    return fail(Cone_report::WRONG_OPTION, message);
+  if(const std::string message = wrong_option(n, options); !message.empty())
+    return fail(Diagnosis::WRONG_OPTION, message);
 
   Surface_reader<TriangleMesh, Vertex_point_map, Selection> reader(
       mesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -91,32 +85,30 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
   if(reader.parts().size() > 1) {
     const Surface_part& second = reader.parts()[1];
     selection.offending_faces = {reader.face_of(second.first_triangle)};
-    return fail(Cone_report::SEVERAL_COMPONENTS,
-                "the surface is not connected: the face at " +
-                    position_text(second.chart, second.chart.vertex.front()) +
-                    " belongs to a second component");
+    return fail(Diagnosis::SEVERAL_COMPONENTS, "the surface is not connected: the face at " +
+                                                   position_text(second.chart, second.chart.vertex.front()) +
+                                                   " belongs to a second component");
   }
   const Chart& surface = reader.parts().front().chart;
   const auto vertices = vertices_of_surface(mesh, reader);
   if(const int pinched = find_pinched_vertex(surface, vertices); pinched >= 0) {
     selection.offending_vertices = {vertices[pinched]};
-    return fail(Cone_report::NON_MANIFOLD_VERTEX,
-                "the vertex at " + position_text(surface, pinched) +
-                    " is surrounded by faces, and belongs to others as well");
+    return fail(Diagnosis::NON_MANIFOLD_VERTEX, "the vertex at " + position_text(surface, pinched) +
+                                                    " is surrounded by faces, and belongs to others as well");
   }
-  if(options.quantum > 0 && !is_sphere_or_disk(surface))
-    return fail(Cone_report::WRONG_TOPOLOGY,
+  if(options.angle_multiple > 0 && !is_sphere_or_disk(surface))
+    return fail(Diagnosis::WRONG_TOPOLOGY,
                 "the surface is neither a sphere nor a disk, for which angles can be multiples of one");
 
   const Chosen_cones chosen = choose_cones(
-      surface, options,
+      surface, n, options,
       choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
   for(int v : chosen.offending_vertices)
     selection.offending_vertices.push_back(vertices[v]);
   for(std::size_t i = 0; i < chosen.vertices.size(); ++i)
     selection.cones.emplace_back(vertices[chosen.vertices[i]], chosen.angles[i]);
   selection.predicted_stretch = chosen.predicted_stretch;
-  return fail(chosen.diagnosis, chosen.message);
+  return fail(chosen.status, chosen.message);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -68,7 +68,7 @@ public:
     if(is_refined)
       finish();
     else if(succeeded())
-      fail(m_report, Flattening_report::PRECISION_EXCEEDED,
+      fail(m_report, Diagnosis::PRECISION_EXCEEDED,
            "no injective map was found in double precision; a larger area weight may help");
     Flattening<Hierarchical_report> result;
     result.uv = positions();
@@ -88,7 +88,7 @@ private:
     return n <= large_chart ? most : (std::min)((std::max)(n / 20, most / 2), most);
   }
 
-  bool succeeded() const { return m_report.diagnosis == Flattening_report::NOTHING_WRONG; }
+  bool succeeded() const { return m_report.status == Diagnosis::NOTHING_WRONG; }
 
   // Then areas count as much as angles, and sweeps on the energy of the angles alone would undo that.
   bool is_isometric() const { return m_options.area_weight > 0.1; }
@@ -110,7 +110,7 @@ private:
     m_report.coarse_triangles = coarse.chart.number_of_triangles();
     std::optional<std::vector<Planar_point>> uv = Tutte_map(coarse.chart).run(m_solvers);
     if(!uv)
-      fail(m_report, Flattening_report::LINEAR_SYSTEM_FAILED,
+      fail(m_report, Diagnosis::LINEAR_SYSTEM_FAILED,
            "the linear system of Tutte's map of the coarse chart could not be solved");
     if(!uv || !is_injective(coarse.chart, *uv))
       return false;
@@ -160,7 +160,7 @@ private:
   {
     Injective_descent<Objective> descent(chart, objective, m_options.clearance, m_solvers);
     if(succeeded() && !descent.run(uv, limits))
-      fail(m_report, Flattening_report::LINEAR_SYSTEM_FAILED,
+      fail(m_report, Diagnosis::LINEAR_SYSTEM_FAILED,
            "the linear system of a Newton step with " + std::to_string(chart.number_of_vertices()) +
                " vertices could not be solved");
     m_report.border_rejections += descent.rejections();

@@ -99,13 +99,13 @@ private:
       const int v = chart.vertex[c];
       const Point p = Convert::get(uv_at(m_reader.halfedge_to(3 * part.first_triangle + c)));
       if(!is_finite_point(p)) {
-        m_reader.fail(report, Report::NON_FINITE_COORDINATE,
+        m_reader.fail(report, Diagnosis::NON_FINITE_COORDINATE,
                       "the vertex at " + position_text(chart, v) +
                           " has coordinates in the plane that are not all finite numbers");
         return false;
       }
       if(is_read[v] && uv[v] != p) {
-        m_reader.fail(report, Report::INCONSISTENT_COORDINATES,
+        m_reader.fail(report, Diagnosis::INCONSISTENT_COORDINATES,
                       "the vertex at " + position_text(chart, v) +
                           " has different coordinates at faces that no seam separates");
         return false;
@@ -124,12 +124,12 @@ private:
                              position_text(chart, chart.vertex[c + 1]) + " and " +
                              position_text(chart, chart.vertex[c + 2]);
     if(separation.status == Separation::FLIPPED)
-      m_reader.fail(report, Report::FLIPPED_FACE, face + " is not positively oriented in the plane");
+      m_reader.fail(report, Diagnosis::FLIPPED_TRIANGLES, face + " is not positively oriented in the plane");
     else if(separation.status == Separation::NO_CUT)
-      m_reader.fail(report, Report::NO_CUT_ALLOWED,
+      m_reader.fail(report, Diagnosis::NO_CUT_ALLOWED,
                     face + " overlaps another one, and the edges that may become seams do not separate them");
     else
-      m_reader.fail(report, Report::NOT_CERTIFIED,
+      m_reader.fail(report, Diagnosis::NOT_CERTIFIED,
                     "the map of the piece with " + face.substr(4) +
                         " could not be certified to be injective");
   }

@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
-#include <CGAL/Surface_mesh_parameterization/packing_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -49,23 +48,17 @@ class Chart_packer
   typedef Packing_report Report;
 
 public:
-  Chart_packer(const TriangleMesh& mesh, FaceChartMap chart_map, HalfedgeUVMap uv, const NamedParameters& np)
-      : m_mesh(mesh), m_chart_map(chart_map), m_uv(uv), m_np(np),
+  Chart_packer(const TriangleMesh& mesh, FaceChartMap chart_map, HalfedgeUVMap uv,
+               const Packing_options& options, const NamedParameters& np)
+      : m_mesh(mesh), m_chart_map(chart_map), m_uv(uv), m_options(options), m_np(np),
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                               get_const_property_map(CGAL::vertex_point, mesh)))
-  {
-    m_options.resolution = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::packing_resolution), m_options.resolution);
-    m_options.gutter = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::packing_gutter), m_options.gutter);
-    m_options.number_of_rotations = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::packing_rotations), m_options.number_of_rotations);
-  }
+  {}
 
   Report run()
   {
     if(const std::string wrong = wrong_option(m_options); !wrong.empty())
-      fail(Report::WRONG_OPTION, wrong);
+      fail(Diagnosis::WRONG_OPTION, wrong);
     else if(read_charts() && read_areas() && read_coordinates())
       pack_and_write();
     return m_report;
@@ -78,9 +71,9 @@ private:
     return {h, g, next(g, m_mesh)};
   }
 
-  bool fail(Report::Diagnosis diagnosis, const std::string& message)
+  bool fail(Diagnosis diagnosis, const std::string& message)
   {
-    m_report.diagnosis = diagnosis;
+    m_report.status = diagnosis;
     m_report.message = message;
     return false;
   }
@@ -110,14 +103,14 @@ private:
         continue;
       const std::array<halfedge_descriptor, 3> h = halfedges_of(f);
       if(next(h[2], m_mesh) != h[0])
-        return fail(Report::NOT_TRIANGULATED, face_text(f) + " is not a triangle");
+        return fail(Diagnosis::NOT_TRIANGULATED, face_text(f) + " is not a triangle");
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
-        return fail(Report::TOO_LARGE, "the charts have more triangles than 32-bit numbers allow");
+        return fail(Diagnosis::TOO_LARGE, "the charts have more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
       m_numbers.push_back(number);
     }
     if(m_faces.empty())
-      return fail(Report::EMPTY_MESH, "no face has a chart");
+      return fail(Diagnosis::EMPTY_MESH, "no face has a chart");
     std::sort(m_numbers.begin(), m_numbers.end());
     m_numbers.erase(std::unique(m_numbers.begin(), m_numbers.end()), m_numbers.end());
     for(const face_descriptor f : m_faces)
@@ -130,12 +123,11 @@ private:
 
   double weight(face_descriptor f) const
   {
-    if constexpr(parameters::is_default_parameter<NamedParameters,
-                                                  internal_np::packing_face_weight_t>::value) {
+    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value) {
       (void)f;
       return 1;
     } else
-      return static_cast<double>(get(parameters::get_parameter(m_np, internal_np::packing_face_weight), f));
+      return static_cast<double>(get(parameters::get_parameter(m_np, internal_np::face_size_map), f));
   }
 
   // Areas in space times squared weights, both divided by powers of two, so that nothing overflows
@@ -146,13 +138,13 @@ private:
       for(const halfedge_descriptor h : halfedges_of(f))
         for(const double x : coordinates(h)) {
           if(!std::isfinite(x))
-            return fail(Report::NON_FINITE_POINT, face_text(f) + " has a point that is not finite");
+            return fail(Diagnosis::NON_FINITE_POINT, face_text(f) + " has a point that is not finite");
           largest_coordinate = (std::max)(largest_coordinate, std::abs(x));
         }
       const double w = weight(f);
       if(!(w >= 0) || !std::isfinite(w))
-        return fail(Report::WRONG_WEIGHT, face_text(f) + " has the weight " + std::to_string(w) +
-                                              ", and weights must be finite and not negative");
+        return fail(Diagnosis::WRONG_WEIGHT, face_text(f) + " has the weight " + std::to_string(w) +
+                                                 ", and weights must be finite and not negative");
       largest_weight = (std::max)(largest_weight, w);
     }
     m_scale = power_of_two(largest_coordinate);
@@ -183,7 +175,7 @@ private:
         const auto& p = get(m_uv, h);
         m_corners.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
         if(!m_corners.back().allFinite())
-          return fail(Report::NON_FINITE_COORDINATE,
+          return fail(Diagnosis::NON_FINITE_COORDINATE,
                       face_text(f) + " has coordinates in the plane that are not all finite numbers");
       }
     return true;
@@ -197,7 +189,7 @@ private:
       return;
     }
     const std::vector<Point_2> placed = place(packing);
-    if(m_report.diagnosis != Report::NOTHING_WRONG)
+    if(m_report.status != Diagnosis::NOTHING_WRONG)
       return;
     std::size_t c = 0;
     for(const face_descriptor f : m_faces)
@@ -225,7 +217,7 @@ private:
     const Packing_check check = certify_packing(m_corners, m_chart, static_cast<int>(m_numbers.size()),
                                                 m_options.resolution, m_options.gutter);
     if(check.status != Packing_check::CERTIFIED)
-      fail(Report::NOT_CERTIFIED,
+      fail(Diagnosis::NOT_CERTIFIED,
            face_text(m_faces[check.triangle]) + (check.status == Packing_check::OUTSIDE
                                                      ? " is not certified to be in the square"
                                                      : " is not certified to be apart from other charts"));
@@ -235,25 +227,26 @@ private:
   void explain_failure(const Packing& packing)
   {
     if(packing.status == Packing::DEGENERATE_CHART)
-      fail(Report::DEGENERATE_CHART,
+      fail(Diagnosis::DEGENERATE_CHART,
            chart_text(packing.chart) + " has no area in the plane, or one that is too large to be computed");
     else if(packing.status == Packing::NON_FINITE)
-      fail(Report::NON_FINITE_COORDINATE, chart_text(packing.chart) + " has coordinates that are too large");
+      fail(Diagnosis::NON_FINITE_COORDINATE,
+           chart_text(packing.chart) + " has coordinates that are too large");
     else if(packing.status == Packing::NO_AREA)
-      fail(Report::NO_AREA, "no face has area in space and a weight that is not 0");
+      fail(Diagnosis::NO_AREA, "no face has area in space and a weight that is not 0");
     else
-      fail(Report::TOO_MANY_CHARTS, std::to_string(m_numbers.size()) + " charts with " +
-                                        std::to_string(m_options.gutter) +
-                                        " texels between them do not fit into a square with " +
-                                        std::to_string(m_options.resolution) + " texels along each side");
+      fail(Diagnosis::TOO_MANY_CHARTS, std::to_string(m_numbers.size()) + " charts with " +
+                                           std::to_string(m_options.gutter) +
+                                           " texels between them do not fit into a square with " +
+                                           std::to_string(m_options.resolution) + " texels along each side");
   }
 
   const TriangleMesh& m_mesh;
   FaceChartMap m_chart_map;
   HalfedgeUVMap m_uv;
+  const Packing_options m_options;
   const NamedParameters& m_np;
   Vertex_point_map m_points;
-  Packing_options m_options;
   Report m_report;
   std::vector<face_descriptor> m_faces; // that have a chart
   std::vector<Chart_number> m_numbers;  // of each chart in the map

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Packing_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 
 #include <string>
@@ -19,14 +20,6 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 inline constexpr int largest_resolution = 1 << 15, largest_gutter = 1 << 10, most_rotations = 1 << 10;
-
-struct Packing_options
-{
-  int resolution = 1024; // the unit square has resolution^2 texels
-  int gutter =
-      2; // texels that are free between two charts; half of it, rounded up, at the border of the square
-  int number_of_rotations = 32; // directions that are tried for large charts
-};
 
 // What is wrong with the options, or nothing
 inline std::string wrong_option(const Packing_options& options)

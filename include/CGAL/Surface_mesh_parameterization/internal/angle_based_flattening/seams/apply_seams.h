@@ -21,6 +21,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,19 +31,33 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Vertices without faces cannot be reached.
-template <typename TriangleMesh, typename VertexRange>
-void check_terminals(const TriangleMesh& mesh, const VertexRange& terminals, Seam_report& report)
+// The vertices that seams have to reach, by the named parameters
+template <typename TriangleMesh, typename NamedParameters>
+auto terminal_map(const NamedParameters& np)
 {
-  std::size_t rank = 0;
-  for(const auto& v : terminals) {
-    if(halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) {
-      report.diagnosis = Seam_report::WRONG_OPTION;
-      report.message = "terminal " + std::to_string(rank) + " has no face";
-      return;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
+                                      Static_boolean_property_map<vertex_descriptor, false>());
+}
+
+// Vertices without faces cannot be reached.
+template <typename TriangleMesh, typename NamedParameters>
+bool can_reach_terminals(const TriangleMesh& mesh, const NamedParameters& np, Seam_report& report)
+{
+  if constexpr(!parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::vertex_is_constrained_t>::value) {
+    const auto is_terminal = terminal_map<TriangleMesh>(np);
+    std::size_t rank = 0;
+    for(const auto v : vertices(mesh)) {
+      if(get(is_terminal, v) && halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) {
+        report.status = Diagnosis::WRONG_OPTION;
+        report.message = "vertex " + std::to_string(rank) + " has no face, and so no seam can reach it";
+        return false;
+      }
+      ++rank;
     }
-    ++rank;
   }
+  return true;
 }
 
 // Reads a mesh, finds seams of each of its parts by `find(part)`, and marks them if all parts have some. With `keeps_seams`, the present
@@ -90,50 +105,34 @@ public:
     return is_seam;
   }
 
-  // The vertices of a part that are among some of the mesh
-  template <typename VertexRange>
-  std::vector<int> vertices_of(const Surface_part& part, const VertexRange& range)
+  // The vertices of a part that seams have to reach
+  std::vector<int> terminals_of(const Surface_part& part) const
   {
+    const auto is_terminal = terminal_map<TriangleMesh>(m_np);
     std::vector<int> result;
-    if(range.begin() == range.end())
-      return result;
-    mark_vertices(range);
     std::vector<char> is_visited(part.chart.points.size(), false);
     for(int c = 0; c < part.chart.number_of_corners(); ++c)
       if(const int v = part.chart.vertex[c]; !is_visited[v]) {
         is_visited[v] = true;
-        if(get(m_marks, target(m_reader.halfedge_to(3 * part.first_triangle + c), m_mesh)))
+        if(get(is_terminal, target(m_reader.halfedge_to(3 * part.first_triangle + c), m_mesh)))
           result.push_back(v);
       }
     return result;
   }
 
 private:
-  template <typename VertexRange>
-  void mark_vertices(const VertexRange& range)
-  {
-    if(m_has_marks)
-      return;
-    m_has_marks = true;
-    m_marks = get(CGAL::dynamic_vertex_property_t<bool>(), m_mesh);
-    for(auto v : vertices(m_mesh))
-      put(m_marks, v, false);
-    for(auto v : range)
-      put(m_marks, v, true);
-  }
-
   void explain_failure(const Surface_part& part, Seams::Status status, Seam_report& report) const
   {
     const std::string where = "the part of the surface with the vertex at " + position_text(part.chart, 0);
     if(status == Seams::NO_CUT)
       m_reader.fail(
-          report, Seam_report::NO_CUT_ALLOWED,
+          report, Diagnosis::NO_CUT_ALLOWED,
           where + " cannot be cut to a disk along the edges that may become seams" +
-              (parameters::is_default_parameter<NamedParameters, internal_np::seam_terminals_t>::value
+              (parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value
                    ? ""
-                   : ", through the terminals"));
+                   : ", through the vertices that must be reached"));
     else
-      m_reader.fail(report, Seam_report::LINEAR_SYSTEM_FAILED,
+      m_reader.fail(report, Diagnosis::LINEAR_SYSTEM_FAILED,
                     "the linear system that predicts the scale could not be solved for " + where);
   }
 
@@ -205,8 +204,6 @@ private:
   EdgeIsSeamMap m_seams;
   const NamedParameters& m_np;
   bool m_keeps_seams;
-  bool m_has_marks = false;
-  typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<bool>>::const_type m_marks;
   Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
 };
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Disk_cut_check.h>
+#include <CGAL/Surface_mesh_parameterization/Disk_cut_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/opened_surface.h>
 
@@ -28,7 +28,7 @@ template <typename TriangleMesh>
 class Part_checker
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  typedef typename Disk_cut_check<TriangleMesh>::Part Part;
+  typedef typename Disk_cut_report<TriangleMesh>::Part Part;
 
 public:
   template <typename EdgeIsSeamMap>
@@ -91,28 +91,28 @@ private:
 
   void find_defect(const Range& range, const Range& end, Part& part)
   {
-    const auto fail = [&](Disk_cut_defect defect, auto where) {
-      part.defect = defect;
+    const auto fail = [&](Diagnosis defect, auto where) {
+      part.status = defect;
       part.where = where;
     };
-    const auto fails_at = [&](Disk_cut_defect defect, std::size_t side) {
+    const auto fails_at = [&](Diagnosis defect, std::size_t side) {
       if(side != no_side)
         fail(defect, m_surface.halfedge_of[side]);
       return side != no_side;
     };
-    if(fails_at(Disk_cut_defect::NOT_TRIANGULATED, side_of_polygon(range, end)) ||
-       fails_at(Disk_cut_defect::NON_MANIFOLD_VERTEX, side_to_non_manifold_vertex(range, end)))
+    if(fails_at(Diagnosis::NOT_TRIANGULATED, side_of_polygon(range, end)) ||
+       fails_at(Diagnosis::NON_MANIFOLD_VERTEX, side_to_non_manifold_vertex(range, end)))
       return;
     if(part.borders.empty())
-      fail(Disk_cut_defect::CLOSED, m_surface.halfedge_of[range.first_side]);
+      fail(Diagnosis::NO_BORDER, m_surface.halfedge_of[range.first_side]);
     else if(part.number_of_handles > 0)
-      fail(Disk_cut_defect::HANDLES, m_surface.halfedge_of[range.first_side]);
+      fail(Diagnosis::NONZERO_GENUS, m_surface.halfedge_of[range.first_side]);
     else if(part.borders.size() > 1)
-      fail(Disk_cut_defect::SEVERAL_BORDERS, part.borders[1]);
+      fail(Diagnosis::SEVERAL_BORDERS, part.borders[1]);
     else if(part.border_sizes.front() < 3)
-      fail(Disk_cut_defect::SHORT_BORDER, part.borders.front());
+      fail(Diagnosis::SHORT_BORDER, part.borders.front());
     else
-      fails_at(Disk_cut_defect::PARALLEL_EDGES, parallel_side(range, end));
+      fails_at(Diagnosis::PARALLEL_EDGES, parallel_side(range, end));
   }
 
   std::size_t side_of_polygon(const Range& range, const Range& end) const
@@ -185,7 +185,7 @@ inline std::string count_text(std::size_t count, const std::string& thing)
 }
 
 template <typename TriangleMesh>
-std::string border_text(const typename Disk_cut_check<TriangleMesh>::Part& part, const TriangleMesh& mesh)
+std::string border_text(const typename Disk_cut_report<TriangleMesh>::Part& part, const TriangleMesh& mesh)
 {
   std::string text = count_text(part.borders.size(), "border");
   const std::size_t most = 5;
@@ -198,34 +198,32 @@ std::string border_text(const typename Disk_cut_check<TriangleMesh>::Part& part,
 }
 
 template <typename TriangleMesh>
-std::string message(const typename Disk_cut_check<TriangleMesh>::Part& part, const TriangleMesh& mesh)
+std::string message(const typename Disk_cut_report<TriangleMesh>::Part& part, const TriangleMesh& mesh)
 {
   const std::string name = "the part of face " + rank_text(faces(mesh), part.face) + " (" +
                            count_text(part.number_of_faces, "face") + ")";
-  switch(part.defect) {
-  case Disk_cut_defect::NOT_TRIANGULATED:
+  switch(part.status) {
+  case Diagnosis::NOT_TRIANGULATED:
     return "face " + rank_text(faces(mesh), face(part.where, mesh)) + " is not a triangle";
-  case Disk_cut_defect::NON_MANIFOLD_VERTEX:
+  case Diagnosis::NON_MANIFOLD_VERTEX:
     return "vertex " + rank_text(vertices(mesh), target(part.where, mesh)) +
            " is surrounded by faces, and belongs to other faces as well";
-  case Disk_cut_defect::CLOSED:
+  case Diagnosis::NO_BORDER:
     return name + " is closed: it has neither a border nor a seam";
-  case Disk_cut_defect::HANDLES:
+  case Diagnosis::NONZERO_GENUS:
     return name + " has " + count_text(part.number_of_handles, "handle") + " and " +
            count_text(part.borders.size(), "border");
-  case Disk_cut_defect::SEVERAL_BORDERS:
+  case Diagnosis::SEVERAL_BORDERS:
     return name + " has " + border_text(part, mesh);
-  case Disk_cut_defect::SHORT_BORDER:
+  case Diagnosis::SHORT_BORDER:
     return name + " has a border of " + count_text(part.border_sizes.front(), "edge") + ", " +
            edge_text(part.where, mesh) + ": no planar triangulation has fewer than three";
-  case Disk_cut_defect::PARALLEL_EDGES:
+  case Diagnosis::PARALLEL_EDGES:
     return "two edges, or a loop, are " + edge_text(part.where, mesh) +
            ": a planar triangulation has at most one edge between two vertices";
-  case Disk_cut_defect::NOTHING_WRONG:
-  case Disk_cut_defect::EMPTY_MESH:
-    break;
+  default:
+    return std::string();
   }
-  return std::string();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Seam_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
@@ -18,12 +19,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-struct Seam_options
-{
-  double stretch_bound = 1.1;
-  int maximum_number_of_terminals = 100;
-};
 
 // What is wrong with the options, or nothing
 inline std::string wrong_option(const Seam_options& options)

@@ -94,7 +94,7 @@ public:
         }
         part.cost[c] = cost_of(edge_of(3 * part.first_triangle + c), edge_length(chart, c));
         if(!(part.cost[c] >= 0)) {
-          fail(report, Report::WRONG_WEIGHT,
+          fail(report, Diagnosis::WRONG_WEIGHT,
                "the edge from " + position_text(chart, chart.edge_source(c)) + " to " +
                    position_text(chart, chart.edge_target(c)) + " has the weight " +
                    std::to_string(part.cost[c]) + ", and weights must not be negative");
@@ -139,9 +139,9 @@ public:
     return count;
   }
 
-  static void fail(Report& report, typename Report::Diagnosis diagnosis, const std::string& message)
+  static void fail(Report& report, Diagnosis diagnosis, const std::string& message)
   {
-    report.diagnosis = diagnosis;
+    report.status = diagnosis;
     report.message = message;
   }
 
@@ -159,7 +159,7 @@ private:
         return false;
     }
     if(m_faces.size() == 0)
-      fail(report, Report::EMPTY_MESH, "the mesh has no faces");
+      fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
     return m_faces.size() > 0;
   }
 
@@ -174,13 +174,13 @@ private:
     for(int t = first; t < m_faces.size(); ++t) {
       if(!m_faces.is_triangle(t)) {
         const auto p = get(m_points, target(m_faces.entry(t), m_mesh));
-        fail(report, Report::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
+        fail(report, Diagnosis::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
         return false;
       }
       const int rank = t - first;
       m_faces.link_others(t, rank, [&](halfedge_descriptor h, int k) { link(h, 3 * rank + k, is_cut); });
       if(m_faces.size() > largest_number_of_triangles) {
-        fail(report, Report::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
+        fail(report, Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
         return false;
       }
     }
@@ -254,7 +254,7 @@ private:
         for(int i = 0; i < 3; ++i) {
           largest = (std::max)(largest, std::abs(p[i]));
           if(!std::isfinite(p[i])) {
-            fail(report, Report::NON_FINITE_POINT,
+            fail(report, Diagnosis::NON_FINITE_POINT,
                  "a vertex has coordinates " + point_text(p) + ", which are not all finite numbers");
             return false;
           }

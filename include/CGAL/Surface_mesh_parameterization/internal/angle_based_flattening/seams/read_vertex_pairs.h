@@ -25,11 +25,11 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-inline Seam_selection_report failure(Seam_selection_report::Diagnosis diagnosis, const std::string& message,
-                                     std::size_t line = 0, std::size_t element = 0)
+inline Seam_selection_report failure(Diagnosis diagnosis, const std::string& message, std::size_t line = 0,
+                                     std::size_t element = 0)
 {
   Seam_selection_report report;
-  report.diagnosis = diagnosis;
+  report.status = diagnosis;
   report.line = line;
   report.element = element;
   if(line != 0)
@@ -53,10 +53,10 @@ inline Seam_selection_report read_number(const std::string& word, std::size_t nu
   const char *const begin = word.data() + negative, *const end = word.data() + word.size();
   const std::from_chars_result result = std::from_chars(begin, end, number.value);
   if(result.ptr != end || result.ec == std::errc::invalid_argument)
-    return failure(Seam_selection_report::NOT_A_NUMBER, "\"" + word + "\" is not a vertex number",
-                   number.line, number.element);
+    return failure(Diagnosis::NOT_A_NUMBER, "\"" + word + "\" is not a vertex number", number.line,
+                   number.element);
   if(negative || result.ec == std::errc::result_out_of_range || number.value >= number_of_vertices)
-    return failure(Seam_selection_report::NUMBER_OUT_OF_RANGE,
+    return failure(Diagnosis::NUMBER_OUT_OF_RANGE,
                    "there is no vertex " + word + ": the mesh has " + std::to_string(number_of_vertices) +
                        " vertices, numbered from 0",
                    number.line, number.element);
@@ -81,13 +81,13 @@ inline Seam_selection_report read_numbers(std::istream& in, std::size_t number_o
     }
   }
   if(in.bad())
-    return failure(Seam_selection_report::CANNOT_READ, "reading failed", line);
+    return failure(Diagnosis::CANNOT_READ, "reading failed", line);
   if(line < 3)
-    return failure(Seam_selection_report::TOO_FEW_LINES,
+    return failure(Diagnosis::TOO_FEW_LINES,
                    "there are only " + std::to_string(line) +
                        " lines, but edges are in the third line (after vertices and faces)");
   if(numbers.size() % 2 != 0)
-    return failure(Seam_selection_report::ODD_COUNT,
+    return failure(Diagnosis::ODD_COUNT,
                    "vertex " + std::to_string(numbers.back().value) +
                        " has no partner: an edge is a pair of numbers",
                    numbers.back().line, numbers.back().element);

@@ -11,12 +11,37 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/seam_parameters.h>
-
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
 #include <limits>
+
+// The named parameter `edge_weight_map`, which CGAL has from the version on that has this header
+#if !__has_include(<CGAL/boost/graph/dijkstra_shortest_path.h>)
+namespace CGAL {
+
+namespace internal_np {
+
+enum edge_weight_t
+{
+  edge_weight
+};
+
+} // namespace internal_np
+
+namespace parameters {
+
+template <typename EdgeWeightMap>
+Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_t>
+edge_weight_map(const EdgeWeightMap& weights)
+{
+  return Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_t>(weights);
+}
+
+} // namespace parameters
+
+} // namespace CGAL
+#endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -32,10 +57,10 @@ auto seam_cost(const NamedParameters& np)
     if(get(is_constrained, e))
       return (std::numeric_limits<double>::infinity)();
     (void)np; // not used without weights
-    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::seam_edge_weight_t>::value)
+    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::edge_weight_t>::value)
       return length;
     else
-      return static_cast<double>(get(get_parameter(np, internal_np::seam_edge_weight), e));
+      return static_cast<double>(get(get_parameter(np, internal_np::edge_weight), e));
   };
 }
 

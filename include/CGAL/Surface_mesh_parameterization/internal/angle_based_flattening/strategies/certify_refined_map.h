@@ -35,14 +35,14 @@ inline void fail_to_certify(const Chart& chart, const Hierarchical_options& opti
   const std::string defect = certificate.is_valid() ? describe_touching_edges(chart, result.uv)
                                                     : describe_invalid(chart, certificate);
   if(was_valid)
-    fail(result.report, Flattening_report::PRECISION_EXCEEDED,
+    fail(result.report, Diagnosis::PRECISION_EXCEEDED,
          "the map is valid, but after rounding to the coordinates' number type it has " + defect);
   else if(options.injective)
-    fail(result.report, Flattening_report::PRECISION_EXCEEDED,
+    fail(result.report, Diagnosis::PRECISION_EXCEEDED,
          "the map has " + defect +
              ", as its range of scale is too large for double precision; a larger area weight may help");
   else
-    fail(result.report, Flattening_report::FLIPPED_TRIANGLES, "the refined map has " + defect);
+    fail(result.report, Diagnosis::FLIPPED_TRIANGLES, "the refined map has " + defect);
 }
 
 inline void certify(const Chart& chart, const Hierarchical_options& options, Rounding round,

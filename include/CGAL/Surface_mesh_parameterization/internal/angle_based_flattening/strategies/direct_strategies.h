@@ -72,14 +72,14 @@ protected:
   // Where the solver itself fails, or is asked for something impossible, other angles do not help.
   static bool can_fallbacks_help(const Direct_flattening& result)
   {
-    return result.report.diagnosis == Report::NO_CONVERGENCE ||
-           result.report.diagnosis == Report::FLIPPED_TRIANGLES;
+    return result.report.status == Diagnosis::NO_CONVERGENCE ||
+           result.report.status == Diagnosis::FLIPPED_TRIANGLES;
   }
 
   void note_failure(const Direct_flattening& result)
   {
     const Report& report = result.report;
-    m_failed.push_back({report.strategy, report.diagnosis, report.message, report.iterations});
+    m_failed.push_back({report.strategy, report.status, report.message, report.iterations});
   }
 
   Direct_flattening flatten(const ABF_plus_plus_options& options, std::vector<double> start)
@@ -110,7 +110,7 @@ protected:
   Direct_flattening start_from_embedding(Direct_flattening failed)
   {
     if(optional_strategies.embed_progressively == nullptr) {
-      fail(failed.report, failed.report.diagnosis,
+      fail(failed.report, failed.report.status,
            needs_strategies(failed.report.message + "; the last fallback"));
       return failed;
     }
@@ -121,7 +121,7 @@ protected:
       Direct_flattening result;
       result.report = report_of<Report>(m_part);
       result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
-      fail(result.report, Report::PRECISION_EXCEEDED, "no valid map was found in double precision");
+      fail(result.report, Diagnosis::PRECISION_EXCEEDED, "no valid map was found in double precision");
       return result;
     }
     std::vector<double> alpha(m_beta.size());
@@ -132,7 +132,7 @@ protected:
     if(result.succeeded() && result.report.converged)
       return result;
     if(result.succeeded())
-      fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
+      fail(result.report, Diagnosis::NO_CONVERGENCE, "the angles did not converge");
     if(m_part.has_prescribed_angles()) // the embedding knows nothing of them
       return result;
     note_failure(result);
@@ -164,7 +164,7 @@ protected:
     Certificate certificate = certify(m_part, uv);
     take_certificate(certificate, result.report);
     if(!certificate.is_valid())
-      fail(result.report, Report::PRECISION_EXCEEDED,
+      fail(result.report, Diagnosis::PRECISION_EXCEEDED,
            "the map is valid, but after rounding to the coordinates' number type it has " +
                describe_invalid(m_part, certificate));
     result.invalid = std::move(certificate.invalid);

@@ -93,12 +93,12 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
       [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
     prediction = Hierarchical_report();
     limit_scale(coarse, solvers, prediction);
-    return prediction.diagnosis == Flattening_report::NOTHING_WRONG ? flatten_coarse(coarse) : std::nullopt;
+    return prediction.status == Diagnosis::NOTHING_WRONG ? flatten_coarse(coarse) : std::nullopt;
   };
   Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_if_possible);
   result.report.predicted_scale_range = prediction.predicted_scale_range;
-  if(!result.succeeded() && prediction.diagnosis != Flattening_report::NOTHING_WRONG)
-    fail(result.report, prediction.diagnosis, prediction.message);
+  if(!result.succeeded() && prediction.status != Diagnosis::NOTHING_WRONG)
+    fail(result.report, prediction.status, prediction.message);
   if(result.succeeded() && options.polish)
     polish(chart, options, solvers, result);
   return result;
@@ -147,10 +147,10 @@ inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
     return refined_map_of_filled(chart, options, flatten_coarse, solvers);
   const Chart original = chart;
   Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);
-  if(result.report.diagnosis != Flattening_report::NO_CONVERGENCE)
+  if(result.report.status != Diagnosis::NO_CONVERGENCE)
     return result;
   if(!can_fill) {
-    fail(result.report, result.report.diagnosis,
+    fail(result.report, result.report.status,
          needs_strategies(result.report.message + "; filling the holes instead"));
     return result;
   }

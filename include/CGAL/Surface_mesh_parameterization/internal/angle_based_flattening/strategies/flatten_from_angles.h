@@ -87,7 +87,7 @@ inline Angle_solution find_angles(const Chart& chart, const ABF_plus_plus_option
   report.constraint_residual = solution.constraint_residual;
   report.steps = std::move(solution.steps);
   if(!solution.is_solved)
-    fail(report, Flattening_report::LINEAR_SYSTEM_FAILED,
+    fail(report, Diagnosis::LINEAR_SYSTEM_FAILED,
          "the linear system of Newton step " + std::to_string(report.iterations + 1) +
              " could not be solved");
   return solution;
@@ -103,8 +103,7 @@ find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_opti
   report.layout = choose_layout(chart, options, report.constraint_residual);
   std::optional<Layout> layout = lay_out(chart, alpha, report.layout, solvers, std::move(scalar_solver));
   if(!layout) {
-    fail(report, Flattening_report::LINEAR_SYSTEM_FAILED,
-         "the linear system of the layout could not be solved");
+    fail(report, Diagnosis::LINEAR_SYSTEM_FAILED, "the linear system of the layout could not be solved");
     return {};
   }
   report.closure = layout->closure;
@@ -143,14 +142,14 @@ inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& pa
   report_prescribed_angles(part, result.uv, report);
   if(!certificate.is_valid()) {
     if(report.converged)
-      fail(report, Flattening_report::FLIPPED_TRIANGLES,
+      fail(report, Diagnosis::FLIPPED_TRIANGLES,
            "the angles were found, but their layout has " + describe_invalid(part, certificate));
     else
-      fail(report, Flattening_report::NO_CONVERGENCE,
+      fail(report, Diagnosis::NO_CONVERGENCE,
            "the angles did not converge, and their layout has " + describe_invalid(part, certificate));
     result.invalid = std::move(certificate.invalid);
   } else if(part.has_prescribed_angles() && !report.converged) {
-    fail(report, Flattening_report::NO_CONVERGENCE, "the angles did not converge to the prescribed ones");
+    fail(report, Diagnosis::NO_CONVERGENCE, "the angles did not converge to the prescribed ones");
   }
   return result;
 }

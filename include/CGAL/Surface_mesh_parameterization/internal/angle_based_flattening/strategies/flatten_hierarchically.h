@@ -112,10 +112,10 @@ private:
   static void explain_failure(Hierarchical_report& report)
   {
     if(report.borders > 1)
-      fail(report, Flattening_report::NO_CONVERGENCE,
+      fail(report, Diagnosis::NO_CONVERGENCE,
            "no coarse chart could be flattened, and with several borders there is no other start");
     else
-      fail(report, Flattening_report::PRECISION_EXCEEDED, "no valid map was found in double precision");
+      fail(report, Diagnosis::PRECISION_EXCEEDED, "no valid map was found in double precision");
   }
 
   // Solves the coarse chart, or finer ones where that fails.

@@ -49,11 +49,11 @@ public:
     Direct_flattening result = solve_from(starting_angles(targets(m_part)), Report::FROM_TARGET_ANGLES);
     // A map that is valid by chance, with holes that do not close, is not what was asked for.
     if(result.succeeded() && !result.report.converged && m_options.fallbacks)
-      fail(result.report, Report::NO_CONVERGENCE, "the angles did not converge");
+      fail(result.report, Diagnosis::NO_CONVERGENCE, "the angles did not converge");
     if(!m_options.fallbacks || !can_patches_help(result))
       return finished(std::move(result));
     if(optional_strategies.fill_holes == nullptr) {
-      fail(result.report, result.report.diagnosis,
+      fail(result.report, result.report.status,
            needs_strategies(result.report.message + "; filling the holes instead"));
       return finished(std::move(result));
     }
@@ -80,7 +80,7 @@ private:
   // The system of a hole of few triangles may be singular where that of the filled chart is not.
   static bool can_patches_help(const Direct_flattening& result)
   {
-    return can_fallbacks_help(result) || result.report.diagnosis == Report::LINEAR_SYSTEM_FAILED;
+    return can_fallbacks_help(result) || result.report.status == Diagnosis::LINEAR_SYSTEM_FAILED;
   }
 
   std::vector<double> targets(const Chart& chart)

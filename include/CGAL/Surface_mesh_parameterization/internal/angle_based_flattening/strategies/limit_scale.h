@@ -49,7 +49,7 @@ std::vector<int> limit_scale(const Chart& chart, const Linear_solvers& solvers, 
   text << "lengths would vary by a factor of " << report.predicted_scale_range
        << " in the plane: cut the surface open from the border at the vertex at "
        << position_text(chart, chart.edge_source(border.front())) << " to the outer border";
-  fail(report, Flattening_report::SCALE_TOO_LARGE, text.str());
+  fail(report, Diagnosis::SCALE_TOO_LARGE, text.str());
   return triangles;
 }
 

@@ -45,11 +45,11 @@ inline Hierarchical_options injective_options(const ABF_plus_plus_options& optio
 // Whether there is a map that overlaps itself, or other strategies may find one that does not
 inline bool can_become_injective(const Flattening<ABF_plus_plus_report>& result, bool fallbacks)
 {
-  const Flattening_report::Diagnosis diagnosis = result.report.diagnosis;
-  return result.succeeded() || (fallbacks && (diagnosis == Flattening_report::NO_CONVERGENCE ||
-                                              diagnosis == Flattening_report::FLIPPED_TRIANGLES ||
-                                              diagnosis == Flattening_report::SCALE_TOO_LARGE ||
-                                              diagnosis == Flattening_report::PRECISION_EXCEEDED));
+  const Diagnosis diagnosis = result.report.status;
+  return result.succeeded() ||
+         (fallbacks &&
+          (diagnosis == Diagnosis::NO_CONVERGENCE || diagnosis == Diagnosis::FLIPPED_TRIANGLES ||
+           diagnosis == Diagnosis::SCALE_TOO_LARGE || diagnosis == Diagnosis::PRECISION_EXCEEDED));
 }
 
 // The direct method's own map if that is injective, and else the polished injective map of the hierarchical method.
@@ -61,8 +61,7 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
   if(direct.report.injective || !can_become_injective(direct, options.fallbacks))
     return direct;
   if(direct.succeeded())
-    fail(direct.report, Flattening_report::OVERLAPPING,
-         "the map has " + describe_touching_edges(chart, direct.uv));
+    fail(direct.report, Diagnosis::OVERLAPPING, "the map has " + describe_touching_edges(chart, direct.uv));
   if(chart.has_prescribed_angles()) // they are not kept by what follows
     return direct;
   Chart copy = chart;
@@ -77,7 +76,7 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
   static_cast<Flattening_report&>(report) = injective.report;
   report.failed_strategies = std::move(direct.report.failed_strategies);
   report.failed_strategies.push_back(
-      {direct.report.strategy, direct.report.diagnosis, direct.report.message, direct.report.iterations});
+      {direct.report.strategy, direct.report.status, direct.report.message, direct.report.iterations});
   report.strategy = ABF_plus_plus_report::INJECTIVE_DESCENT;
   report.iterations = injective.report.polish_iterations;
   report.energy = injective.report.energy;

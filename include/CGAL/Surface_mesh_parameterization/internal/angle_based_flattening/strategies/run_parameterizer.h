@@ -12,6 +12,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Containers_filler.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
@@ -46,7 +48,7 @@ struct Outcome
   static Outcome interrupted()
   {
     Outcome outcome;
-    fail(outcome.report, Report::CANCELLED, "an exception ended the computation");
+    fail(outcome.report, Diagnosis::CANCELLED, "an exception ended the computation");
     return outcome;
   }
 
@@ -126,7 +128,7 @@ public:
         if(read())
           flatten();
       } catch(const Cancelled&) {
-        fail(m_outcome.report, Report::CANCELLED, "a visitor stopped the computation");
+        fail(m_outcome.report, Diagnosis::CANCELLED, "a visitor stopped the computation");
       }
     });
     m_outcome.report.peak_memory = peak_resident_size();
@@ -159,7 +161,7 @@ private:
     report.borders = static_cast<int>(m_reader.chart.borders.size());
     if(!defect)
       return true;
-    fail(report, defect.diagnosis, defect.message);
+    fail(report, defect.status, defect.message);
     m_outcome.name_offenders(m_reader, defect.vertices, defect.triangles);
     return false;
   }
@@ -179,7 +181,7 @@ private:
     Flattening<Report> flattening = m_flatten(m_reader.chart, &round_to_points<Point>);
     flattening.report.seconds += report.seconds;
     report = std::move(flattening.report);
-    if(report.diagnosis != Report::NOTHING_WRONG) {
+    if(report.status != Diagnosis::NOTHING_WRONG) {
       m_outcome.name_offenders(m_reader, {}, flattening.invalid);
       return;
     }
@@ -212,12 +214,25 @@ run_parameterizer(const TriangleMesh& mesh,
     wrong = missing_strategy(options);
   if(!wrong.empty()) {
     Outcome<TriangleMesh, Report> outcome;
-    fail(outcome.report, Report::WRONG_OPTION, wrong);
+    fail(outcome.report, Diagnosis::WRONG_OPTION, wrong);
     return outcome;
   }
   return Parameterizer_run<Report, TriangleMesh, VertexUVmap, VertexIndexMap, Flatten>(
              mesh, bhd, uvmap, vimap, prescriptions, options, flatten)
       .run();
+}
+
+// Numbers the vertices of a component, and calls a parameterizer, which checks the halfedge.
+template <typename TriangleMesh, typename Parameterizer, typename VertexUVmap>
+Error_code parameterize_component(TriangleMesh& mesh, Parameterizer& parameterizer,
+                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                                  VertexUVmap uvmap)
+{
+  const auto number = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+  if(bhd != boost::graph_traits<TriangleMesh>::null_halfedge() && CGAL::is_border(bhd, mesh))
+    internal::fill_index_map_of_cc(bhd, mesh, number);
+  return parameterizer.parameterize(mesh, bhd, uvmap, number,
+                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

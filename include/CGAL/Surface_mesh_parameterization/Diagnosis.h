@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_DIAGNOSIS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_DIAGNOSIS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <ostream>
+#include <string>
+
+/// \file Diagnosis.h
+
+namespace CGAL {
+
+namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// How a call ended. All functions and parameterizers of this package use this enumeration, each some of its values. The manual's section
+/// \ref ABF_errors says for each value what to do.
+enum class Diagnosis
+{
+  NOTHING_WRONG, ///< The call succeeded.
+
+  // The mesh
+  EMPTY_MESH,          ///< There is no face, or none with a chart.
+  NOT_TRIANGULATED,    ///< A face is not a triangle.
+  NON_FINITE_POINT,    ///< A coordinate of a point is infinite or not a number.
+  TOO_LARGE,           ///< There are more triangles than 32-bit numbers allow.
+  NO_AREA,             ///< No face has an area in space, or a weight above 0.
+  NON_MANIFOLD_VERTEX, ///< A vertex is surrounded by faces, and belongs to other faces as well.
+  SEVERAL_COMPONENTS,  ///< The surface is not connected.
+  NO_BORDER,           ///< The surface is closed: it must be cut open first.
+  NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
+  SHORT_BORDER,        ///< A border has fewer than three edges.
+  SEVERAL_BORDERS,     ///< The surface has holes, and is to be a disk.
+  NONZERO_GENUS,       ///< The surface has handles, so it is not a disk.
+  WRONG_TOPOLOGY,      ///< The surface is neither a sphere nor a disk, as multiples of an angle need.
+  PARALLEL_EDGES,      ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
+  NON_FINITE_COORDINATE,    ///< A coordinate in the plane is infinite or not a number.
+  INCONSISTENT_COORDINATES, ///< Planar coordinates differ within a chart at a vertex without a seam.
+  DEGENERATE_CHART, ///< A chart has no area in the plane up to rounding, or too large an area to compute.
+
+  // What is asked for
+  WRONG_OPTION,          ///< An option is out of its range, or does not go with the others.
+  WRONG_WEIGHT,          ///< A weight or importance is negative, out of its range, or not a number.
+  WRONG_ANGLE_SUM,       ///< A prescribed angle is not possible at its vertex.
+  WRONG_ANGLE_TOTAL,     ///< The prescribed angles do not sum to those of a polygon.
+  FLAT_CHORD,            ///< An edge between two border vertices has no room beside the prescribed border.
+  INFEASIBLE_ANGLE_SUMS, ///< The triangles near some vertices cannot have the angles that are prescribed there.
+  NO_CUT_ALLOWED,        ///< The edges that may become seams leave no way.
+
+  // The computation
+  LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
+  NO_CONVERGENCE,       ///< The constraints could not be met, and the layout has flipped triangles.
+  SCALE_TOO_LARGE,      ///< The map of a surface with several borders would need a range of scale above 1e10.
+  FLIPPED_TRIANGLES,    ///< A triangle is not positively oriented in the plane.
+  OVERLAPPING,          ///< The map overlaps itself, although it was to be injective.
+  PRECISION_EXCEEDED,   ///< There is a valid map, but the number type of the coordinates cannot hold it.
+  NOT_CERTIFIED,        ///< Exact predicates did not confirm the result.
+  CANCELLED,            ///< A visitor or an exception stopped the computation.
+
+  // Atlases
+  STRETCH_BOUND_MISSED, ///< Each face has a chart, and some chart is not good, whatever was tried.
+  SOMETHING_SKIPPED,    ///< Some parts have no charts; all others have.
+  NOTHING_FLATTENED,    ///< All parts were skipped.
+  PACKING_FAILED,       ///< The charts of an atlas do not fit into the square at this resolution.
+  TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the square, however small the charts are.
+
+  // Baking
+  NO_TEXTURE_COORDINATES, ///< A face has texture coordinates that are not finite, or no face has an area there.
+  OUTSIDE_SQUARE,         ///< A texture coordinate is below 0 or above 1.
+  EMPTY_FINE_MESH,        ///< The fine surface has no face with area.
+  FINE_MESH_NOT_TRIANGULATED, ///< A face of the fine surface is not a triangle.
+  WRONG_FINE_POINT, ///< A point of the fine surface is not finite, or too far from the simple surface.
+  WRONG_NORMAL,     ///< A given normal is zero or not finite.
+
+  // Files
+  CANNOT_OPEN,         ///< The file cannot be opened.
+  CANNOT_READ,         ///< Reading failed.
+  CANNOT_WRITE,        ///< Writing failed, for example because the disk is full.
+  TOO_FEW_LINES,       ///< The file has no third line.
+  NOT_A_NUMBER,        ///< A word is not a vertex number.
+  NUMBER_OUT_OF_RANGE, ///< The mesh has no vertex of this number.
+  ODD_COUNT,           ///< The last number is without a partner.
+  NO_SUCH_EDGE         ///< There is no edge between two vertices.
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the name of a diagnosis, such as `"NOT_TRIANGULATED"`.
+inline std::string to_string(Diagnosis diagnosis)
+{
+  constexpr const char* names[] = {"NOTHING_WRONG",
+                                   "EMPTY_MESH",
+                                   "NOT_TRIANGULATED",
+                                   "NON_FINITE_POINT",
+                                   "TOO_LARGE",
+                                   "NO_AREA",
+                                   "NON_MANIFOLD_VERTEX",
+                                   "SEVERAL_COMPONENTS",
+                                   "NO_BORDER",
+                                   "NOT_ON_BORDER",
+                                   "SHORT_BORDER",
+                                   "SEVERAL_BORDERS",
+                                   "NONZERO_GENUS",
+                                   "WRONG_TOPOLOGY",
+                                   "PARALLEL_EDGES",
+                                   "NON_FINITE_COORDINATE",
+                                   "INCONSISTENT_COORDINATES",
+                                   "DEGENERATE_CHART",
+                                   "WRONG_OPTION",
+                                   "WRONG_WEIGHT",
+                                   "WRONG_ANGLE_SUM",
+                                   "WRONG_ANGLE_TOTAL",
+                                   "FLAT_CHORD",
+                                   "INFEASIBLE_ANGLE_SUMS",
+                                   "NO_CUT_ALLOWED",
+                                   "LINEAR_SYSTEM_FAILED",
+                                   "NO_CONVERGENCE",
+                                   "SCALE_TOO_LARGE",
+                                   "FLIPPED_TRIANGLES",
+                                   "OVERLAPPING",
+                                   "PRECISION_EXCEEDED",
+                                   "NOT_CERTIFIED",
+                                   "CANCELLED",
+                                   "STRETCH_BOUND_MISSED",
+                                   "SOMETHING_SKIPPED",
+                                   "NOTHING_FLATTENED",
+                                   "PACKING_FAILED",
+                                   "TOO_MANY_CHARTS",
+                                   "NO_TEXTURE_COORDINATES",
+                                   "OUTSIDE_SQUARE",
+                                   "EMPTY_FINE_MESH",
+                                   "FINE_MESH_NOT_TRIANGULATED",
+                                   "WRONG_FINE_POINT",
+                                   "WRONG_NORMAL",
+                                   "CANNOT_OPEN",
+                                   "CANNOT_READ",
+                                   "CANNOT_WRITE",
+                                   "TOO_FEW_LINES",
+                                   "NOT_A_NUMBER",
+                                   "NUMBER_OUT_OF_RANGE",
+                                   "ODD_COUNT",
+                                   "NO_SUCH_EDGE"};
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<int>(Diagnosis::NO_SUCH_EDGE) + 1);
+  return names[static_cast<int>(diagnosis)];
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// writes the name of a diagnosis.
+inline std::ostream& operator<<(std::ostream& stream, Diagnosis diagnosis)
+{
+  return stream << to_string(diagnosis);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What all reports have in common. A report converts to `true` if nothing is wrong.
+struct Report
+{
+  Diagnosis status = Diagnosis::NOTHING_WRONG; ///< What is wrong.
+  std::string message; ///< A sentence that says what is wrong and where; empty if nothing is wrong.
+
+  /// returns whether nothing is wrong.
+  explicit operator bool() const { return status == Diagnosis::NOTHING_WRONG; }
+};
+
+} // namespace Surface_mesh_parameterization
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_DIAGNOSIS_H
