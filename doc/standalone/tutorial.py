@@ -1,7 +1,8 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The commands of the tutorial and of README.md, and a folder that looks like a clone to run them in."""
+"""The commands of the manual and of README.md, and a folder that looks like a clone to run them in."""
 
+import os
 import re
 import shlex
 import shutil
@@ -28,17 +29,27 @@ def commands(text):
     return [words for words in (shlex.split(line, comments=True) for line in lines) if words]
 
 
+def write_script(file, text):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+    file.chmod(0o755)
+
+
 class Clone:
-    """Runs commands as if in a clone of the repository, with a program that is built already."""
+    """Runs commands as if in a clone of the repository, with a program that is built already.
+
+    scripts/flatten is that of the repository. What it calls to install and to build does nothing."""
 
     def __init__(self, folder, source, program):
         self.folder, self.source, self.program = Path(folder), Path(source), Path(program)
 
     def make(self):
-        (self.folder / "scripts").mkdir(parents=True)
-        script = self.folder / "scripts/flatten"
-        script.write_text(f'#!/bin/sh\nexec {shlex.quote(str(self.program))} "$@"\n')
-        script.chmod(0o755)
+        for name in ("scripts/flatten", "scripts/common.bash"):
+            write_script(self.folder / name, (self.source / name).read_text())
+        for name in ("scripts/install-dependencies", "tools/cmake"):
+            write_script(self.folder / name, "#!/bin/sh\n")
+        write_script(self.folder / "build/demo/Angle_based_flattening/flatten_mesh",
+                     f'#!/bin/sh\nexec {shlex.quote(str(self.program))} "$@"\n')
         shutil.copytree(self.source / DATA, self.folder / DATA)
 
     def run(self, words):
@@ -50,7 +61,8 @@ class Clone:
             if self.folder.name != words[1]:
                 raise ValueError(f"{words[1]} is not the clone")
         elif words[0] == "scripts/flatten":
-            done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=600)
+            environment = {**os.environ, "PATH": f"{self.folder / 'tools'}{os.pathsep}{os.environ['PATH']}"}
+            done = subprocess.run(words, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=600)
             return done.returncode, done.stdout, done.stderr
         else:
             raise ValueError(f"an unknown command: {shlex.join(words)}")

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that each internal folder includes only folders below it in the table of README.md. Usage: test_layers.py ROOT"""
+"""Checks that each internal folder includes only folders below it in the manual's table (mathematics.txt). Usage:
+test_layers.py ROOT"""
 
 import re
 import sys
@@ -9,7 +10,8 @@ from pathlib import Path
 
 root = Path(sys.argv[1])
 internal = "CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/"
-layers = re.findall(r"^\| `(\w+)/` \|", (root / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+page = (root / "doc/Angle_based_flattening/mathematics.txt").read_text(encoding="utf-8")
+layers = re.findall(r"^<tr><td>`(\w+)/`</td>", page, re.MULTILINE)
 faults = []
 folders = {folder.name for folder in (root / "include" / internal).iterdir()}
 if folders != set(layers):

@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every command of the tutorial and of README.md works as printed: test_tutorial.py SOURCE_FOLDER FLATTEN_MESH."""
+"""Every command of the tutorial, of the page on the program, and of README.md works as printed: test_tutorial.py SOURCE_FOLDER
+FLATTEN_MESH."""
 
 import json
 import re
@@ -154,6 +155,22 @@ def output_files(words):
     return names
 
 
+def commands_of(page):
+    """The commands of a page of the manual, in its blocks of code, or of a Markdown file, where they are indented."""
+    if page.suffix == ".md":
+        blocks = re.findall(r"(?:^    .*\n)+", page.read_text(), re.M)
+        commands = [words for block in blocks for words in tutorial.commands(block)]
+    else:
+        commands = [content for kind, content in tutorial.steps(page.read_text()) if kind == "command"]
+    return [words for words in commands if words[0] == "scripts/flatten"]
+
+
+def option_rows(page):
+    """The names of options and what they do, from each row of a table that begins with an option."""
+    return [(names, " ".join(effect.split())) for names, effect in
+            re.findall(r"^<tr><td>(`--.*?)</td>\s*<td>(.*?)</td></tr>$", page, re.M | re.S)]
+
+
 def same_line(printed, real):
     """Words alike, and numbers that differ by at most 2 % of their size, as between machines."""
     number = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -216,11 +233,11 @@ class Commands(unittest.TestCase):
             self.assertTrue(list(self.clone.folder.rglob(name)), f"{name} is nowhere")
 
     def test_defaults(self):
-        """The defaults in the tables of README.md are those of --help."""
+        """The defaults in the tables of the page on the program are those of --help."""
         text = subprocess.run([FLATTEN_MESH, "--help"], check=True, capture_output=True, text=True).stdout
         options = re.split(r"\n  (?:-\w \[ )?--", text)[1:]
         defaults = {re.match(r"[\w-]+", option)[0]: re.search(r"\(=([^)]+)\)", option) for option in options}
-        rows = re.findall(r"^\| (`--.*?) \| (.*) \|$", (ROOT / "README.md").read_text(), re.M)
+        rows = option_rows((MANUAL / "program.txt").read_text())
         checked = set()
         for names, effect in rows:
             found = re.findall(r"\(([\d.]+)\)", effect)
@@ -235,9 +252,11 @@ class Commands(unittest.TestCase):
         self.assertTrue([row for row in rows if f"({atlas}; with `--plain --injective`, {chart})" in row[1]])
 
     def test_readme(self):
-        """The commands of README.md, with meshes of the package in place of the reader's."""
-        blocks = re.findall(r"(?:^    .*\n)+", (ROOT / "README.md").read_text(), re.M)
-        commands = [words for block in blocks for words in tutorial.commands(block) if words[0] == "scripts/flatten"]
+        """The commands of README.md and of the page on the program, with meshes of the package in place of the reader's."""
+        pages = {page: commands_of(page) for page in (ROOT / "README.md", MANUAL / "program.txt")}
+        for page, commands in pages.items():
+            self.assertGreaterEqual(len(commands), 2, page.name)
+        commands = [words for page in pages.values() for words in page]
         self.assertGreaterEqual(len(commands), 3)
         self.clone.make()
         for words in commands:
@@ -245,7 +264,19 @@ class Commands(unittest.TestCase):
             words[1:1 + len(inputs(words))] = names
             for name in output_files(words):
                 (self.clone.folder / name).parent.mkdir(exist_ok=True)
-            self.run_command(words)
+            printed = self.run_command(words)
+            if len(words) == 1:
+                self.check_files_named_in(printed)
+            else:
+                self.assertTrue(output_files(words), f"{words} writes nothing")
+
+    def check_files_named_in(self, printed):
+        """scripts/flatten without arguments says what it has written."""
+        files = [Path(name) for name in re.findall(r"(?:^written: | and )(/\S+)", printed, re.M)]
+        self.assertEqual({file.suffix for file in files}, {".obj", ".svg"}, printed)
+        for file in files:
+            self.assertTrue(file.resolve().is_relative_to(self.clone.folder.resolve()), file)
+            CHECKS[file.suffix](file)
 
     def make_inputs(self, pattern):
         """Makes files of this name, or two files that the shell would find."""
@@ -288,6 +319,19 @@ class Helpers(unittest.TestCase):
         self.assertFalse(same_line("covered   41.4 %", "covered  45 %"))
         self.assertFalse(same_line("covered   41.4 %", "charts  41.4 %"))
         self.assertFalse(same_line("charts  1", "charts  2"))
+
+    def test_commands_of_pages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            readme, page = Path(folder) / "a.md", Path(folder) / "a.txt"
+            readme.write_text("Text\n\n    scripts/flatten a\n    cmake b\n\nscripts/flatten c\n")
+            page.write_text("    scripts/flatten a\n\\code{.sh}\nscripts/flatten b \\\n  --quiet\n\\endcode\n")
+            self.assertEqual(commands_of(readme), [["scripts/flatten", "a"]])
+            self.assertEqual(commands_of(page), [["scripts/flatten", "b", "--quiet"]])
+
+    def test_option_rows(self):
+        page = ("<tr><td>`--a N`, `--b`</td>\n<td>x\n(1)</td></tr>\n<tr><td>`c`</td><td>`--d`</td></tr>\n"
+                "<tr><td>`--e`</td><td>y</td></tr>\n")
+        self.assertEqual(option_rows(page), [("`--a N`, `--b`", "x (1)"), ("`--e`", "y")])
 
     def test_steps(self):
         page = "\\code{.sh}\na b \\\n  'c d' # e\n\nf\n\\endcode text \\code{.unparsed}\ng  h\n\\endcode"

@@ -56,8 +56,8 @@ void require_consistent(const AnyReport& report, SMP::Error_code code)
                                              SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,
                                              SMP::ERROR_WRONG_PARAMETER};
   require(documented.count(code) == 1, "a code not documented for triangles: " + std::to_string(code));
-  require(error_code(report.diagnosis) == code, "another error code in the report");
-  require((report.diagnosis == Report::NOTHING_WRONG) == (code == SMP::OK),
+  require(error_code(report.status) == code, "another error code in the report");
+  require((report.status == SMP::Diagnosis::NOTHING_WRONG) == (code == SMP::OK),
           "a diagnosis that contradicts the code");
   require(report.message.empty() == (code == SMP::OK), "a message that contradicts the code");
   require(code != SMP::OK || report.flipped_triangles == 0, "OK, and flipped triangles in the report");
@@ -67,7 +67,7 @@ void require_consistent(const AnyReport& report, SMP::Error_code code)
 
 // Uses maps whose points are of `MapKernel`.
 template <typename MapKernel, typename Parameterizer>
-Report::Diagnosis flatten(Mesh& mesh, Halfedge border, Parameterizer parameterizer)
+Diagnosis flatten(Mesh& mesh, Halfedge border, Parameterizer parameterizer)
 {
   typedef typename MapKernel::Point_2 Point_2;
   const Point_2 untouched(-17, 42);
@@ -81,15 +81,15 @@ Report::Diagnosis flatten(Mesh& mesh, Halfedge border, Parameterizer parameteriz
     for(const Mesh::Vertex_index v : mesh.vertices())
       require(uv[v] == untouched, "an error, and the map was changed");
   mesh.remove_property_map(uv);
-  return parameterizer.report().diagnosis;
+  return parameterizer.report().status;
 }
 
 // Whether this was found before any computation, so all methods must find it.
-bool is_about_input(Report::Diagnosis diagnosis)
+bool is_about_input(Diagnosis diagnosis)
 {
-  return diagnosis != Report::NOTHING_WRONG && diagnosis != Report::LINEAR_SYSTEM_FAILED &&
-         diagnosis != Report::NO_CONVERGENCE && diagnosis != Report::SCALE_TOO_LARGE &&
-         diagnosis != Report::FLIPPED_TRIANGLES && diagnosis != Report::PRECISION_EXCEEDED;
+  return diagnosis != SMP::Diagnosis::NOTHING_WRONG && diagnosis != SMP::Diagnosis::LINEAR_SYSTEM_FAILED &&
+         diagnosis != SMP::Diagnosis::NO_CONVERGENCE && diagnosis != SMP::Diagnosis::SCALE_TOO_LARGE &&
+         diagnosis != SMP::Diagnosis::FLIPPED_TRIANGLES && diagnosis != SMP::Diagnosis::PRECISION_EXCEEDED;
 }
 
 // Mostly a border, if there is one.
@@ -140,12 +140,12 @@ struct Options
 void flatten(Mesh& mesh, Halfedge border, const Options& options)
 {
   const SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options.direct);
-  const Report::Diagnosis direct = options.floats
-                                       ? flatten<CGAL::Simple_cartesian<float>>(mesh, border, parameterizer)
-                                       : flatten<Kernel>(mesh, border, parameterizer);
+  const Diagnosis direct = options.floats
+                               ? flatten<CGAL::Simple_cartesian<float>>(mesh, border, parameterizer)
+                               : flatten<Kernel>(mesh, border, parameterizer);
   const Hierarchical_parameterizer hierarchical_parameterizer(
       options.hierarchical, Hierarchical_parameterizer::Coarse_parameterizer(options.direct));
-  const Report::Diagnosis hierarchical = flatten<Kernel>(mesh, border, hierarchical_parameterizer);
+  const Diagnosis hierarchical = flatten<Kernel>(mesh, border, hierarchical_parameterizer);
   require(direct == hierarchical || !(is_about_input(direct) || is_about_input(hierarchical)),
           "the methods differ in what is wrong with the input");
 }
