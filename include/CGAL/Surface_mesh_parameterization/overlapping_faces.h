@@ -28,8 +28,9 @@ namespace internal::ABF {
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map, FaceOutputIterator out)
 {
+  const std::vector<int> opposite = map.opposite_corners();
   std::vector<char> overlaps(map.face_descriptors.size(), false);
-  Overlapping_triangles<typename Planar_map<TriangleMesh, UVMap>::Point_2>(map.vertex, map.across, map.points)
+  Overlapping_triangles<typename Planar_map<TriangleMesh, UVMap>::Point_2>(map.vertex, opposite, map.points)
       .visit_pairs([&](int s, int t) { overlaps[s] = overlaps[t] = true; });
   for(std::size_t t = 0; t < overlaps.size(); ++t)
     if(overlaps[t])
@@ -55,8 +56,8 @@ FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map,
 /// where only the answer is wanted.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
-/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose number
-///         type is exact or has only numbers that `double` has too. The key type is
+/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose
+///         number type is exact or has only numbers that `double` has too. The key type is
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`.
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.

@@ -28,8 +28,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Coordinates of vertices or of halfedges. A halfedge of a face has those of its target at that face, and the surface is cut open along
-// the edges whose two sides have different coordinates. Vertices of a `Seam_mesh` may be keys as halfedges of the mesh below it.
+// Coordinates of vertices or of halfedges. A halfedge of a face has those of its target at that face, and the surface
+// is cut open along the edges whose two sides have different coordinates. Vertices of a `Seam_mesh` may be keys as
+// halfedges of the mesh below it.
 template <typename TriangleMesh, typename UVMap>
 class Corner_coordinates
 {
@@ -82,36 +83,37 @@ public:
   // `faces` must consist of connected components. Throws `std::invalid_argument` if a face is not a triangle.
   template <typename FaceRange>
   Planar_map(const TriangleMesh& mesh, const FaceRange& faces, UVMap uvmap)
+      : m_mesh(mesh), m_coordinates(mesh, uvmap)
   {
-    typedef Corner_coordinates<TriangleMesh, UVMap> Coordinates;
-    const Coordinates coordinates(mesh, uvmap);
-    const auto corner = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
-    std::vector<halfedge_descriptor> halfedges;
     for(face_descriptor f : faces) {
-      halfedge_descriptor h = halfedge(f, mesh);
-      if(next(next(next(h, mesh), mesh), mesh) != h)
+      const halfedge_descriptor h = halfedge(f, mesh), g = next(h, mesh), i = next(g, mesh);
+      if(next(i, mesh) != h)
         throw std::invalid_argument("a face is not a triangle");
       face_descriptors.push_back(f);
-      for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
-        put(corner, h, static_cast<int>(halfedges.size()));
-        halfedges.push_back(h);
+      m_halfedges.insert(m_halfedges.end(), {h, g, i});
+    }
+    number_vertices();
+    for(std::size_t c = 0; c < m_halfedges.size(); ++c) {
+      if(vertex[c] == static_cast<int>(points.size())) // its first corner
+        points.push_back(Convert::get(m_coordinates[m_halfedges[c]]));
+      if(m_coordinates.is_at_border(m_halfedges[c])) {
+        border_halfedges.push_back(opposite(m_halfedges[c], mesh));
+        border.push_back({vertex[c % 3 == 0 ? c + 2 : c - 1], vertex[c]});
       }
     }
-    for(halfedge_descriptor h : halfedges)
-      across.push_back(coordinates.is_at_border(h) ? -1 : get(corner, opposite(h, mesh)));
-    if constexpr(Coordinates::are_at_vertices)
-      number_vertices_of_mesh(mesh, halfedges);
-    else
-      number_vertices_of_fans(mesh, halfedges, corner);
-    for(std::size_t c = 0; c < halfedges.size(); ++c) {
-      if(vertex[c] == static_cast<int>(points.size())) // its first corner
-        points.push_back(Convert::get(coordinates[halfedges[c]]));
-      if(across[c] < 0)
-        border_halfedges.push_back(opposite(halfedges[c], mesh));
-    }
-    for(std::size_t c = 0; c < halfedges.size(); ++c)
-      if(across[c] < 0)
-        border.push_back({vertex[get(corner, prev(halfedges[c], mesh))], vertex[c]});
+  }
+
+  // Of each corner: that of the opposite halfedge, or -1 at borders
+  std::vector<int> opposite_corners() const
+  {
+    const auto corner = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
+    for(std::size_t c = 0; c < m_halfedges.size(); ++c)
+      put(corner, m_halfedges[c], static_cast<int>(c));
+    std::vector<int> result;
+    result.reserve(m_halfedges.size());
+    for(halfedge_descriptor h : m_halfedges)
+      result.push_back(m_coordinates.is_at_border(h) ? -1 : get(corner, opposite(h, m_mesh)));
+    return result;
   }
 
   bool is_locally_injective() const
@@ -142,42 +144,44 @@ public:
   std::vector<halfedge_descriptor> border_halfedges; // of each border edge
   std::vector<Point_2> points;                       // of each vertex
   std::vector<int> vertex;                           // of each corner: the target of a halfedge
-  std::vector<int> across; // of each corner: one of the triangle behind the edge of its halfedge, or -1
   std::vector<Border_edge> border;
 
 private:
-  // Numbers vertices in the order of their first corners.
-  void number_vertices_of_mesh(const TriangleMesh& mesh, const std::vector<halfedge_descriptor>& halfedges)
+  // In the order of their first corners
+  void number_vertices()
   {
-    const auto number = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
-    for(halfedge_descriptor h : halfedges)
-      put(number, target(h, mesh), -1);
+    vertex.reserve(m_halfedges.size());
     int count = 0;
-    for(halfedge_descriptor h : halfedges) {
-      if(get(number, target(h, mesh)) < 0)
-        put(number, target(h, mesh), count++);
-      vertex.push_back(get(number, target(h, mesh)));
+    if constexpr(Corner_coordinates<TriangleMesh, UVMap>::are_at_vertices) {
+      const auto number = get(CGAL::dynamic_vertex_property_t<int>(), m_mesh);
+      for(const auto v : vertices(m_mesh))
+        put(number, v, -1);
+      for(halfedge_descriptor h : m_halfedges) {
+        const auto v = target(h, m_mesh);
+        int i = get(number, v);
+        if(i < 0)
+          put(number, v, i = count++);
+        vertex.push_back(i);
+      }
+    } else {
+      Disjoint_sets fans(
+          m_halfedges.size()); // of corners between two borders, or around a vertex of the mesh
+      const std::vector<int> across = opposite_corners();
+      for(std::size_t c = 0; c < m_halfedges.size(); ++c)
+        if(across[c] >= 0) // the corner before it has the same target
+          fans.union_set(static_cast<int>(c), across[c] % 3 == 0 ? across[c] + 2 : across[c] - 1);
+      std::vector<int> number(m_halfedges.size(), -1);
+      for(std::size_t c = 0; c < m_halfedges.size(); ++c) {
+        int& v = number[fans.find_set(c)];
+        v = v < 0 ? count++ : v;
+        vertex.push_back(v);
+      }
     }
   }
 
-  // A vertex is a fan of corners between two borders, or around a vertex of the mesh.
-  template <typename CornerMap>
-  void number_vertices_of_fans(const TriangleMesh& mesh, const std::vector<halfedge_descriptor>& halfedges,
-                               const CornerMap& corner)
-  {
-    Disjoint_sets sets(halfedges.size());
-    for(std::size_t c = 0; c < halfedges.size(); ++c)
-      if(across[c] >= 0)
-        sets.union_set(c, static_cast<std::size_t>(get(corner, prev(opposite(halfedges[c], mesh), mesh))));
-    std::vector<int> number(halfedges.size(), -1);
-    int count = 0;
-    for(std::size_t c = 0; c < halfedges.size(); ++c) {
-      int& v = number[sets.find_set(c)];
-      if(v < 0)
-        v = count++;
-      vertex.push_back(v);
-    }
-  }
+  const TriangleMesh& m_mesh;
+  const Corner_coordinates<TriangleMesh, UVMap> m_coordinates;
+  std::vector<halfedge_descriptor> m_halfedges; // of each corner
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Overlap_split_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/separate_overlaps.h>
@@ -45,12 +46,10 @@ class Chart_splitter
   typedef Overlap_split_report Report;
   typedef Exact_point<typename boost::property_traits<UVMap>::value_type> Convert;
   typedef typename Convert::type Point;
-  static constexpr bool has_uv_at_vertices = std::is_same<typename boost::property_traits<UVMap>::key_type,
-                                                          typename Graph_traits::vertex_descriptor>::value;
 
 public:
   Chart_splitter(const TriangleMesh& mesh, EdgeIsSeamMap seams, UVMap uv, const NamedParameters& np)
-      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_np(np),
+      : m_mesh(mesh), m_seams(seams), m_uv(mesh, uv), m_np(np),
         m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                     get_const_property_map(CGAL::vertex_point, mesh)))
   {}
@@ -82,14 +81,6 @@ public:
   }
 
 private:
-  decltype(auto) uv_at(halfedge_descriptor h) const
-  {
-    if constexpr(has_uv_at_vertices)
-      return get(m_uv, target(h, m_mesh));
-    else
-      return get(m_uv, h);
-  }
-
   bool read_uv(const Surface_part& part, std::vector<Point>& uv, Report& report) const
   {
     const Chart& chart = part.chart;
@@ -97,7 +88,7 @@ private:
     std::vector<char> is_read(chart.points.size(), false);
     for(int c = 0; c < chart.number_of_corners(); ++c) {
       const int v = chart.vertex[c];
-      const Point p = Convert::get(uv_at(m_reader.halfedge_to(3 * part.first_triangle + c)));
+      const Point p = Convert::get(m_uv[m_reader.halfedge_to(3 * part.first_triangle + c)]);
       if(!is_finite_point(p)) {
         m_reader.fail(report, Diagnosis::NON_FINITE_COORDINATE,
                       "the vertex at " + position_text(chart, v) +
@@ -186,7 +177,7 @@ private:
 
   const TriangleMesh& m_mesh;
   EdgeIsSeamMap m_seams;
-  UVMap m_uv;
+  const Corner_coordinates<TriangleMesh, UVMap> m_uv;
   const NamedParameters& m_np;
   Surface_reader<TriangleMesh, Vertex_point_map, Report> m_reader;
 };
