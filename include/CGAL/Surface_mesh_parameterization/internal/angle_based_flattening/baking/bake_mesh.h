@@ -47,6 +47,10 @@ class Mesh_baker
   static constexpr bool all_have_charts =
       parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
+  static_assert(
+      parameters::is_default_parameter<NamedParameters, internal_np::vertex_color_map_t>::value,
+      "colours are those of the fine surface: give `vertex_color_map` in the second named parameters");
+
 public:
   Mesh_baker(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh, TangentFrameMap frames,
              const Baking_options& options, const NamedParameters& np, const FineNamedParameters& fine_np)
