@@ -74,7 +74,8 @@ struct Atlas
   }
 };
 
-// The same map with a vertex for each place in the plane, by another way: corners are joined where edges have equal coordinates.
+// The same map with a vertex for each place in the plane, by another way: corners are joined where edges have equal
+// coordinates.
 struct Opened
 {
   Mesh mesh;

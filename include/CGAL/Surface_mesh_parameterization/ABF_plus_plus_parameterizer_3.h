@@ -130,16 +130,17 @@ public:
   ///
   /// Before anything is solved, `parameterize()` checks whether there is a map with these angles at all, and otherwise returns
   /// `ERROR_WRONG_PARAMETER` with one of these diagnoses:
-  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large as the
-  ///   triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices()` returns the vertices.
+  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large
+  ///   as the triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices()`
+  ///   returns the vertices.
   /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
   ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other vertices must be positive,
   ///   and less than \f$\pi\f$ for each triangle there. `offending_vertices()` returns these other vertices.
-  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between them. That is so
-  ///   where a straight side runs along a triangle with two border edges. `offending_vertices()` returns the two vertices of
-  ///   each such edge. `split_flat_chords()` splits these edges.
-  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which `offending_vertices()`
-  ///   returns. This is possible only if an angle is above \f$\pi\f$.
+  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between
+  ///   them. That is so where a straight side runs along a triangle with two border edges. `offending_vertices()`
+  ///   returns the two vertices of each such edge. `split_flat_chords()` splits these edges.
+  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which
+  ///   `offending_vertices()` returns. This is possible only if an angle is above \f$\pi\f$.
   ///
   /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the diagnosis is
   /// `Diagnosis::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is an error.
@@ -152,8 +153,9 @@ public:
   /// \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
   /// `Diagnosis::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
   ///
-  /// Programs without the compiled library include `polygon_angles.h` or `ABF_plus_plus_strategies.h`: the check of the angles needs a
-  /// maximum flow. Without it, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_OPTION`.
+  /// Programs without the compiled library include `polygon_angles.h` or `ABF_plus_plus_strategies.h`: the check of
+  /// the angles needs a maximum flow. Without it, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis
+  /// `Diagnosis::WRONG_OPTION`.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
@@ -172,9 +174,9 @@ public:
   /// `parameterize()` on. A `Seam_mesh` needs no call of this function. The sides matter for
   /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump`.
   ///
-  /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns `ERROR_WRONG_PARAMETER` with
-  /// the diagnosis `Diagnosis::WRONG_OPTION`, and `offending_vertices()` returns the vertices of an edge. The function keeps a
-  /// copy of the property map, and so do copies of the parameterizer.
+  /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns
+  /// `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_OPTION`, and `offending_vertices()` returns the
+  /// vertices of an edge. The function keeps a copy of the property map, and so do copies of the parameterizer.
   ///
   /// \tparam HalfedgeSideMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%halfedge_descriptor` as key type and value type. It maps each
@@ -280,8 +282,9 @@ private:
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or not on a border is
-/// `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything else is the same.
+/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or
+/// not on a border is `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything
+/// else is the same.
 ///
 /// \relates ABF_plus_plus_parameterizer_3
 template <typename TriangleMesh, typename SolverTraits, typename HD, typename VertexUVmap>

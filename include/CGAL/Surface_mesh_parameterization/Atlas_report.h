@@ -43,7 +43,8 @@ struct Atlas_report : Report
     MORE_CHARTS ///< The part was divided, as there was no good map of it in one piece, or it would have left most of the square empty.
   };
 
-  /// Whether both sides of the seams within a chart have equal lengths in the plane (`Atlas_options::equal_seam_lengths`), and if not why.
+  /// Whether both sides of the seams within a chart have equal lengths in the plane
+  /// (`Atlas_options::equal_seam_lengths`), and if not why.
   enum Seam_lengths
   {
     NO_SEAMS,      ///< No seam has both sides in the chart.
@@ -76,8 +77,8 @@ struct Atlas_report : Report
     /// The number of faces whose quasi-conformal ratio is above 1000, although that of the map from an equilateral triangle to them is not.
     std::size_t crushed_faces = 0;
 
-    /// Whether `l2_stretch` is at most 2, or at most `Seam_options::stretch_bound` if that is larger, and no face is crushed. With an
-    /// infinite bound, every chart is good.
+    /// Whether `l2_stretch` is at most 2, or at most `Seam_options::stretch_bound` if that is larger, and no face is
+    /// crushed. With an infinite bound, every chart is good.
     bool is_good = true;
     double contact = 0; ///< As `Flattening_report::contact`.
     int rounds = 0;     ///< How often seams were added because the map stretched too much.

@@ -18,9 +18,10 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// A base class of visitors that follow `make_atlas()`, and may stop it (`Atlas_options::visitor`). By default its functions do
-/// nothing. They are called by one thread at a time, but not always by the same. A function that returns `false` stops the computation,
-/// whose report then has the diagnosis `Diagnosis::CANCELLED`. All maps of the caller are unchanged then.
+/// A base class of visitors that follow `make_atlas()`, and may stop it (`Atlas_options::visitor`). By default its
+/// functions do nothing. They are called by one thread at a time, but not always by the same. A function that returns
+/// `false` stops the computation, whose report then has the diagnosis `Diagnosis::CANCELLED`. All maps of the caller
+/// are unchanged then.
 class Atlas_visitor
 {
 public:

@@ -33,11 +33,13 @@ struct Cone_options
 {
   Cone_angles angles = Cone_angles::PREDICTED; ///< How the angles of the cones are found.
 
-  /// If not 0, the angles of the cones are multiples of this angle, in radians; \f$2\pi\f$ must be a multiple of it. With
+  /// If not 0, the angles of the cones are multiples of this angle, in radians; \f$2\pi\f$ must be a multiple of it.
+  /// With
   /// \f$\pi/2\f$, a grid continues across all seams. The surface must be a sphere or a disk, and `angles` not `FREE`.
   double angle_multiple = 0;
 
-  /// The options of ABF++ in `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` with free angles only.
+  /// The options of ABF++ in `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` with
+  /// free angles only.
   ABF_plus_plus_options parameterizer;
 };
 

@@ -55,8 +55,8 @@ struct Cone_selection : Cone_report
   /// the face that the diagnosis is about: the first one of a second component
   std::vector<face_descriptor> offending_faces;
 
-  /// returns the cones without their angles. `vertex_is_constrained_map(CGAL::make_boolean_property_map(vertices))` gives such a set to
-  /// `cut_to_disks()`.
+  /// returns the cones without their angles. `vertex_is_constrained_map(CGAL::make_boolean_property_map(vertices))`
+  /// gives such a set to `cut_to_disks()`.
   std::set<vertex_descriptor> vertices() const
   {
     std::set<vertex_descriptor> result;

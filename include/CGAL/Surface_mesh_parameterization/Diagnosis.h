@@ -19,8 +19,8 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// How a call ended. All functions and parameterizers of this package use this enumeration, each some of its values. The manual's section
-/// \ref ABF_errors says for each value what to do.
+/// How a call ended. Each function and parameterizer of this package uses some of these values. Section \ref
+/// ABF_errors of the manual says for each value what to do.
 enum class Diagnosis
 {
   NOTHING_WRONG, ///< The call succeeded.

@@ -23,10 +23,10 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise, `status` and `message` are
-/// about the first part that is not one. If a part has several defects, its status is the first of `EMPTY_MESH`, `NOT_TRIANGULATED`,
-/// `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`, `SEVERAL_BORDERS`, `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces
-/// and vertices from 0, in the order of the mesh.
+/// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise,
+/// `status` and `message` are about the first part that is not one. If a part has several defects, its status is the
+/// first of `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`, `SEVERAL_BORDERS`,
+/// `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>
@@ -59,8 +59,8 @@ struct Disk_cut_report : Report
     std::vector<std::size_t> border_sizes; ///< For each border cycle, the number of its edges.
 
     /// Where the defect is; the null halfedge if there is none. This halfedge belongs to the face that is not a
-    /// triangle, points to the vertex that is not a manifold, is on the second or short border, is a loop, or is one of the
-    /// parallel edges. For closed parts and handles, it belongs to `face`.
+    /// triangle, points to the vertex that is not a manifold, is on the second or short border, is a loop, or is one
+    /// of the parallel edges. For closed parts and handles, it belongs to `face`.
     halfedge_descriptor where = boost::graph_traits<TriangleMesh>::null_halfedge();
   };
 

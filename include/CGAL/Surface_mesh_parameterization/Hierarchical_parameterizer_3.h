@@ -269,8 +269,9 @@ private:
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or not on a border is
-/// `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything else is the same.
+/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or
+/// not on a border is `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything
+/// else is the same.
 ///
 /// \relates Hierarchical_parameterizer_3
 template <typename TriangleMesh, typename CoarseParameterizer, typename SolverTraits, typename HD,

@@ -21,7 +21,8 @@ struct Packing_options
 {
   int resolution = 1024; ///< Texels along each side of the unit square, from 1 to 32768.
 
-  /// Texels that are free between two charts, from 0 to 1024; half as many, rounded up, are free at the border of the square.
+  /// Texels that are free between two charts, from 0 to 1024; half as many, rounded up, are free at the border of the
+  /// square.
   int gutter = 2;
 
   int number_of_rotations = 32; ///< Directions in which large charts are tried, from 1 to 1024.

@@ -19,12 +19,12 @@ namespace Surface_mesh_parameterization {
 /// The options of `select_seams()`.
 struct Seam_options
 {
-  /// The largest \f$L_2\f$ stretch that is predicted for a disk; at least 1. With an infinite bound, the surface is cut to disks and no
-  /// further.
+  /// The largest \f$L_2\f$ stretch that is predicted for a disk; at least 1. With an infinite bound, the surface is
+  /// cut to disks and no further.
   double stretch_bound = 1.1;
 
-  /// The largest number of terminals of each part of the surface: vertices that are joined to the seams because of their scale. It must not
-  /// be negative.
+  /// The largest number of terminals of each part of the surface: vertices that are joined to the seams because of
+  /// their scale. It must not be negative.
   int maximum_number_of_terminals = 100;
 };
 

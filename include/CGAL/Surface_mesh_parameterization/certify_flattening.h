@@ -76,8 +76,8 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 /// coordinates. It takes linear time.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
-/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose number
-///         type is exact or has only numbers that `double` has too. The key type is
+/// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose
+///         number type is exact or has only numbers that `double` has too. The key type is
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`.
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.

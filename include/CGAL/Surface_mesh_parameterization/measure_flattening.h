@@ -104,9 +104,10 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// measures the distortion of a map of the whole surface, such as an atlas of any program. The map may consist of any number of
-/// charts. All are measured at one scale, so that differences of texel density count; `Atlas_report::measures` takes each chart at its
-/// own scale. `Flattening_measures::border_is_simple` says whether the borders of all charts are simple and apart.
+/// measures the distortion of a map of the whole surface, such as an atlas of any program. The map may consist of any
+/// number of charts. All are measured at one scale, so that differences of texel density count;
+/// `Atlas_report::measures` takes each chart at its own scale. `Flattening_measures::border_is_simple` says whether
+/// the borders of all charts are simple and apart.
 ///
 /// The time is as above. The map of a `Seam_mesh` may be given by vertices of that, or by halfedges of the mesh below.
 ///
@@ -133,7 +134,8 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 ///
 /// \return the measures of the whole surface.
 ///
-/// \exception std::invalid_argument if the mesh has no faces, a face is not a triangle, or a point has a coordinate that is not finite.
+/// \exception std::invalid_argument if the mesh has no faces, a face is not a triangle, or a point has a coordinate
+///   that is not finite.
 template <typename TriangleMesh, typename UVMap, typename FaceVisitor, typename NamedParameters>
 #ifndef DOXYGEN_RUNNING
 internal::ABF::Measures_of_surface<TriangleMesh, UVMap>

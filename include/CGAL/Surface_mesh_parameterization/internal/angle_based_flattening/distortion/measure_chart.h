@@ -182,8 +182,8 @@ inline Flattening_face_measures measure_triangle(const Chart& chart, const std::
   return face;
 }
 
-// Adds the measures of all triangles `t` to the totals, and calls `visit(t, measures)`, in order. Triangles are measured in
-// parallel, in batches whose measures take a few megabytes.
+// Adds the measures of all triangles `t` to the totals, and calls `visit(t, measures)`, in order. Triangles are
+// measured in parallel, in batches whose measures take a few megabytes.
 template <typename Visitor>
 void measure_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv, double scale,
                        Measure_totals& totals, Visitor&& visit)
