@@ -21,36 +21,34 @@ class Atlas_visitor;
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The options of `make_atlas()`. `Seam_options::stretch_bound` is a bound on the stretch of each chart here.
+/// Options of `make_atlas()`, where `Seam_options::stretch_bound` bounds the stretch of each chart.
 struct Atlas_options : Seam_options, Packing_options
 {
-  /// How much injective maps keep areas (see `Flattening_options::area_weight`), from 0 to 1. The default is larger
-  /// than that of a single chart, because an equal texel density over an atlas is worth a little more change of
-  /// angles.
+  /// How much injective maps preserve areas, from 0 to 1 (see `Flattening_options::area_weight`). The default is larger
+  /// than for single charts, because an atlas should have even texels.
   double area_weight = 0.02;
 
-  /// Whether a map of ABF++ that overlaps itself is cut into several charts, as by `split_overlaps()`, instead of
-  /// replaced by an injective one.
+  /// Whether a map of ABF++ that overlaps itself is split into several charts, as by `split_overlaps()`. Otherwise, an
+  /// injective map replaces it.
   bool separate_overlaps = false;
 
-  /// Whether branches of charts, such as the legs of a figure, are cut off along chords that are shorter than the
-  /// square root of the area that they cut off. The charts then cover more of the square.
+  /// Whether branches of charts, such as legs of a figure, are cut off along chords that are shorter than the square
+  /// root of the area behind them. The charts then cover more of the square.
   bool cut_necks = false;
 
-  /// Whether both sides of each edge on a seam within a chart get the same length in the plane, as by
-  /// `ABF_plus_plus_options::equal_seam_lengths`. This applies to maps that ABF++ makes directly, and to pieces of
-  /// them, but neither to hierarchical nor to injective maps. Where the solver does not reach equal lengths, the
-  /// chart is mapped without them; `Atlas_report::Chart::seam_lengths` says so.
+  /// Whether both sides of each seam edge within a chart get equal lengths in the plane, as by
+  /// `ABF_plus_plus_options::equal_seam_lengths`. Hierarchical and injective maps ignore this option. If the solver
+  /// does not reach equal lengths, the chart is mapped without them (`Atlas_report::Chart::seam_lengths`).
   bool equal_seam_lengths = true;
 
-  /// Whether the charts are packed into the unit square. Otherwise, each chart has the area of its surface, and the
-  /// lower left corner of its bounding box is at the origin.
+  /// Whether the charts are packed into the unit square. Otherwise, each chart has the same area as on the surface, and
+  /// the lower left corner of its bounding box is the origin.
   bool pack_into_square = true;
 
-  int threads = 0; ///< As `Flattening_options::threads`.
+  int threads = 0; ///< See `Flattening_options::threads`.
 
-  Atlas_visitor* visitor =
-      nullptr; ///< If not null, this visitor follows the progress and may stop the computation.
+  /// If not null, this visitor follows the progress and may cancel the computation.
+  Atlas_visitor* visitor = nullptr;
 };
 
 } // namespace Surface_mesh_parameterization

@@ -18,18 +18,18 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// A base class of visitors that follow `make_atlas()`, and may stop it (`Atlas_options::visitor`). By default its
-/// functions do nothing. They are called by one thread at a time, but not always by the same. A function that returns
-/// `false` stops the computation, whose report then has the diagnosis `Diagnosis::CANCELLED`. All maps of the caller
-/// are unchanged then.
+/// Base class of visitors that follow `make_atlas()`, and may cancel it (`Atlas_options::visitor`).
+///
+/// By default, its functions do nothing. One thread at a time calls them, but not always the same thread. If a function
+/// returns `false`, the computation ends with `Diagnosis::CANCELLED`, and no property map is changed.
 class Atlas_visitor
 {
 public:
-  /// The stage that begins. They come in this order, each once.
+  /// The stages, in their order. Each begins once.
   enum Stage
   {
     READ,    ///< Copying the mesh into arrays, and checking it.
-    CHARTS,  ///< Seams and maps.
+    CHARTS,  ///< Finding seams, and flattening.
     PACK,    ///< Placing the charts in the square.
     CERTIFY, ///< Exact checks of the final coordinates.
     MEASURE, ///< Measuring distortion.
@@ -38,11 +38,11 @@ public:
 
   virtual ~Atlas_visitor() {}
 
-  /// is called at the beginning of a stage. Returns whether to continue.
+  /// is called when a stage begins. Returns whether to continue.
   virtual bool start(Stage) { return true; }
 
-  /// is called during `CHARTS` again and again, with an estimate of the share of the work that is done, from 0 to 1, which never
-  /// falls. Returns whether to continue.
+  /// is called repeatedly during `CHARTS`, with the estimated share of work done, from 0 to 1, which never decreases.
+  /// Returns whether to continue.
   virtual bool progress(double) { return true; }
 };
 

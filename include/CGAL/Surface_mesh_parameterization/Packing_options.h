@@ -16,16 +16,16 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The options of `pack_charts()`.
+/// Options of `pack_charts()`.
 struct Packing_options
 {
-  int resolution = 1024; ///< Texels along each side of the unit square, from 1 to 32768.
+  int resolution = 1024; ///< Number of texels along each side of the unit square, from 1 to 32768.
 
-  /// Texels that are free between two charts, from 0 to 1024; half as many, rounded up, are free at the border of the
+  /// Number of free texels between two charts, from 0 to 1024. Half as many, rounded up, are free at the border of the
   /// square.
   int gutter = 2;
 
-  int number_of_rotations = 32; ///< Directions in which large charts are tried, from 1 to 1024.
+  int number_of_rotations = 32; ///< Number of directions that are tried for large charts, from 1 to 1024.
 };
 
 } // namespace Surface_mesh_parameterization

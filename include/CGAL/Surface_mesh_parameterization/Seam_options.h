@@ -16,15 +16,13 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The options of `select_seams()`.
+/// Options of `select_seams()`.
 struct Seam_options
 {
-  /// The largest \f$L_2\f$ stretch that is predicted for a disk; at least 1. With an infinite bound, the surface is
-  /// cut to disks and no further.
+  /// The largest predicted \f$L_2\f$ stretch of a disk; at least 1. With infinity, the surface is only cut to disks.
   double stretch_bound = 1.1;
 
-  /// The largest number of terminals of each part of the surface: vertices that are joined to the seams because of
-  /// their scale. It must not be negative.
+  /// The largest number of terminals of each part: vertices that seams lead to because of their scale. At least 0.
   int maximum_number_of_terminals = 100;
 };
 

@@ -26,26 +26,22 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-makes a texture atlas of any surface: cuts it open, flattens it without flips and overlaps, and packs the charts into the unit square.
+makes a texture atlas of any surface: cuts it open, flattens it, and packs the charts into the unit square.
 
-Each connected part of the surface, of any genus and with any number of borders, is cut open to a disk along seams, as by `select_seams()`. ABF++ flattens the disk.
-Disks of more than 20,000 triangles are flattened hierarchically. If the map overlaps itself, an injective one takes its place (`Flattening_options::injective`), so that
-each part remains one chart; `Atlas_options::separate_overlaps` cuts it into several charts instead. If the map stretches by more than 3 % above
-`Seam_options::stretch_bound`, as the long thin triangles of some models make it do, seams are added where it does, and the disk is flattened again, at most five times.
-If an injective map still stretches that much, and that of ABF++ does not, the latter is separated. Where there is no map, or the chart is not good (`Atlas_report::Chart::is_good`), areas get a larger weight, and then the
-part is divided into several charts; so is a chart that would leave most of the square empty. The report says which way was taken for each chart, and whether one is not good all the same.
+Each connected part of the surface, of any genus and with any number of borders, is cut to a disk along seams with a
+predicted stretch of at most `Seam_options::stretch_bound`. ABF++ flattens the disk. If the map overlaps itself, an
+injective map replaces it. If the chart stretches too much all the same, it gets more seams, more weight of areas, or is
+divided into several charts. Section \ref ABF_atlases_steps describes all steps.
 
-Both sides of the seams within a chart, found or given, get equal lengths where ABF++ maps the part directly (`Atlas_options::equal_seam_lengths`).
+Exact predicates certify the final coordinates, rounded to the number type of `uv`: no triangle is flipped, no chart
+overlaps itself, and no two charts come nearer to one another than the gutter. Stretch is measured, not certified:
+`Diagnosis::STRETCH_BOUND_MISSED` says that some chart is not good (`Atlas_report::Chart::is_good`).
 
-Then the charts are packed with equal texel density, as by `pack_charts()`, and certified: with the final coordinates, rounded to the number type of `uv`, each chart is
-injective, by exact predicates, and no two charts share a texel with its gutter. A map of ABF++ whose final coordinates have too few digits for that is replaced by an injective one,
-whose border keeps a distance from itself.
+A part that cannot be flattened is skipped and reported. Its coordinates are unchanged, and all other parts get charts.
+If anything else is wrong, nothing is written.
 
-A part that cannot be flattened is skipped, and named in the report with the reason. Its coordinates are unchanged, and all other parts get charts. Nothing is
-written if anything else is wrong.
-
-For \f$n\f$ triangles, it takes time \cgalBigO{n \log n}, and the factorization of matrices of bounded size for each part. Parts are flattened side by side if the program is linked with
-`CGAL::TBB_support`. The result does not depend on the number of threads.
+For \f$n\f$ triangles, the time is \cgalBigO{n \log n}, plus factorizations of matrices of bounded size for each part.
+With `CGAL::TBB_support`, parts are flattened in parallel. The result does not depend on the number of threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
@@ -57,9 +53,9 @@ For \f$n\f$ triangles, it takes time \cgalBigO{n \log n}, and the factorization 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh, of any number of connected components
-\param seams the seams. Those that are marked are kept; new ones are marked.
-\param uv receives the coordinates: a halfedge of a face has those of its target at that face. Border halfedges get none.
-\param charts receives the number of each face's chart, from 0 on, and -1 for a face without chart
+\param seams the seams: marked edges stay seams, and new seams are marked
+\param uv receives the coordinates: each halfedge of a face stores those of its target in this face
+\param charts receives the chart number of each face, from 0 on, and -1 for a face without chart
 \param options the options
 \param np optional named parameters:
 
@@ -80,15 +76,15 @@ For \f$n\f$ triangles, it takes time \cgalBigO{n \log n}, and the factorization 
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
   \cgalParamNBegin{face_size_map}
-    \cgalParamDescription{how many texels a length on each face gets, in proportion. A chart has the quadratic mean of its faces, by area.}
+    \cgalParamDescription{relative texel density of each face. A chart gets the quadratic mean over its area.}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{1 for all faces}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{the polygon that each triangle is a part of. Other programs draw polygons as fans from any corner. So that these
-    triangles do not overlap, vertices inside of charts are moved a little where polygons are not strictly convex in the plane, as far as
-    that helps (`Atlas_report::number_of_mended_polygons`). Seams divide polygons unless `edge_is_constrained_map`
-    keeps them off the diagonals.}
+    \cgalParamDescription{the polygon that contains each triangle. Interior vertices of charts are moved a little where
+    that makes polygons strictly convex in the plane (`Atlas_report::number_of_mended_polygons`), so that other
+    programs can triangulate them in any way. To keep seams off the diagonals, constrain these in
+    `edge_is_constrained_map`.}
     \cgalParamType{a model of `ReadablePropertyMap` with a value type that can be compared}
     \cgalParamDefault{each triangle is a polygon}
   \cgalParamNEnd
@@ -99,7 +95,7 @@ For \f$n\f$ triangles, it takes time \cgalBigO{n \log n}, and the factorization 
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, the charts, what was skipped and why, and the distortion
+\return the charts, their distortion, and what is wrong, if anything
 
 \sa `select_seams()`
 \sa `split_overlaps()`
@@ -119,7 +115,7 @@ Atlas_report make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeU
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-makes an atlas without given seams, and marks neither seams nor charts. Everything else is as above.
+makes an atlas as above, without given seams. Neither seams nor chart numbers are returned.
 
 \code{.cpp}
 if(const auto report = make_atlas(mesh, uv); !report)
