@@ -13,10 +13,10 @@ namespace CGAL {
 /*!
 \ingroup PkgSolverInterfaceLS
 
-The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative solution:
-fewer digits, half of the memory and less time are then enough. The counterpart of `SuperLU_solver_traits<double>` is
-`SuperLU_solver_traits<float>`, with the same widths, and with `SuperLU_options::PIVOTS` as its check. Any other solver
-is its own counterpart.
+The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative
+solution: fewer digits, half of the memory and less time are then enough. The counterpart of
+`SuperLU_solver_traits<double>` is `SuperLU_solver_traits<float>`, with the same widths, and with
+`SuperLU_options::PIVOTS` as its check. Any other solver is its own counterpart.
 
 This is a customization point: specialize it for a solver of your own, with the members below.
 

@@ -11,8 +11,8 @@ namespace CGAL {
 /*!
 \ingroup PkgSolverInterfaceLS
 
-The options of `SuperLU_solver_traits`. The default values suit matrices from triangle meshes. The widths change the speed of
-SuperLU. They change only the last digits of results.
+The options of `SuperLU_solver_traits`. The default values suit matrices from triangle meshes. The widths change the
+speed of SuperLU. They change only the last digits of results.
 
 \sa `CGAL::SuperLU_solver_traits<FT>`
 */
@@ -25,11 +25,11 @@ struct SuperLU_options
     /// partial pivoting, after its rows and columns were scaled. The backward error of each solution is small.
     /// Iterative refinement ensures this if necessary.
     ACCURACY,
-    /// Only a symmetric matrix is factored. All its pivots must be on the diagonal, have the sign of the diagonal,
-    /// and be larger than \f$ 16 \varepsilon\f$ times the entry of the matrix there (\f$ \varepsilon\f$ is the precision of the number
-    /// type). Any other matrix is refused. The factors are then those of a definite matrix. Solutions are finite, but
-    /// their accuracy is not guaranteed. Use this check for factors that precondition an iterative solution, which
-    /// has a check of its own.
+    /// Only a symmetric matrix is factored. All its pivots must be on the diagonal, have the sign of the diagonal, and
+    /// be larger than \f$ 16 \varepsilon\f$ times the entry of the matrix there (\f$ \varepsilon\f$ is the precision of
+    /// the number type). Any other matrix is refused. The factors are then those of a definite matrix. Solutions are
+    /// finite, but their accuracy is not guaranteed. Use this check for factors that precondition an iterative
+    /// solution, which has a check of its own.
     PIVOTS
   };
 

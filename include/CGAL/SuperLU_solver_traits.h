@@ -51,8 +51,8 @@ approximate minimum degree ordering. If all the pivots have that sign too, then 
 definite and this is numerically stable. Any other matrix is factored in a COLAMD ordering with
 partial pivoting, after its rows and columns were scaled.
 
-The ordering depends only on the pattern of the matrix. If the next matrix has its entries at the same places, its factorization
-reuses the ordering, also in a copy of this object. `analyze_pattern()` computes the ordering beforehand.
+The ordering depends only on the pattern of the matrix. If the next matrix has its entries at the same places, its
+factorization reuses the ordering, also in a copy of this object. `analyze_pattern()` computes the ordering beforehand.
 
 \cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d,
 NormalEquationSparseLinearAlgebraTraits_d}
@@ -61,18 +61,19 @@ NormalEquationSparseLinearAlgebraTraits_d}
 
 \cgalHeading{Single Precision}
 
-With `float`, the entries of the factors take half of the memory. Their indices take the same memory. Solutions take about 0.6 of the
-time, and so do factorizations of some hundred thousand rows. Smaller factorizations gain less. Solutions have a
-backward error of some \f$ 10^{-7}\f$: a system with condition number \f$ \kappa\f$ is solved to a relative error of about
-\f$ 10^{-7} \kappa\f$. This is enough to precondition an iterative solution in `double`. `symmetric()` returns whether
-the preconditioner is definite.
+With `float`, the entries of the factors take half of the memory. Their indices take the same memory. Solutions take
+about 0.6 of the time, and so do factorizations of some hundred thousand rows. Smaller factorizations gain less.
+Solutions have a backward error of some \f$ 10^{-7}\f$: a system with condition number \f$ \kappa\f$ is solved to a
+relative error of about \f$ 10^{-7} \kappa\f$. This is enough to precondition an iterative solution in `double`.
+`symmetric()` returns whether the preconditioner is definite.
 
 A matrix that was rounded from `double` may be refused although the original matrix is not. The reasons are:
-- The matrix is singular up to the errors of `float`. For a definite matrix, this means that its least eigenvalue is below
-  \f$ 1.2 \cdot 10^{-7}\f$ after scaling to a diagonal of ones. For any other matrix, it means that its reciprocal condition number
-  is below this value after scaling of rows and columns.
+- The matrix is singular up to the errors of `float`. For a definite matrix, this means that its least eigenvalue is
+  below \f$ 1.2 \cdot 10^{-7}\f$ after scaling to a diagonal of ones. For any other matrix, it means that its reciprocal
+  condition number is below this value after scaling of rows and columns.
 - An entry became infinite.
-- Entries became so small that they lost digits or vanished, and the others in their rows and columns are not much larger.
+- Entries became so small that they lost digits or vanished, and the others in their rows and columns are not much
+  larger.
 
 For preconditioners, `SuperLU_options::PIVOTS` checks less and takes less time.
 SuperLU must have been built with single precision, as it is by default.
@@ -85,15 +86,14 @@ A copy shares the factorization, which never changes, at the cost of copying a f
 \cgalHeading{Errors}
 
 A function that fails returns `false` and leaves the object usable. After a failure of `factor()` the object holds no
-factorization. Failures are: a matrix that is not square, is empty, is singular
-or has an entry that is not finite (a matrix that is singular but for rounding errors is recognized if it is semidefinite, by an
-estimate of its condition number, and otherwise, with `double`, only if a pivot is as small as these errors);
-with `SuperLU_options::PIVOTS` any matrix that is not definite;
-a right-hand side of another size or with an entry that is not finite; a solution that is
-not finite or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite of iterative refinement; factors with
-more than \f$ 2^{31}\f$ entries, or more than fit into memory. SuperLU itself would end the program if memory runs
-out. The memory that it needs is therefore computed before it is called. If several threads factor at once, the same memory
-is not promised to two of them.
+factorization. Failures are: a matrix that is not square, is empty, is singular or has an entry that is not finite (a
+matrix that is singular but for rounding errors is recognized if it is semidefinite, by an estimate of its condition
+number, and otherwise, with `double`, only if a pivot is as small as these errors); with `SuperLU_options::PIVOTS` any
+matrix that is not definite; a right-hand side of another size or with an entry that is not finite; a solution that is
+not finite or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite of iterative
+refinement; factors with more than \f$ 2^{31}\f$ entries, or more than fit into memory. SuperLU itself would end the
+program if memory runs out. The memory that it needs is therefore computed before it is called. If several threads
+factor at once, the same memory is not promised to two of them.
 
 \cgalHeading{Thread Safety}
 

@@ -33,10 +33,11 @@ struct ABF_plus_plus_options : Flattening_options
   /// How the linear system of a step (Equation 16 of \cgalCite{cgal:slmb-abf-05}) is solved.
   enum Linear_solver
   {
-    ITERATIVE, ///< By conjugate gradients, to the accuracy that the next step needs. The factors of two scalar matrices,
-    ///< each a quarter of the system, precondition several steps. The counterpart of lower precision of the solver
-    ///< traits (`Low_precision_solver_traits`) computes them if that suffices. If conjugate gradients are slow, the
-    ///< system is factored. Traits without factorization solve each system as a whole.
+    /// By conjugate gradients, to the accuracy that the next step needs. The factors of two scalar matrices, each a
+    /// quarter of the system, precondition several steps. The counterpart of lower precision of the solver traits
+    /// (`Low_precision_solver_traits`) computes them if that suffices. If conjugate gradients are slow, the system is
+    /// factored. Traits without factorization solve each system as a whole.
+    ITERATIVE,
     DIRECT ///< As a whole, as in the paper.
   };
 
@@ -49,9 +50,10 @@ struct ABF_plus_plus_options : Flattening_options
   };
 
   /// Largest accepted violation of a constraint at a vertex, in radians; at least 1e-14. For the reconstruction
-  /// constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap relative
-  /// to its circumference; for seams of equal lengths, also twice the largest difference of the logarithms of both lengths. The layout closes the remaining gap. With the
-  /// default value, measures of distortion have at least four correct digits.
+  /// constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap relative to
+  /// its circumference; for seams of equal lengths, also twice the largest difference of the logarithms of both
+  /// lengths. The layout closes the remaining gap. With the default value, measures of distortion have at least four
+  /// correct digits.
   double tolerance = 1e-5;
 
   /// The solver stops after a step that promised to lower the energy by less than this fraction of it; positive.
@@ -68,16 +70,17 @@ struct ABF_plus_plus_options : Flattening_options
 
   Layout_type layout = AUTOMATIC_LAYOUT; ///< How coordinates are computed from angles.
 
-  /// Whether edges on both sides of a seam get the same length in the plane, so that the scale does not jump there. Otherwise the two
-  /// lengths may differ by a large factor. If this is not set, they do for a `Seam_mesh`, unless angles of the border of its map are
-  /// prescribed. Other meshes have seams if `ABF_plus_plus_parameterizer_3::set_seam_sides()` says so, and equal lengths if this is `true`.
+  /// Whether edges on both sides of a seam get the same length in the plane, so that the scale does not jump there.
+  /// Otherwise the two lengths may differ by a large factor. If this is not set, they do for a `Seam_mesh`, unless
+  /// angles of the border of its map are prescribed. Other meshes have seams if
+  /// `ABF_plus_plus_parameterizer_3::set_seam_sides()` says so, and equal lengths if this is `true`.
   ///
-  /// Angles are found on the surface before the cut: the equations of lengths hold around the vertices of seams, too, and along loops through
-  /// handles and around borders. Lengths are equal up to the tolerance. On models with 16 cones that costs next to no distortion, and up
-  /// to 1.3 times the time.
+  /// Angles are found on the surface before the cut: the equations of lengths hold around the vertices of seams, too,
+  /// and along loops through handles and around borders. Lengths are equal up to the tolerance. On models with 16 cones
+  /// that costs next to no distortion, and up to 1.3 times the time.
   ///
-  /// A seam with a side on the border of a hole keeps different lengths, or is an error if this is `true`. An injective map
-  /// (`Flattening_options::injective`) has equal lengths only if the map does not overlap itself anyway;
+  /// A seam with a side on the border of a hole keeps different lengths, or is an error if this is `true`. An injective
+  /// map (`Flattening_options::injective`) has equal lengths only if the map does not overlap itself anyway;
   /// `ABF_plus_plus_report::largest_seam_jump` tells.
   std::optional<bool> equal_seam_lengths;
 

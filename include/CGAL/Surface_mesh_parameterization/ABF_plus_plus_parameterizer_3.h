@@ -96,11 +96,11 @@ public:
   /// sets how much the angles of each face matter, from the next call of `parameterize()` on. Without a call of this
   /// function, all faces have the importance 1.
   ///
-  /// The importance of a face is its weight in the energy: the squares of the relative changes of its angles, and
-  /// their barrier, count so many times. Faces of large importance change less, and the distortion goes to the faces
-  /// around them. Only ratios matter: if all faces have the same importance, the map is that without. On scanned
-  /// surfaces, patches of 5 % of the faces with the importance 10 had 0.6 to 0.9 times their angular distortion, and the
-  /// rest of the surface had up to 6 % more. With the importance 0.1, they had 1.4 to 3.5 times their angular distortion.
+  /// The importance of a face is its weight in the energy: the squares of the relative changes of its angles, and their
+  /// barrier, count so many times. Faces of large importance change less, and the distortion goes to the faces around
+  /// them. Only ratios matter: if all faces have the same importance, the map is that without. On scanned surfaces,
+  /// patches of 5 % of the faces with the importance 10 had 0.6 to 0.9 times their angular distortion, and the rest of
+  /// the surface had up to 6 % more. With the importance 0.1, they had 1.4 to 3.5 times their angular distortion.
   ///
   /// The importance of every face of the flattened component must be in [0.1, 10]. It has no unit. Otherwise,
   /// `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and
@@ -119,38 +119,41 @@ public:
     m_prescriptions.importance = internal::ABF::face_importance<Triangle_mesh>(fimap);
   }
 
-  /// prescribes sums of planar angles at vertices of the outer border, or at cones, from the next call of `parameterize()` on: the inner angles
-  /// that the border has there in the plane. Without a call of this function, and at vertices without a prescribed sum,
-  /// they are free. With \f$\pi\f$ at all vertices between two others, the border is a straight line between these;
-  /// `polygon_angles()` and `rectangle_angles()` prescribe whole polygons.
+  /// prescribes sums of planar angles at vertices of the outer border, or at cones, from the next call of
+  /// `parameterize()` on: the inner angles that the border has there in the plane. Without a call of this function, and
+  /// at vertices without a prescribed sum, they are free. With \f$\pi\f$ at all vertices between two others, the border
+  /// is a straight line between these; `polygon_angles()` and `rectangle_angles()` prescribe whole polygons.
   ///
-  /// The angles change by as little as the prescribed ones allow. The exact layout turns by exactly the prescribed angles, so that
-  /// straight sides are straight up to rounding, whatever the tolerance is. The map is locally injective. It overlaps itself if
-  /// the prescribed border does.
+  /// The angles change by as little as the prescribed ones allow. The exact layout turns by exactly the prescribed
+  /// angles, so that straight sides are straight up to rounding, whatever the tolerance is. The map is locally
+  /// injective. It overlaps itself if the prescribed border does.
   ///
-  /// Before anything is solved, `parameterize()` checks whether there is a map with these angles at all, and otherwise returns
-  /// `ERROR_WRONG_PARAMETER` with one of these diagnoses:
+  /// Before anything is solved, `parameterize()` checks whether there is a map with these angles at all, and otherwise
+  /// returns `ERROR_WRONG_PARAMETER` with one of these diagnoses:
   /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large
   ///   as the triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices()`
   ///   returns the vertices.
   /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
-  ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other vertices must be positive,
-  ///   and less than \f$\pi\f$ for each triangle there. `offending_vertices()` returns these other vertices.
+  ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other
+  ///   vertices must be positive, and less than \f$\pi\f$ for each triangle there. `offending_vertices()` returns these
+  ///   other vertices.
   /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between
   ///   them. That is so where a straight side runs along a triangle with two border edges. `offending_vertices()`
   ///   returns the two vertices of each such edge. `split_flat_chords()` splits these edges.
   /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which
   ///   `offending_vertices()` returns. This is possible only if an angle is above \f$\pi\f$.
   ///
-  /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the diagnosis is
-  /// `Diagnosis::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is an error.
+  /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the
+  /// diagnosis is `Diagnosis::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is
+  /// an error.
   ///
-  /// With equal seam lengths (`ABF_plus_plus_options::equal_seam_lengths`), the sums are those of the surface before it was cut: of all
-  /// angles around a vertex in the middle of a seam, which then is a *cone* unless the sum is \f$2\pi\f$, and of the inner angles at a vertex of
-  /// the border. All copies of a vertex must have the same sum. Vertices in the middle of a seam without a prescribed sum have
-  /// \f$2\pi\f$, and the transitions across seams are rigid motions. The sum of a cone with `free_cone_angle` is free. If all vertices have
-  /// sums, these must be \f$\pi\f$ times the number of triangles together: on a closed surface of Euler characteristic \f$\chi\f$, the sum of
-  /// \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
+  /// With equal seam lengths (`ABF_plus_plus_options::equal_seam_lengths`), the sums are those of the surface before it
+  /// was cut: of all angles around a vertex in the middle of a seam, which then is a *cone* unless the sum is
+  /// \f$2\pi\f$, and of the inner angles at a vertex of the border. All copies of a vertex must have the same sum.
+  /// Vertices in the middle of a seam without a prescribed sum have \f$2\pi\f$, and the transitions across seams are
+  /// rigid motions. The sum of a cone with `free_cone_angle` is free. If all vertices have sums, these must be
+  /// \f$\pi\f$ times the number of triangles together: on a closed surface of Euler characteristic \f$\chi\f$, the sum
+  /// of \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
   /// `Diagnosis::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
   ///
   /// Programs without the compiled library include `polygon_angles.h` or `ABF_plus_plus_strategies.h`: the check of
@@ -162,16 +165,17 @@ public:
   ///
   /// \tparam VertexAngleSumMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a value type that is convertible
-  ///         to `std::optional<double>`. The angles are in radians. For a `Seam_mesh`, the key type can also be the vertex descriptor
-  ///         of the mesh that it cuts, as in `Cone_selection::angles()`: that needs equal seam lengths, which are the default then.
+  ///         to `std::optional<double>`. The angles are in radians. For a `Seam_mesh`, the key type can also be the
+  ///         vertex descriptor of the mesh that it cuts, as in `Cone_selection::angles()`: that needs equal seam
+  ///         lengths, which are the default then.
   template <typename VertexAngleSumMap>
   void set_angle_sums(VertexAngleSumMap angle_sums)
   {
     m_prescriptions.angle_sums = internal::ABF::vertex_angle_sums<Triangle_mesh>(angle_sums);
   }
 
-  /// says which halfedges are the two sides of a seam, for a mesh that was cut open by copies of its vertices, from the next call of
-  /// `parameterize()` on. A `Seam_mesh` needs no call of this function. The sides matter for
+  /// says which halfedges are the two sides of a seam, for a mesh that was cut open by copies of its vertices, from the
+  /// next call of `parameterize()` on. A `Seam_mesh` needs no call of this function. The sides matter for
   /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump`.
   ///
   /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns
@@ -220,12 +224,12 @@ public:
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border and
   /// `Flattening_options::holes` is `Flattening_options::REFUSE`;
-  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a visitor
-  ///    stopped the computation;
+  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a
+  ///    visitor stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 153 million
-  ///    triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is out of its range
-  ///    or does not apply.
+  ///    triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is
+  ///    out of its range or does not apply.
   ///
   /// \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
@@ -255,9 +259,9 @@ public:
     return m_outcome.get().report;
   }
 
-  /// returns the vertices that the last call's diagnosis is about: a vertex that is pinched, is on a second border,
-  /// or has a coordinate that is not finite, the two vertices that parallel edges join, or what `set_angle_sums()` says. The vector is
-  /// empty for other diagnoses.
+  /// returns the vertices that the last call's diagnosis is about: a vertex that is pinched, is on a second border, or
+  /// has a coordinate that is not finite, the two vertices that parallel edges join, or what `set_angle_sums()` says.
+  /// The vector is empty for other diagnoses.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome.get().offending_vertices;

@@ -53,8 +53,10 @@ struct ABF_plus_plus_report : Flattening_report
     ///< constraints: the surface is simplified to one triangle, and all vertices are inserted again where their
     ///< triangles are valid.
     PROGRESSIVE_EMBEDDING, ///< That map itself, improved by local descent on the energy.
-    INJECTIVE_DESCENT ///< The injective map of the hierarchical method, polished, where the direct method's own overlaps itself
-    ///< (`Flattening_options::injective`).
+
+    /// The injective map of the hierarchical method, polished, where the direct method's own overlaps itself
+    /// (`Flattening_options::injective`).
+    INJECTIVE_DESCENT
   };
 
   /// A strategy that did not give a valid map.
@@ -83,24 +85,27 @@ struct ABF_plus_plus_report : Flattening_report
   double constraint_residual = 0;        ///< Largest violation of a constraint at a vertex, in radians.
   std::vector<ABF_plus_plus_step> steps; ///< All steps.
 
-  Layout layout =
-      NO_LAYOUT; ///< The layout that gave the coordinates; none if they are those of an embedding.
+  /// The layout that gave the coordinates; none if they are those of an embedding.
+  Layout layout = NO_LAYOUT;
   bool layout_repeated = false; ///< Whether low precision was not enough for the exact layout.
-  double closure =
-      0; ///< Largest gap in a border that the exact layout closed, relative to the border's length.
 
-  /// Largest difference between the logarithms of the lengths of both sides of an edge on a seam (`Seam_mesh`); 0 without seams.
+  /// Largest gap in a border that the exact layout closed, relative to the border's length.
+  double closure = 0;
+
+  /// Largest difference between the logarithms of the lengths of both sides of an edge on a seam (`Seam_mesh`); 0
+  /// without seams.
   double largest_seam_jump = 0;
-  /// Largest difference from \f$2\pi\f$ of the sum of the planar angles at a vertex in the middle of a seam, in radians: by so much
-  /// one side of the seam turns differently from the other side. Vertices whose sums are prescribed or marked as free are not counted.
+  /// Largest difference from \f$2\pi\f$ of the sum of the planar angles at a vertex in the middle of a seam, in
+  /// radians: by so much one side of the seam turns differently from the other side. Vertices whose sums are prescribed
+  /// or marked as free are not counted.
   double largest_seam_turn = 0;
 
-  int prescribed_angles =
-      0; ///< Vertices with a prescribed angle, of the surface before the cut if seams have equal lengths.
-  double largest_angle_error =
-      0; ///< Largest difference of a prescribed angle from that of the map, in radians.
-  /// Largest distance of a vertex from the straight side that it is prescribed to be on: from the line through the ends of the side,
-  /// relative to the distance of these ends.
+  /// Vertices with a prescribed angle, of the surface before the cut if seams have equal lengths.
+  int prescribed_angles = 0;
+  /// Largest difference of a prescribed angle from that of the map, in radians.
+  double largest_angle_error = 0;
+  /// Largest distance of a vertex from the straight side that it is prescribed to be on: from the line through the ends
+  /// of the side, relative to the distance of these ends.
   double side_deviation = 0;
 };
 

@@ -29,8 +29,8 @@ struct Baking_report : Report
   /// The texels around the charts that got the values of the nearest texel of a chart.
   std::size_t number_of_gutter_texels = 0;
 
-  /// The texels of charts whose ray met no face of the fine surface that looks along the ray, but one that looks against it. Its normal was
-  /// turned around.
+  /// The texels of charts whose ray met no face of the fine surface that looks along the ray, but one that looks
+  /// against it. Its normal was turned around.
   std::size_t number_of_back_faces = 0;
 
   /// The texels of charts whose ray met nothing. They got the values at the closest point of the fine surface.
@@ -38,7 +38,8 @@ struct Baking_report : Report
 
   double ray_length = 0; ///< How far rays went to both sides, in units of the surface.
 
-  /// The largest distance between a point of the simple surface and the point that was found for it, in units of the surface.
+  /// The largest distance between a point of the simple surface and the point that was found for it, in units of the
+  /// surface.
   double largest_distance = 0;
 
   double mean_distance = 0; ///< The mean of these distances.

@@ -66,8 +66,9 @@ struct Disk_cut_report : Report
 
   std::vector<Part> parts;         ///< All parts, ordered by their first faces.
   std::size_t number_of_disks = 0; ///< Parts without defect.
-  std::size_t defective_part =
-      0; ///< Rank of the first part with a defect; the number of parts if there is none.
+
+  /// Rank of the first part with a defect; the number of parts if there is none.
+  std::size_t defective_part = 0;
 };
 
 } // namespace Surface_mesh_parameterization

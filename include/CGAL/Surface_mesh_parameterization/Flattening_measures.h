@@ -22,11 +22,11 @@ namespace Surface_mesh_parameterization {
 /// roots of areas. The plane is scaled so that the whole layout has the area of the surface. The areas of flipped
 /// triangles count positively.
 ///
-/// The measures of a flipped triangle are those of its mirror image. Flips are counted separately, so they do not
-/// hide how good a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) If a triangle
-/// has no area, in space or in the plane, every measure that is made from derivatives has its worst value: 1 for
-/// shear, principal shear and equal-stretch error, and infinity for the others. Its scale is 0. If a planar coordinate of a triangle
-/// is not a finite number, its measures are not a number.
+/// The measures of a flipped triangle are those of its mirror image. Flips are counted separately, so they do not hide
+/// how good a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) If a triangle has no
+/// area, in space or in the plane, every measure that is made from derivatives has its worst value: 1 for shear,
+/// principal shear and equal-stretch error, and infinity for the others. Its scale is 0. If a planar coordinate of a
+/// triangle is not a finite number, its measures are not a number.
 struct Flattening_face_measures
 {
   /// Area on the surface: the weight of the triangle in all means but that of the angular distortion.
@@ -155,13 +155,13 @@ struct Flattening_measures
   int flipped_triangles = 0;
 
   /// Whether the borders in the plane are those of a polygon with holes (exact, for the coordinates as doubles). No two
-  /// border edges have a point in common, except a vertex of both. The holes are within the outer border, not within one
-  /// another, and turn the other way. If no triangle is flipped, the map is injective if and only if this holds; see
-  /// `is_injective()`.
+  /// border edges have a point in common, except a vertex of both. The holes are within the outer border, not within
+  /// one another, and turn the other way. If no triangle is flipped, the map is injective if and only if this holds;
+  /// see `is_injective()`.
   ///
-  /// `crossing_border_edges()` lists the edges that have a point in common. If there are none, and no triangle is flipped,
-  /// this can be `false` only if the map is not locally injective; see `is_locally_injective()`. It is `false` if a
-  /// coordinate of a border vertex is not a finite number.
+  /// `crossing_border_edges()` lists the edges that have a point in common. If there are none, and no triangle is
+  /// flipped, this can be `false` only if the map is not locally injective; see `is_locally_injective()`. It is `false`
+  /// if a coordinate of a border vertex is not a finite number.
   bool border_is_simple = false;
 
   /// Smallest angle of a planar triangle, in radians.

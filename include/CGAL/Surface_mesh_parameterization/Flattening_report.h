@@ -65,9 +65,9 @@ struct Flattening_report : Report
   int triangles = 0; ///< Triangles of the chart.
   int borders = 0;   ///< Border cycles of the chart.
 
-  bool border_is_simple =
-      false; ///< Whether the borders are simple, as `Flattening_measures::border_is_simple`: with no
-             ///< flipped triangle, the map is injective if and only if they are.
+  /// Whether the borders are simple, as `Flattening_measures::border_is_simple`: with no flipped triangle, the map is
+  /// injective if and only if they are.
+  bool border_is_simple = false;
   double scale_range = 1; ///< Ratio of the longest to the shortest edge of the layout.
   /// Ratio of the largest to the smallest scale of a conformal map of a chart with several borders, predicted by one
   /// linear system; 1 for other charts. Above 1e4, a cut between the borders gives a better map.
@@ -75,16 +75,16 @@ struct Flattening_report : Report
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 
-  bool injective =
-      false; ///< Whether the map was asked to be injective (`Flattening_options::injective`) and is certified to be.
-  /// Share of the length of the border of an injective map that is nearer to another part than `Flattening_options::clearance`
-  /// allows without force. It is 0 if the direct method's own map is injective.
+  /// Whether the map was asked to be injective (`Flattening_options::injective`) and is certified to be.
+  bool injective = false;
+  /// Share of the length of the border of an injective map that is nearer to another part than
+  /// `Flattening_options::clearance` allows without force. It is 0 if the direct method's own map is injective.
   double contact = 0;
-  /// Least distance between two parts of the border of an injective map, outside of it, divided by the length of the shorter of the
-  /// edges there. It is infinite if it is not below 1, and if the direct method's own map is injective.
+  /// Least distance between two parts of the border of an injective map, outside of it, divided by the length of the
+  /// shorter of the edges there. It is infinite if it is not below 1, and if the direct method's own map is injective.
   double least_clearance = (std::numeric_limits<double>::infinity)();
-  int border_rejections =
-      0; ///< Moves and steps that were refused because the border would have touched itself.
+  /// Moves and steps that were refused because the border would have touched itself.
+  int border_rejections = 0;
 
   Seconds seconds; ///< Time of each stage.
 

@@ -17,10 +17,10 @@ namespace Surface_mesh_parameterization {
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// A visitor follows the progress of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`, and may stop
-/// them. If one of its functions returns `false`, the computation ends. `parameterize()` then returns `ERROR_NO_1_TO_1_MAPPING` with
-/// the diagnosis `Diagnosis::CANCELLED`, and the caller's property maps are unchanged. The report then has
-/// the size of the chart, but not the steps that were taken. If a function throws an exception, the exception passes
-/// through `parameterize()`, with the same effects.
+/// them. If one of its functions returns `false`, the computation ends. `parameterize()` then returns
+/// `ERROR_NO_1_TO_1_MAPPING` with the diagnosis `Diagnosis::CANCELLED`, and the caller's property maps are unchanged.
+/// The report then has the size of the chart, but not the steps that were taken. If a function throws an exception, the
+/// exception passes through `parameterize()`, with the same effects.
 ///
 /// The functions are called one after the other, never by two threads at once. With \tbb and a number of threads in
 /// the options, the thread may differ from the caller of `parameterize()`. The functions of the base class do

@@ -113,9 +113,10 @@ typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_me
 ///
 /// \tparam TriangleMesh_ must be a model of `FaceGraph`. Edges may be the border of a seam (`Seam_mesh`).
 ///
-/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`, with the nested types
-///         `Triangle_mesh` and `Solver_traits` that the parameterizers of \cgal have. If it returns flipped triangles
-///         or an error, a finer chart is tried. With `LSCM_parameterizer_3` the method is hierarchical LSCM.<br>
+/// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`, with the nested
+///         types `Triangle_mesh` and `Solver_traits` that the parameterizers of \cgal have. If it returns flipped
+///         triangles or an error, a finer chart is tried. With `LSCM_parameterizer_3` the method is hierarchical
+///         LSCM.<br>
 ///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
 ///
 /// \tparam SolverTraits_ solves the linear systems of polishing (`Hierarchical_options::polish`); see
@@ -209,8 +210,9 @@ public:
   /// Parameters, requirements and exceptions are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
   ///
   /// \return `OK` only if every triangle is positively oriented. Otherwise `report()` has the reason. The code is an
-  /// error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING`
-  /// if there is no valid map, none was found, or a visitor stopped the computation. The errors of the coarse parameterizer are not errors of this function.
+  /// error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING` if
+  /// there is no valid map, none was found, or a visitor stopped the computation. The errors of the coarse
+  /// parameterizer are not errors of this function.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
@@ -245,7 +247,8 @@ public:
     return m_coarse_parameterizer;
   }
 
-  /// returns the vertices that the last call's diagnosis is about; see `ABF_plus_plus_parameterizer_3::offending_vertices()`.
+  /// returns the vertices that the last call's diagnosis is about; see
+  /// `ABF_plus_plus_parameterizer_3::offending_vertices()`.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome.get().offending_vertices;

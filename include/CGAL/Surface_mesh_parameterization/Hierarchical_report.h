@@ -40,11 +40,12 @@ struct Hierarchical_report : Flattening_report
   int rejected_moves = 0;    ///< Vertices that relaxation did not move.
   int angle_sweeps = 0;      ///< Final sweeps that were done.
 
-  /// Energy of the planar angles, the barrier included. It is NaN without final sweeps or polishing, as it is not needed then.
+  /// Energy of the planar angles, the barrier included. It is NaN without final sweeps or polishing, as it is not
+  /// needed then.
   double energy = (std::numeric_limits<double>::quiet_NaN)();
 
-  /// Whether the result is that of the direct solver. For injective maps: whether Newton's method converged; if it did not, the
-  /// map has the lowest energy that was reached.
+  /// Whether the result is that of the direct solver. For injective maps: whether Newton's method converged; if it did
+  /// not, the map has the lowest energy that was reached.
   bool polished = false;
   int polish_iterations = 0;      ///< Newton steps of polishing.
   double constraint_residual = 0; ///< Largest violation of a constraint by the polished angles, in radians.

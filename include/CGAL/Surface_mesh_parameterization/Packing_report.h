@@ -26,7 +26,8 @@ struct Packing_report : Report
   std::size_t number_of_faces = 0;  ///< The faces that have a chart.
   std::size_t number_of_charts = 0; ///< The charts that have a face.
 
-  /// The sum of the areas of all triangles, where the unit square has area 1. What overlaps within a chart counts each time.
+  /// The sum of the areas of all triangles, where the unit square has area 1. What overlaps within a chart counts each
+  /// time.
   double covered_share = 0;
 
   /// How many texels a unit of length of the surface has along it, where the weight is 1 and the map is isometric.
@@ -37,8 +38,8 @@ struct Packing_report : Report
   /// The charts that were not tried in rows of texels where the one before, of about the same size, had no place.
   std::size_t number_of_small_charts = 0;
 
-  /// The charts that would be smaller than a sixteenth of a texel. They were enlarged to that, so that they do not vanish when coordinates
-  /// are rounded.
+  /// The charts that would be smaller than a sixteenth of a texel. They were enlarged to that, so that they do not
+  /// vanish when coordinates are rounded.
   std::size_t number_of_enlarged_charts = 0;
 
   std::size_t number_of_attempts = 0; ///< How many scales were tried.

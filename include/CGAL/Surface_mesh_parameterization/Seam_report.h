@@ -20,13 +20,16 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What the functions report that cut a surface open along seams: `cut_to_disks()`, `select_seams()`, and `shorten_seams()`.
+/// What the functions report that cut a surface open along seams: `cut_to_disks()`, `select_seams()`, and
+/// `shorten_seams()`.
 struct Seam_report : Report
 {
   std::size_t number_of_components = 0; ///< the connected components of the surface
   std::size_t number_of_disks = 0;      ///< the connected components of the surface without its seams
-  std::size_t number_of_terminals =
-      0; ///< the vertices that seams were led to: by `select_seams()` because of their scale, by `cut_to_disks()` because they were given
+
+  /// the vertices that seams were led to: by `select_seams()` because of their scale, by `cut_to_disks()` because they
+  /// were given
+  std::size_t number_of_terminals = 0;
   double seam_length = 0;          ///< the length of all seams, each counted once
   double relative_seam_length = 0; ///< the same, divided by the square root of the area of the surface
   double predicted_stretch = 1; ///< the largest \f$L_2\f$ stretch of all disks that `select_seams()` expects

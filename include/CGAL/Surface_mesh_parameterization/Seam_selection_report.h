@@ -25,8 +25,9 @@ namespace Surface_mesh_parameterization {
 struct Seam_selection_report : Report
 {
   std::size_t line = 0; ///< The line with the error, from 1; 0 if there is none.
-  std::size_t element =
-      0; ///< Which number of the line is wrong, from 1; 0 if there is none. It is the first of a pair.
+
+  /// Which number of the line is wrong, from 1; 0 if there is none. It is the first of a pair.
+  std::size_t element = 0;
 
   std::size_t number_of_seams = 0; ///< Pairs in the file that are seams.
 

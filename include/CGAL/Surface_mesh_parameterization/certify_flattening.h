@@ -116,10 +116,11 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 /// orientation. This holds if and only if
 /// - no face is in `flipped_faces()`,
 /// - the faces around each interior vertex go around it once (positively oriented faces may do so more often),
-/// - the faces around each border vertex take less than a full turn. If they are several fans, the fans have nothing but
-///   the vertex in common.
+/// - the faces around each border vertex take less than a full turn. If they are several fans, the fans have nothing
+///   but the vertex in common.
 ///
-/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and exceptions are those of `flipped_faces()`.
+/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
+/// exceptions are those of `flipped_faces()`.
 template <typename TriangleMesh, typename UVMap>
 bool is_locally_injective(const TriangleMesh& mesh, UVMap uvmap)
 {
@@ -148,8 +149,9 @@ bool is_locally_injective(const TriangleMesh& mesh,
 /// This is because the border winds around each point as often as positively oriented faces cover the point
 /// \cgalCite{cgal:l-bmtmb-14}.
 /// - A disk needs no more than the first two conditions: its border is a simple polygon.
-/// - A chart with holes meets the conditions if and only if it has no flipped faces, each border is a simple polygon, the holes are within
-///   the outer border and turn the other way, and borders do not touch or contain one another otherwise.
+/// - A chart with holes meets the conditions if and only if it has no flipped faces, each border is a simple polygon,
+///   the holes are within the outer border and turn the other way, and borders do not touch or contain one another
+///   otherwise.
 /// - A surface with several components meets them if and only if each component does, their borders do not touch, and
 ///   none lies within another. The holes of a component may contain other components.
 /// - Where the border runs through a vertex several times, the fans of faces there may touch in the vertex.
@@ -177,13 +179,13 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There
-/// is no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
-/// they meet on the surface. Edges with a
-/// coordinate that is infinite or not a number are left out. Their faces are in `flipped_faces()`.
+/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There is
+/// no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
+/// they meet on the surface. Edges with a coordinate that is infinite or not a number are left out. Their faces are in
+/// `flipped_faces()`.
 ///
-/// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise it depends on the
-/// number of pairs of edges whose bounding boxes intersect.
+/// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise
+/// it depends on the number of pairs of edges whose bounding boxes intersect.
 ///
 /// \tparam HalfedgePairOutputIterator a model of `OutputIterator` that accepts pairs (`std::pair`) of
 ///         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`.

@@ -53,8 +53,8 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_on_bord
 
 flattens the connected component of the longest border of `mesh`. If that is not possible, the report says why.
 
-`parameterize()` requires a mesh that is neither closed nor empty. This function accepts such a mesh, and reports the diagnosis
-`Diagnosis::NO_BORDER` or `Diagnosis::EMPTY_MESH`. Everything else is as with `parameterize()`: the
+`parameterize()` requires a mesh that is neither closed nor empty. This function accepts such a mesh, and reports the
+diagnosis `Diagnosis::NO_BORDER` or `Diagnosis::EMPTY_MESH`. Everything else is as with `parameterize()`: the
 coordinates, the requirements on the surface, errors, and complexity. Finding the longest border takes linear time.
 
 \code{.cpp}

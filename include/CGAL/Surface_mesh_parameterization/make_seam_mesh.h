@@ -142,14 +142,13 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 /// The coordinates belong to halfedges of `mesh`: those of the corner of a face at the target of `h` are at the key
 /// `target(h, seam_mesh)`, which converts to a halfedge of `mesh`. `uvmap` has these keys only.
 ///
-/// The seam mesh has its own copies of the marks, and so it does not change with `seams`. It refers to `mesh`, which has to
-/// exist as long. It knows its number of seams. The constructor of `Seam_mesh`, given
-/// edges that are already marked, takes their number for 0.
-/// Marked border edges, which `Seam_mesh` is not made for, are no seams. A pinched vertex on the border becomes several
-/// vertices, one for each fan of faces.
+/// The seam mesh has its own copies of the marks, and so it does not change with `seams`. It refers to `mesh`, which
+/// has to exist as long. It knows its number of seams. The constructor of `Seam_mesh`, given edges that are already
+/// marked, takes their number for 0. Marked border edges, which `Seam_mesh` is not made for, are no seams. A pinched
+/// vertex on the border becomes several vertices, one for each fan of faces.
 ///
-/// The header of a mesh type other than `Surface_mesh` has to be included before `make_seam_mesh.h`: this is how `Seam_mesh`
-/// finds its functions.
+/// The header of a mesh type other than `Surface_mesh` has to be included before `make_seam_mesh.h`: this is how
+/// `Seam_mesh` finds its functions.
 ///
 /// Time and memory are linear in the size of the mesh.
 ///
@@ -160,8 +159,8 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 /// \param mesh the surface.
 /// \param seams is `true` for the edges to be cut open. They need not leave disks.
 ///
-/// \exception std::invalid_argument if a vertex is surrounded by faces, and is on a seam or border of other faces as well
-///            (`Diagnosis::NON_MANIFOLD_VERTEX`).
+/// \exception std::invalid_argument if a vertex is surrounded by faces, and is on a seam or border of other faces as
+///            well (`Diagnosis::NON_MANIFOLD_VERTEX`).
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {

@@ -113,9 +113,9 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type. The key type is
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge of a face has the coordinates of
-///         its target at that face, as `make_atlas()` writes them; the surface is cut open along the edges whose two sides have different
-///         coordinates.
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge of a face has
+///         the coordinates of its target at that face, as `make_atlas()` writes them; the surface is cut open along the
+///         edges whose two sides have different coordinates.
 /// \tparam FaceVisitor as above
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///

@@ -45,15 +45,16 @@ FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map,
 ///
 /// writes the faces of `mesh` that overlap other faces in the plane to `out`.
 ///
-/// Two faces overlap if their images, as closed triangles, have more in common than the faces have on the surface: a point of one
-/// and another point of the other have the same image. Faces that touch in a common vertex or edge only do not overlap; faces that touch
-/// anywhere else do, so that `is_injective()` is true if and only if there are neither flipped nor overlapping faces.
-/// Flipped faces count as those with the other orientation. A flipped face overlaps its neighbours that are not. Faces whose vertices are
-/// collinear in the plane and those with a coordinate that is infinite or not a number overlap none; they are in `flipped_faces()`.
+/// Two faces overlap if their images, as closed triangles, have more in common than the faces have on the surface: a
+/// point of one and another point of the other have the same image. Faces that touch in a common vertex or edge only do
+/// not overlap; faces that touch anywhere else do, so that `is_injective()` is true if and only if there are neither
+/// flipped nor overlapping faces. Flipped faces count as those with the other orientation. A flipped face overlaps its
+/// neighbours that are not. Faces whose vertices are collinear in the plane and those with a coordinate that is
+/// infinite or not a number overlap none; they are in `flipped_faces()`.
 ///
-/// The faces are found by the intersections of their bounding boxes, and then by exact predicates. For \f$n\f$ faces, of whose boxes \f$k\f$ pairs
-/// intersect, the time is \cgalBigO{n \log n + k}, and the memory is linear in \f$n\f$. `is_injective()` is faster
-/// where only the answer is wanted.
+/// The faces are found by the intersections of their bounding boxes, and then by exact predicates. For \f$n\f$ faces,
+/// of whose boxes \f$k\f$ pairs intersect, the time is \cgalBigO{n \log n + k}, and the memory is linear in \f$n\f$.
+/// `is_injective()` is faster where only the answer is wanted.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 /// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose
@@ -82,7 +83,8 @@ FaceOutputIterator overlapping_faces(const TriangleMesh& mesh, UVMap uvmap, Face
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces of the connected component of `h` that overlap other faces of it, as above. `h` may be any halfedge.
+/// writes the faces of the connected component of `h` that overlap other faces of it, as above. `h` may be any
+/// halfedge.
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator overlapping_faces(const TriangleMesh& mesh,
                                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,

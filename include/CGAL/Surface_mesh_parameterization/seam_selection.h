@@ -50,11 +50,11 @@ vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 ///
 /// marks the edges of a selection file (`.selection.txt`) as seams.
 ///
-/// A selection file of \cgal has three lines: the numbers of vertices, of faces, and of edges, where an edge is a pair of
-/// vertices. This function ignores the first two lines, and reads edges from the third line to the end of the
-/// file. Vertices are numbered from 0, in the order of `vertices(mesh)`. These are the files that
-/// \cgal's demo for polyhedra writes, and that `Seam_mesh::add_seams()` reads. That function ignores edges that do not
-/// exist, a number without a partner, and everything from the first word on that is not a number. This function reports them.
+/// A selection file of \cgal has three lines: the numbers of vertices, of faces, and of edges, where an edge is a pair
+/// of vertices. This function ignores the first two lines, and reads edges from the third line to the end of the file.
+/// Vertices are numbered from 0, in the order of `vertices(mesh)`. These are the files that \cgal's demo for polyhedra
+/// writes, and that `Seam_mesh::add_seams()` reads. That function ignores edges that do not exist, a number without a
+/// partner, and everything from the first word on that is not a number. This function reports them.
 ///
 /// Parallel edges are the same pair, and are marked together. For \f$n\f$ edges of which \f$k\f$ are in the
 /// file, the time is \cgalBigO{(n + k) \log k}.
@@ -156,8 +156,8 @@ Seam_selection_report write_seam_selection(std::ostream& out, const TriangleMesh
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the seams to the selection file `file_name`, as above. `Seam_mesh::add_seams()` and \cgal's demo expect that the name ends
-/// with `.selection.txt`.
+/// writes the seams to the selection file `file_name`, as above. `Seam_mesh::add_seams()` and \cgal's demo expect that
+/// the name ends with `.selection.txt`.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Seam_selection_report write_seam_selection(const std::string& file_name, const TriangleMesh& mesh,
                                            EdgeIsSeamMap seams)

@@ -66,9 +66,10 @@ struct Split_edge
 /// splits the edges of `mesh` that are in the way of a planar border with prescribed angles: those for which
 /// `ABF_plus_plus_parameterizer_3::parameterize()` has the diagnosis `Diagnosis::FLAT_CHORD`.
 ///
-/// Such an edge joins two border vertices, and the border between them is to be straight, or to turn away from the edge. The triangles
-/// between the two would have no area. The most frequent one cuts off a triangle with two border edges, whose
-/// third vertex is to be on a straight side. The edge is split in its middle, and so are the two triangles beside it: then it can bend.
+/// Such an edge joins two border vertices, and the border between them is to be straight, or to turn away from the
+/// edge. The triangles between the two would have no area. The most frequent one cuts off a triangle with two border
+/// edges, whose third vertex is to be on a straight side. The edge is split in its middle, and so are the two triangles
+/// beside it: then it can bend.
 ///
 /// The shape of the surface stays the same. Nothing is split if the prescribed angles are wrong in another way.
 /// The time is linear.
