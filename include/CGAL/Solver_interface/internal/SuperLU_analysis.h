@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Ordering, elimination tree and memory of a factorization, from the pattern alone, once for all matrices of that pattern.
-// `SuperLU_factors.h` calls it in place of SuperLU's own analysis, which can write out of bounds and end the program.
+// Ordering, elimination tree and memory of a factorization, from the pattern alone, once for all matrices of that
+// pattern. `SuperLU_factors.h` calls it in place of SuperLU's own analysis, which can write out of bounds and end the
+// program.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ANALYSIS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ANALYSIS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The elimination tree of a symmetric graph (Liu) and the column counts of its factor (Gilbert, Ng and Peyton), without factoring.
-// `SuperLU_analysis.h` postorders columns and sizes the factors with it.
+// The elimination tree of a symmetric graph (Liu) and the column counts of its factor (Gilbert, Ng and Peyton), without
+// factoring. `SuperLU_analysis.h` postorders columns and sizes the factors with it.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ELIMINATION_TREE_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ELIMINATION_TREE_H

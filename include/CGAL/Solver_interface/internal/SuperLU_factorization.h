@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A factorization that either solves accurately or says that it cannot: tests for singularity, signs of pivots, refinement.
-// `SuperLU_solver_traits.h` keeps one per solver, and shares it between copies.
+// A factorization that either solves accurately or says that it cannot: tests for singularity, signs of pivots,
+// refinement. `SuperLU_solver_traits.h` keeps one per solver, and shares it between copies.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORIZATION_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORIZATION_H

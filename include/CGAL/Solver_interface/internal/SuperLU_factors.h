@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The factors of one matrix as SuperLU computes them (Demmel et al. 1999), with all sizes and memory checked before each call.
-// `SuperLU_factorization.h` decides with them whether a matrix is singular, and solves.
+// The factors of one matrix as SuperLU computes them (Demmel et al. 1999), with all sizes and memory checked before
+// each call. `SuperLU_factorization.h` decides with them whether a matrix is singular, and solves.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// SuperLU's C headers inside a namespace, so that its many macros and names do not reach the programs that include the traits.
-// `SuperLU_library.h` includes it. No other header includes SuperLU's.
+// SuperLU's C headers inside a namespace, so that its many macros and names do not reach the programs that include the
+// traits. `SuperLU_library.h` includes it. No other header includes SuperLU's.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_HEADERS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_HEADERS_H

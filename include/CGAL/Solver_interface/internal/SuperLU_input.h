@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Tests of a matrix before SuperLU gets it: form, finite entries, a matching of rows and columns, and whether it may be definite.
-// `SuperLU_solver_traits.h` refuses matrices by them; `SuperLU_analysis.h` and `SuperLU_scaling.h` take their types from here.
+// Tests of a matrix before SuperLU gets it: form, finite entries, a matching of rows and columns, and whether it may be
+// definite. `SuperLU_solver_traits.h` refuses matrices by them; `SuperLU_analysis.h` and `SuperLU_scaling.h` take their
+// types from here.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_INPUT_H

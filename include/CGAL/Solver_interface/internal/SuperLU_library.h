@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// SuperLU's functions by number type, and what calls of them need around: one thread of the BLAS, and memory that is there.
-// `SuperLU_factors.h` makes all its calls through it.
+// SuperLU's functions by number type, and what calls of them need around: one thread of the BLAS, and memory that is
+// there. `SuperLU_factors.h` makes all its calls through it.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_LIBRARY_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_LIBRARY_H
@@ -94,8 +94,9 @@ private:
   }
 };
 
-// The number of bytes of the buffer that OpenBLAS allocates at its first use in a thread, and for which it would wait forever. It is 0
-// where that cannot fail: address space is then not limited, and asking for it would take longer than a small factorization.
+// The number of bytes of the buffer that OpenBLAS allocates at its first use in a thread, and for which it would wait
+// forever. It is 0 where that cannot fail: address space is then not limited, and asking for it would take longer than
+// a small factorization.
 inline double SuperLU_blas_buffer()
 {
   const double bytes = 1.5e8;

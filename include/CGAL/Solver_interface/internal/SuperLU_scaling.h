@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Equilibration of a general matrix by powers of two (Ruiz), so that poor scales of rows and columns do not spoil pivoting.
-// `SuperLU_factorization.h` scales matrices that are not definite, and their right-hand sides and solutions.
+// Equilibration of a general matrix by powers of two (Ruiz), so that poor scales of rows and columns do not spoil
+// pivoting. `SuperLU_factorization.h` scales matrices that are not definite, and their right-hand sides and solutions.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// All thresholds for rounding errors, by number type, in one place.
-// `SuperLU_factorization.h`, `SuperLU_input.h` and `SuperLU_scaling.h` decide by them what is singular, symmetric or accurate.
+// All thresholds for rounding errors, by number type, in one place. `SuperLU_factorization.h`, `SuperLU_input.h` and
+// `SuperLU_scaling.h` decide by them what is singular, symmetric or accurate.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_TOLERANCES_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_TOLERANCES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Forward and backward substitution with the lower factor alone, for symmetric matrices whose pivots are on the diagonal.
-// `SuperLU_factors.h` solves with it, and can then free the upper factor.
+// Forward and backward substitution with the lower factor alone, for symmetric matrices whose pivots are on the
+// diagonal. `SuperLU_factors.h` solves with it, and can then free the upper factor.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERNODAL_SOLUTION_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERNODAL_SOLUTION_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A maximum flow that tells whether planar angles with prescribed sums exist, and if not, at which vertices the conflict is.
-// The last test of `check_angle_sums.h` and `check_surface_sums.h`, where no simpler reason was found.
+// A maximum flow that tells whether planar angles with prescribed sums exist, and if not, at which vertices the
+// conflict is. The last test of `check_angle_sums.h` and `check_surface_sums.h`, where no simpler reason was found.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_FLOW_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_ANGLE_FLOW_H
@@ -29,8 +29,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Planar angles exist if each of them can be this large.
 inline constexpr double least_angle_of_flow = 1e-6;
 
-// Whether each triangle can give pi to its three corners so that interior vertices get 2 pi, and others what is prescribed: a maximum
-// flow from triangles to vertices, all others being one vertex. It starts near the target angles.
+// Whether each triangle can give pi to its three corners so that interior vertices get 2 pi, and others what is
+// prescribed: a maximum flow from triangles to vertices, all others being one vertex. It starts near the target angles.
 class Angle_flow
 {
   typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
@@ -51,7 +51,8 @@ public:
 
   bool is_feasible() const { return m_missing <= least_angle_of_flow / 2; }
 
-  // If it is not: whether the sums at some prescribed vertices are too large, or else too small; and whether a vertex is one of them
+  // If it is not: whether the sums at some prescribed vertices are too large, or else too small; and whether a vertex
+  // is one of them
   bool is_too_large() const { return !m_has_others || is_reached(m_others); }
   bool is_in_conflict(int v) const { return is_reached(m_node[v]) != is_too_large(); }
 

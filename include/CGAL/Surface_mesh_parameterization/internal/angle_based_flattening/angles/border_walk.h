@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The edges of a border in the plane, as the angles alone determine them: by turns at the vertices, and the sine rule.
-// Holes and seams need it for their equations (`hole_equations.h`, `loop_equations.h`), and the layout to place the border.
+// Holes and seams need it for their equations (`hole_equations.h`, `loop_equations.h`), and the layout to place the
+// border.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_BORDER_WALK_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_BORDER_WALK_H
@@ -24,8 +25,8 @@ struct Planar_edge
   double direction = 0, log_length = 0;
 };
 
-// The edges of a planar border, that the angles alone determine up to a similarity. The last one is the first one again,
-// after a turn around the border.
+// The edges of a planar border, that the angles alone determine up to a similarity. The last one is the first one
+// again, after a turn around the border.
 typedef std::vector<Planar_edge> Border_walk;
 
 // At a vertex the border turns by pi less the angles there, and its edges' lengths are related by the sine rule through

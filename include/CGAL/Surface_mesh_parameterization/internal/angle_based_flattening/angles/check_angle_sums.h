@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tells whether prescribed angles along the outer border are possible, so that Newton's method is not asked for what cannot be.
-// Called by `set_angle_sums()`. Circle packings show that the test suffices (Thurston 1978, Chow and Luo 2003).
+// Tells whether prescribed angles along the outer border are possible, so that Newton's method is not asked for what
+// cannot be. Called by `set_angle_sums()`. Circle packings show that the test suffices (Thurston 1978, Chow and Luo
+// 2003).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
@@ -28,9 +29,9 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Prescribed angles may miss their total by this much, which is then put onto the largest one.
 inline constexpr double largest_rounding_of_angles = 1e-6;
 
-// Whether planar angles with prescribed sums at vertices of the outer border exist. If each triangle has pi to give to its corners,
-// and no corner gets nothing, then there are also edges that fit together: a packing of circles that touch one another has such angles.
-// (Thurston 1978, Chapter 13; Chow and Luo 2003.)
+// Whether planar angles with prescribed sums at vertices of the outer border exist. If each triangle has pi to give to
+// its corners, and no corner gets nothing, then there are also edges that fit together: a packing of circles that touch
+// one another has such angles. (Thurston 1978, Chapter 13; Chow and Luo 2003.)
 class Angle_sum_check
 {
 public:
@@ -119,7 +120,8 @@ private:
     return defect(Diagnosis::WRONG_ANGLE_TOTAL, message, others);
   }
 
-  // An edge between two border vertices cuts off a part of the plane on each side, if the border turns towards it between them.
+  // An edge between two border vertices cuts off a part of the plane on each side, if the border turns towards it
+  // between them.
   Chart_defect find_flat_chords() const
   {
     std::vector<int> ends;
@@ -145,7 +147,8 @@ private:
     return defect(Diagnosis::FLAT_CHORD, message, ends);
   }
 
-  // Whether the vertices between two of ranks i < j, or the others, are all prescribed and do not turn to the left together
+  // Whether the vertices between two of ranks i < j, or the others, are all prescribed and do not turn to the left
+  // together
   bool is_flat(int i, int j, bool others) const
   {
     const auto sum = [&](const auto& sums) {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tells whether prescribed angles at vertices of the surface before the cut, such as cones, are possible.
-// Called by `set_angle_sums()` for charts with seams of equal sides; `check_angle_sums.h` is its counterpart for other borders.
+// Tells whether prescribed angles at vertices of the surface before the cut, such as cones, are possible. Called by
+// `set_angle_sums()` for charts with seams of equal sides; `check_angle_sums.h` is its counterpart for other borders.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_SURFACE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_SURFACE_SUMS_H
@@ -26,8 +26,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Whether planar angles with prescribed sums at the vertices of the surface before the cut exist, as `Angle_sum_check` does for
-// those of a border.
+// Whether planar angles with prescribed sums at the vertices of the surface before the cut exist, as `Angle_sum_check`
+// does for those of a border.
 class Surface_sum_check
 {
 public:

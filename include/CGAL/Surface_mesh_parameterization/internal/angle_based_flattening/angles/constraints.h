@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The constraints at the nodes: planarity (Eq. 3) and reconstruction (Eq. 4), the latter in logarithms. Holes and loops join them here.
-// `solve_angles.h` looks at their residuals, and `newton_step.h` needs their derivatives. The exact layout takes its cotangents from here.
+// The constraints at the nodes: planarity (Eq. 3) and reconstruction (Eq. 4), the latter in logarithms. Holes and loops
+// join them here. `solve_angles.h` looks at their residuals, and `newton_step.h` needs their derivatives. The exact
+// layout takes its cotangents from here.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CONSTRAINTS_H
@@ -26,9 +27,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The constraints of free node number i are numbers 2i (planarity) and 2i + 1 (reconstruction). With n free nodes and h holes,
-// those of hole number k are 2 (n + k) (rotation), the next one (scale), 2 (n + h + k) and the next one (translation).
-// Those of the triangles (Eq. 2) hold at the start and are kept by every step.
+// The constraints of free node number i are numbers 2i (planarity) and 2i + 1 (reconstruction). With n free nodes and h
+// holes, those of hole number k are 2 (n + k) (rotation), the next one (scale), 2 (n + h + k) and the next one
+// (translation). Those of the triangles (Eq. 2) hold at the start and are kept by every step.
 typedef Eigen::VectorXd Constraint_vector;
 
 inline int number_of_constraints(const Chart& chart)
@@ -88,8 +89,8 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
   return residual;
 }
 
-// The largest violation of a constraint. The gaps of holes count tenfold, so that a layout which closes them bends little
-// even where the tolerance is large.
+// The largest violation of a constraint. The gaps of holes count tenfold, so that a layout which closes them bends
+// little even where the tolerance is large.
 inline double largest_violation(const Chart& chart, const Constraint_vector& residual)
 {
   const Eigen::Index gaps = 2 * chart.number_of_holes(), others = residual.size() - gaps;

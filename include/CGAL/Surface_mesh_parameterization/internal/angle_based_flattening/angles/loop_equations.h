@@ -27,8 +27,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Along a loop through seams, each triangle changes the length from the edge where the loop enters to the one where it leaves. Back at
-// the first edge it must be what it was:
+// Along a loop through seams, each triangle changes the length from the edge where the loop enters to the one where it
+// leaves. Back at the first edge it must be what it was:
 //   sum ln sin alpha_out - sum ln sin alpha_in = 0
 // That is Eq. 4 for the triangles of a loop instead of those around a vertex.
 inline void add_loop_residuals(const Chart& chart, const std::vector<double>& log_sines,
@@ -38,8 +38,8 @@ inline void add_loop_residuals(const Chart& chart, const std::vector<double>& lo
     residual[2 * chart.node_of_loop(crossing.loop) + 1] += log_sines[crossing.out] - log_sines[crossing.in];
 }
 
-// The largest difference of the logarithms of the lengths of both sides of an edge on a seam. What vertices and loops are off by adds up
-// along a seam.
+// The largest difference of the logarithms of the lengths of both sides of an edge on a seam. What vertices and loops
+// are off by adds up along a seam.
 inline double largest_seam_difference(const Chart& chart, const std::vector<double>& alpha)
 {
   if(!chart.has_equal_seams)
@@ -84,7 +84,8 @@ public:
     return -sum * (1 + cotangent * cotangent);
   }
 
-  // The gradient of the loops times their multipliers, in the plane of the steps that keep the sum of a triangle's angles
+  // The gradient of the loops times their multipliers, in the plane of the steps that keep the sum of a triangle's
+  // angles
   Vector_2 gradient(int t, const Vector_3& cotangents, const Eigen::VectorXd& multipliers) const
   {
     Vector_2 sum = Vector_2::zero();
@@ -94,8 +95,8 @@ public:
     return sum;
   }
 
-  // Adds the rows and columns of the loops to the matrix and the right-hand side of Eq. 16. `local(t)` returns the cotangents of a
-  // triangle, the inverse of its reduced Hessian and its force, `jacobian(t)` the rows of its vertices.
+  // Adds the rows and columns of the loops to the matrix and the right-hand side of Eq. 16. `local(t)` returns the
+  // cotangents of a triangle, the inverse of its reduced Hessian and its force, `jacobian(t)` the rows of its vertices.
   template <typename Local, typename Jacobian>
   void assemble(const Local& local, const Jacobian& jacobian, Triangle_assembly<2>& assembly,
                 Eigen::VectorXd& right_hand_side) const

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One step of Newton's method: sums up the matrix of Eq. 16 over triangles, has it solved, and substitutes back (Eqs. 10 and 17).
-// `solve_angles()` calls it in every iteration. The matrix splits of a single triangle are in `reduced_hessian.h`.
+// One step of Newton's method: sums up the matrix of Eq. 16 over triangles, has it solved, and substitutes back (Eqs.
+// 10 and 17). `solve_angles()` calls it in every iteration. The matrix splits of a single triangle are in
+// `reduced_hessian.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
@@ -43,8 +44,8 @@ struct Newton_step
 
 // Computes steps by solving Eq. 16, whose matrix is a sum over triangles:
 //   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
-// with P = T (T' H T)^-1 T', as `reduced_hessian_inverse()` says, and r minus the gradient of the Lagrangian. This S is positive
-// definite. With holes, Z' S Z takes its place: see `Bound_matrix`.
+// with P = T (T' H T)^-1 T', as `reduced_hessian_inverse()` says, and r minus the gradient of the Lagrangian. This S is
+// positive definite. With holes, Z' S Z takes its place: see `Bound_matrix`.
 class Newton_system
 {
 public:

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The main loop of ABF++ (Algorithm 18): step lengths, a merit function, forcing terms and the stopping rule around Newton's method.
-// `flatten_from_angles.h` calls `solve_angles()`, and lays out the angles afterwards.
+// The main loop of ABF++ (Algorithm 18): step lengths, a merit function, forcing terms and the stopping rule around
+// Newton's method. `flatten_from_angles.h` calls `solve_angles()`, and lays out the angles afterwards.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H
@@ -31,9 +31,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// How far to go along each step. Where the Hessian is lifted to be definite, full steps are too short, all by nearly the
-// same factor, and converge only linearly. Two of them tell the factor: this is Anderson acceleration with one vector, after a
-// full step.
+// How far to go along each step. Where the Hessian is lifted to be definite, full steps are too short, all by nearly
+// the same factor, and converge only linearly. Two of them tell the factor: this is Anderson acceleration with one
+// vector, after a full step.
 class Step_lengths
 {
   static constexpr double largest_residual = 0.03; // farther away, steps do not tell it yet
@@ -107,8 +107,8 @@ inline double sufficient_penalty(const Angle_iterate& iterate, const Newton_step
                                      : 0;
 }
 
-// Goes `length` times the step, or less and less far until the merit function decreases in proportion. Returns the part of
-// the step that was taken, or 0 if none would do.
+// Goes `length` times the step, or less and less far until the merit function decreases in proportion. Returns the part
+// of the step that was taken, or 0 if none would do.
 inline double take_step(const Chart& chart, const Angle_energy& energy, const std::vector<double>& beta,
                         const Newton_step& step, double length, double penalty, Angle_iterate& iterate)
 {
@@ -140,8 +140,8 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
   return 0;
 }
 
-// How exactly the step from each iterate is solved for. An exact step would reduce the residuals about as much as
-// the last one did, squared; to solve for more is wasted. (Eisenstat and Walker 1996, their second choice.) Where it was
+// How exactly the step from each iterate is solved for. An exact step would reduce the residuals about as much as the
+// last one did, squared; to solve for more is wasted. (Eisenstat and Walker 1996, their second choice.) Where it was
 // not enough, the next steps are more exact.
 class Forcing_terms
 {

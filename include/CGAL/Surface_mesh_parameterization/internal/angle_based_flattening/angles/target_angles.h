@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Target angles of a chart: the surface's own, scaled around each node to the sum that the plane demands (the beta of Eq. 1).
-// Where the direct method, `measure_chart.h`, the layout and the ranks of collapses start.
+// Target angles of a chart: the surface's own, scaled around each node to the sum that the plane demands (the beta of
+// Eq. 1). Where the direct method, `measure_chart.h`, the layout and the ranks of collapses start.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
@@ -35,7 +35,8 @@ inline double surface_angle(const Chart& chart, int c)
 }
 
 // The optimal angles beta of Eq. 1, of each corner: the surface's own angles, scaled around every interior vertex to
-// the sum 2 pi that the plane demands, and around any other node to its sum. At the vertices of holes they are the surface's.
+// the sum 2 pi that the plane demands, and around any other node to its sum. At the vertices of holes they are the
+// surface's.
 inline std::vector<double> target_angles(const Chart& chart)
 {
   if(!chart.targets.empty())

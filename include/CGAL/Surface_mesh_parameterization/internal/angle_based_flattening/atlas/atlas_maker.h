@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The side of `make_atlas()` that knows the caller's mesh: reads options, components and weights, and writes coordinates and charts.
-// Included by `make_atlas.h`. The atlas itself is made by `build_atlas()`, which sees only charts.
+// The side of `make_atlas()` that knows the caller's mesh: reads options, components and weights, and writes
+// coordinates and charts. Included by `make_atlas.h`. The atlas itself is made by `build_atlas()`, which sees only
+// charts.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
@@ -178,7 +179,8 @@ private:
     return false;
   }
 
-  // Finds the components, opened along the given seams, that are no triangulated surfaces in space. Returns whether there are faces.
+  // Finds the components, opened along the given seams, that are no triangulated surfaces in space. Returns whether
+  // there are faces.
   bool find_components()
   {
     m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);

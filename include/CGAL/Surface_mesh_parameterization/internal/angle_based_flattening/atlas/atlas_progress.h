@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Adds up the progress of parts that are made in parallel, tells it to one visitor, and stops all of them if that cancels.
-// `build_atlas_impl.h` makes it, and the makers of parts report to it.
+// Adds up the progress of parts that are made in parallel, tells it to one visitor, and stops all of them if that
+// cancels. `build_atlas_impl.h` makes it, and the makers of parts report to it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_PROGRESS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_PROGRESS_H
@@ -63,7 +63,8 @@ private:
   std::mutex m_mutex;
 };
 
-// The progress of one part. As a visitor of the parameterizers, it turns what they tell into shares of the stage that is set.
+// The progress of one part. As a visitor of the parameterizers, it turns what they tell into shares of the stage that
+// is set.
 class Part_progress : public Flattening_visitor
 {
 public:

@@ -32,8 +32,8 @@ struct Atlas
   Atlas_report report;                  // without the lengths of seams, and what the caller measures
 };
 
-// Makes the atlas of a surface. `weight` is that of the lengths of each triangle in the plane; empty if all are 1. A part that cannot be
-// flattened is skipped. If something else is wrong, the report says so.
+// Makes the atlas of a surface. `weight` is that of the lengths of each triangle in the plane; empty if all are 1. A
+// part that cannot be flattened is skipped. If something else is wrong, the report says so.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
                                                      const std::vector<double>& weight,
                                                      const Atlas_settings& options,

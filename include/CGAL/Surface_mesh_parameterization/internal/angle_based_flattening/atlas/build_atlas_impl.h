@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All stages of an atlas in their order: charts of all parts, polygons, packing, certificate and measures.
-// Included at the end of `build_atlas.h`, or by the source file of the compiled library. Parts come from `divided_part_atlas.h`.
+// All stages of an atlas in their order: charts of all parts, polygons, packing, certificate and measures. Included at
+// the end of `build_atlas.h`, or by the source file of the compiled library. Parts come from `divided_part_atlas.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_IMPL_H
@@ -182,7 +182,8 @@ private:
         m_atlas.parts[i].uv = m_uv_as_made[i];
   }
 
-  // Gives each chart the area of its surface, with the lower left corner at the origin. That of a whole part is so already.
+  // Gives each chart the area of its surface, with the lower left corner at the origin. That of a whole part is so
+  // already.
   void scale_charts()
   {
     for(Part_atlas& part : m_atlas.parts)
@@ -276,8 +277,9 @@ private:
     }
   }
 
-  // Returns whether all charts are injective with their final coordinates. Parts for which these have too few digits get maps whose
-  // borders keep a distance, then several charts, and are skipped if the digits are too few for these as well.
+  // Returns whether all charts are injective with their final coordinates. Parts for which these have too few digits
+  // get maps whose borders keep a distance, then several charts, and are skipped if the digits are too few for these as
+  // well.
   bool certify()
   {
     const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,

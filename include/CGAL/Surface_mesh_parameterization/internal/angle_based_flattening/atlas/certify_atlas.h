@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certifies the charts of a part with their final, rounded coordinates. Packing moves and scales charts, so earlier tests do not count.
-// `build_atlas_impl.h` makes parts anew that fail.
+// Certifies the charts of a part with their final, rounded coordinates. Packing moves and scales charts, so earlier
+// tests do not count. `build_atlas_impl.h` makes parts anew that fail.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CERTIFY_ATLAS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CERTIFY_ATLAS_H

@@ -25,8 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Cuts branches off the maps of disks, which then cover more of a square: along chords of the border that are short compared with the
-// square root of the area which they cut off. The map stays as it is.
+// Cuts branches off the maps of disks, which then cover more of a square: along chords of the border that are short
+// compared with the square root of the area which they cut off. The map stays as it is.
 class Neck_cutter
 {
   typedef Chart::Point_2 Point_2;
@@ -118,7 +118,8 @@ private:
       }
   }
 
-  // The best ones come first. A border with many vertices is looked at in places that are as far apart as those of one with few.
+  // The best ones come first. A border with many vertices is looked at in places that are as far apart as those of one
+  // with few.
   std::vector<Chord> good_chords(const Border& border) const
   {
     std::vector<Chord> chords;

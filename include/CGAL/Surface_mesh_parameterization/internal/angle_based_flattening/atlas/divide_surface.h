@@ -26,9 +26,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Divides a connected surface that cannot be flattened well into regions that can be: the triangles that are nearer to one of some
-// triangles, far apart, than to the others. Distances run from triangle to triangle. The surface stays whole across edges that
-// must not become seams.
+// Divides a connected surface that cannot be flattened well into regions that can be: the triangles that are nearer to
+// one of some triangles, far apart, than to the others. Distances run from triangle to triangle. The surface stays
+// whole across edges that must not become seams.
 class Surface_division
 {
 public:

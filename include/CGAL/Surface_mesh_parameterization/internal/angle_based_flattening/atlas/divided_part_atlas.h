@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The atlas of a connected surface: in one piece if that is good enough, otherwise of regions, whose atlases are joined here.
-// `build_atlas_impl.h` calls it for each part. `divide_surface.h` finds the regions, and `part_atlas_maker.h` flattens them.
+// The atlas of a connected surface: in one piece if that is good enough, otherwise of regions, whose atlases are joined
+// here. `build_atlas_impl.h` calls it for each part. `divide_surface.h` finds the regions, and `part_atlas_maker.h`
+// flattens them.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDED_PART_ATLAS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDED_PART_ATLAS_H
@@ -41,7 +42,8 @@ inline std::vector<std::vector<int>> triangles_of_regions(const std::vector<int>
   return triangles;
 }
 
-// Joins the atlases of all regions of a surface, in their order, to one of the surface. `triangles` are those of each region.
+// Joins the atlases of all regions of a surface, in their order, to one of the surface. `triangles` are those of each
+// region.
 inline Part_atlas joined_atlas(const Chart& surface, const std::vector<double>& cost,
                                const std::vector<std::vector<int>>& triangles,
                                std::vector<Part_atlas> regions)
@@ -175,7 +177,8 @@ private:
     return result;
   }
 
-  // The atlases that `make(number, region)` gives of all regions, side by side, as one of the surface. If one has failed, that.
+  // The atlases that `make(number, region)` gives of all regions, side by side, as one of the surface. If one has
+  // failed, that.
   template <typename Make>
   Part_atlas joined(const std::vector<std::vector<int>>& triangles, const Make& make) const
   {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Decides which map a chart of an atlas gets: that of ABF++, direct or hierarchical, or an injective one if that overlaps itself.
-// `part_atlas_maker.h` calls it for each disk that the seams leave.
+// Decides which map a chart of an atlas gets: that of ABF++, direct or hierarchical, or an injective one if that
+// overlaps itself. `part_atlas_maker.h` calls it for each disk that the seams leave.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H
@@ -52,10 +52,12 @@ struct Chart_map
   bool is_valid() const { return !uv.empty(); }
 };
 
-// Around handles, equal lengths can cost much. A map has them if its energy is so many times that of free lengths at most.
+// Around handles, equal lengths can cost much. A map has them if its energy is so many times that of free lengths at
+// most.
 inline constexpr double largest_price_of_equal_seams = 1.1;
 
-// Around more handles, equal lengths take most of the time. A map that overlaps itself without them hardly ever stops doing so with them.
+// Around more handles, equal lengths take most of the time. A map that overlaps itself without them hardly ever stops
+// doing so with them.
 inline constexpr int many_loops = 32;
 
 // Flattens disks in the way that is best for an atlas.
@@ -70,7 +72,8 @@ public:
       : m_options(options), m_solvers(solvers), m_visitor(visitor)
   {}
 
-  // ABF++'s own map if that does not overlap itself, and else an injective one. If there is none, the map overlaps itself.
+  // ABF++'s own map if that does not overlap itself, and else an injective one. If there is none, the map overlaps
+  // itself.
   Chart_map run(const Chart& chart) const
   {
     if(m_options.keeps_distance)
@@ -92,7 +95,8 @@ public:
     return map.is_valid() ? map : injective;
   }
 
-  // If the map may not overlap, a large chart is given up as soon as that of its coarse chart does: the fine one rarely differs.
+  // If the map may not overlap, a large chart is given up as soon as that of its coarse chart does: the fine one rarely
+  // differs.
   Chart_map abf_plus_plus(const Chart& chart, bool may_overlap) const
   {
     if(chart.number_of_triangles() > largest_direct_chart)
@@ -128,8 +132,8 @@ private:
                   Atlas_report::INJECTIVE, other_lengths());
   }
 
-  // Whether the injective map of a coarse copy of a large chart is bad already. The borders of surfaces with many handles lock
-  // everywhere.
+  // Whether the injective map of a coarse copy of a large chart is bad already. The borders of surfaces with many
+  // handles lock everywhere.
   bool is_hopeless(const Chart& chart) const
   {
     const int least_triangles = 20000, vertices_of_copy = chart.number_of_vertices() / 15;

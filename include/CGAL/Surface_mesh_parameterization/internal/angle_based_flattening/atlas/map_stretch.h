@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How much a map stretches a chart as a whole, and around each vertex.
-// The makers of parts compare maps by it, `add_terminals.h` finds the next ends of seams, and `measure_atlas.h` reports it.
+// How much a map stretches a chart as a whole, and around each vertex. The makers of parts compare maps by it,
+// `add_terminals.h` finds the next ends of seams, and `measure_atlas.h` reports it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MAP_STRETCH_H
@@ -109,7 +109,8 @@ struct Vertex_scale
   double area = 0;      // of the triangles around it, on the surface
   double log_scale = 0; // logarithm of the factor of lengths, relative to the mean
 
-  // How much less the stretch would be at this vertex without it. It is large where large triangles hide a moderate scale.
+  // How much less the stretch would be at this vertex without it. It is large where large triangles hide a moderate
+  // scale.
   double stretch_by_area() const { return area * (std::cosh(2 * log_scale) - 1); }
 };
 

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cuts a connected surface to disks and flattens them. Adds seams, or weight for areas, until the map stretches little enough.
-// `divided_part_atlas.h` calls it for the whole surface, and for each of its regions. Maps come from `flatten_atlas_chart.h`.
+// Cuts a connected surface to disks and flattens them. Adds seams, or weight for areas, until the map stretches little
+// enough. `divided_part_atlas.h` calls it for the whole surface, and for each of its regions. Maps come from
+// `flatten_atlas_chart.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
@@ -51,8 +52,8 @@ inline bool is_failure_of_computation(Diagnosis diagnosis)
   }
 }
 
-// Cuts a connected surface open and flattens it, with more seams as long as it stretches too much. If there is no map, or one that
-// nobody would call good, areas get a larger weight.
+// Cuts a connected surface open and flattens it, with more seams as long as it stretches too much. If there is no map,
+// or one that nobody would call good, areas get a larger weight.
 class Part_atlas_maker
 {
 public:
@@ -186,7 +187,8 @@ private:
     m_terminals += static_cast<std::size_t>(added);
   }
 
-  // Injective maps whose branches get stuck between one another shrink them, where that of ABF++ does not. It is separated then.
+  // Injective maps whose branches get stuck between one another shrink them, where that of ABF++ does not. It is
+  // separated then.
   void avoid_stretch()
   {
     const double bound = m_options.stretch_bound;

@@ -28,7 +28,8 @@ struct Baking
   std::vector<Tangent_frame> frames; // of each corner of the simple surface
 };
 
-// Bakes the fine surface into textures of the simple one. Coordinates of both are finite, and at most about 1 in the simple one. The fine surface has a triangle with area.
+// Bakes the fine surface into textures of the simple one. Coordinates of both are finite, and at most about 1 in the
+// simple one. The fine surface has a triangle with area.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Baking bake(Charted_surface simple, Painted_surface fine,
                                                const Baking_options& options);
 

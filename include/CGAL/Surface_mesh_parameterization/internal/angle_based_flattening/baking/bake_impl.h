@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Bakes texel by texel: finds the point of the fine surface, and stores its normal, color and distance. Gutters are filled at the end.
-// Included by `bake.h`, or by the source file of the compiled library. Makes textures like that of Figure 9 (Section 6.1).
+// Bakes texel by texel: finds the point of the fine surface, and stores its normal, color and distance. Gutters are
+// filled at the end. Included by `bake.h`, or by the source file of the compiled library. Makes textures like that of
+// Figure 9 (Section 6.1).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_IMPL_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The side of baking that knows the callers' meshes: reads and checks both, scales them to a safe range, and scales the results back.
-// Included by `bake_surface.h`. The work itself is done by `bake()`.
+// The side of baking that knows the callers' meshes: reads and checks both, scales them to a safe range, and scales the
+// results back. Included by `bake_surface.h`. The work itself is done by `bake()`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_MESH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_BAKE_MESH_H

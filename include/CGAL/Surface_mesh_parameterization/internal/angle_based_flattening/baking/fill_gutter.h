@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Continues the textures beyond the borders of charts, so that filters of viewers do not mix in the background at seams.
-// The last step of `bake_impl.h`.
+// Continues the textures beyond the borders of charts, so that filters of viewers do not mix in the background at
+// seams. The last step of `bake_impl.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FILL_GUTTER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FILL_GUTTER_H
@@ -21,8 +21,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Gives the texels around charts the values of the nearest texel of a chart, at most `gutter` rows and columns away. Of several that are equally near, it is one in the
-// nearest column, before one on the right the one on the left, and before one below the one above.
+// Gives the texels around charts the values of the nearest texel of a chart, at most `gutter` rows and columns away. Of
+// several that are equally near, it is one in the nearest column, before one on the right the one on the left, and
+// before one below the one above.
 class Gutter_filler
 {
 public:

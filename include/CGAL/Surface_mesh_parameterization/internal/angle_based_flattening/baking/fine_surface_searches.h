@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The two searches on the fine surface: along a ray to both sides, and for the closest point. Rays do not slip through common edges.
-// `fine_surface_tree.h` runs them in CGAL's tree.
+// The two searches on the fine surface: along a ray to both sides, and for the closest point. Rays do not slip through
+// common edges. `fine_surface_tree.h` runs them in CGAL's tree.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FINE_SURFACE_SEARCHES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_FINE_SURFACE_SEARCHES_H
@@ -67,8 +67,8 @@ struct Fine_point
   bool is_found() const { return triangle >= 0; }
 };
 
-// What a ray to both sides meets: the nearest triangle that looks along it, and the nearest that looks against it. Rays through common edges
-// of triangles meet at least one of these, because both compute the same numbers for the edge.
+// What a ray to both sides meets: the nearest triangle that looks along it, and the nearest that looks against it. Rays
+// through common edges of triangles meet at least one of these, because both compute the same numbers for the edge.
 class Ray_search
 {
 public:

@@ -27,8 +27,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Finds points on the fine surface. CGAL's tree, with searches of our own: its own queries return the nearest triangle on one side, or all triangles, and do not tell
-// front faces from back faces.
+// Finds points on the fine surface. CGAL's tree, with searches of our own: its own queries return the nearest triangle
+// on one side, or all triangles, and do not tell front faces from back faces.
 class Fine_surface_tree
 {
   typedef CGAL::Simple_cartesian<double> Kernel;

@@ -28,8 +28,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Reads the points, normals and triangles of a mesh, and says what is wrong with them. `vertex_normal_map` is the only parameter that is used beside the
-// points.
+// Reads the points, normals and triangles of a mesh, and says what is wrong with them. `vertex_normal_map` is the only
+// parameter that is used beside the points.
 template <typename TriangleMesh, typename NamedParameters>
 class Shaded_mesh_reader
 {

@@ -62,8 +62,8 @@ inline void add_vertex_normals(Shaded_surface& surface)
     normal = direction_of(normal, Space_vector::UnitZ());
 }
 
-// Computes the tangents of the corners of a surface. Corners at a vertex share theirs if they are at the same place of the same chart, and their triangles are not
-// mirrored to one another.
+// Computes the tangents of the corners of a surface. Corners at a vertex share theirs if they are at the same place of
+// the same chart, and their triangles are not mirrored to one another.
 class Tangent_maker
 {
 public:

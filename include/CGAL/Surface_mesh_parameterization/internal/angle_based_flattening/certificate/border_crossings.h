@@ -70,8 +70,9 @@ inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
   return pairs;
 }
 
-// Whether the borders are simple polygons that do not touch one another, the holes are within the outer one and beside one
-// another, and turn the other way. With no flipped triangle, the map is then injective: see `Planar_map::is_injective()`.
+// Whether the borders are simple polygons that do not touch one another, the holes are within the outer one and beside
+// one another, and turn the other way. With no flipped triangle, the map is then injective: see
+// `Planar_map::is_injective()`.
 inline bool is_border_simple(const Chart& chart, const std::vector<Exact_point_2>& uv)
 {
   return bounds_region(border_edges(chart), uv);

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How well a map keeps what was prescribed for its border: angles, straight sides, and equal lengths on both sides of seams.
-// The methods of `strategies/` and `measure_atlas.h` put it into their reports.
+// How well a map keeps what was prescribed for its border: angles, straight sides, and equal lengths on both sides of
+// seams. The methods of `strategies/` and `measure_atlas.h` put it into their reports.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SHAPE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SHAPE_H
@@ -40,7 +40,8 @@ inline int number_of_prescribed_angles(const std::vector<double>& prescribed, co
   return static_cast<int>(std::count(has_angle.begin(), has_angle.end(), true));
 }
 
-// The largest difference of a prescribed angle from that of the map. `sums` are those of all copies of a vertex, as `place` names them.
+// The largest difference of a prescribed angle from that of the map. `sums` are those of all copies of a vertex, as
+// `place` names them.
 inline double largest_angle_error(const std::vector<double>& prescribed, const std::vector<double>& sums,
                                   const std::vector<int>& place)
 {
@@ -62,7 +63,8 @@ inline std::vector<double> planar_angle_sums(const Chart& chart, const std::vect
   return sums;
 }
 
-// The largest distance of a vertex from the line through the ends of its straight side, relative to the distance of these ends
+// The largest distance of a vertex from the line through the ends of its straight side, relative to the distance of
+// these ends
 inline double side_deviation(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
   std::vector<int> vertices;
@@ -84,7 +86,8 @@ inline double side_deviation(const Chart& chart, const std::vector<Chart::Point_
   return largest;
 }
 
-// The difference between the logarithms of the lengths of both sides of an edge on a seam, one of which the corner faces
+// The difference between the logarithms of the lengths of both sides of an edge on a seam, one of which the corner
+// faces
 inline double seam_jump(const Chart& chart, const std::vector<Chart::Point_2>& uv, int c)
 {
   const auto length = [&](int corner) {
@@ -104,8 +107,8 @@ inline double largest_seam_jump(const Chart& chart, const std::vector<Chart::Poi
   return largest;
 }
 
-// The largest difference from a full turn of the angles at vertices in the middle of a seam that are no cones: so much does what is
-// on one side of a seam turn on the other side, from one edge to the next.
+// The largest difference from a full turn of the angles at vertices in the middle of a seam that are no cones: so much
+// does what is on one side of a seam turn on the other side, from one edge to the next.
 inline double largest_seam_turn(const Chart& chart, const Seam_places& places,
                                 const std::vector<double>& sums)
 {

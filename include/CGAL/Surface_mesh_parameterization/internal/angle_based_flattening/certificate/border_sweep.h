@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Decides exactly whether border edges touch, and whether they bound a region, by the sweep of Shamos and Hoey (1976).
-// `border_crossings.h` and the certificate of an atlas need it, and injective maps while their border moves (`planar_border.h`).
+// `border_crossings.h` and the certificate of an atlas need it, and injective maps while their border moves
+// (`planar_border.h`).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SWEEP_H
@@ -25,8 +26,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Whether two border edges have a point in common, other than a vertex of both. Their points are finite. An edge without
-// length touches those beside it.
+// Whether two border edges have a point in common, other than a vertex of both. Their points are finite. An edge
+// without length touches those beside it.
 template <typename Point>
 bool touch(const Border_edge& e, const Border_edge& f, const std::vector<Point>& uv)
 {
@@ -48,9 +49,9 @@ bool touch(const Border_edge& e, const Border_edge& f, const std::vector<Point>&
   return CGAL::do_intersect(s, t);
 }
 
-// Decides whether any two of the edges touch (Shamos and Hoey's sweep, with no construction but comparisons), and whether
-// they bound a region: in `O(b log b)` time, for any number of closed borders. Loops and edges with points that are not
-// finite are left out, and then there is no region.
+// Decides whether any two of the edges touch (Shamos and Hoey's sweep, with no construction but comparisons), and
+// whether they bound a region: in `O(b log b)` time, for any number of closed borders. Loops and edges with points that
+// are not finite are left out, and then there is no region.
 template <typename Point>
 class Border_sweep
 {
@@ -91,14 +92,14 @@ public:
 
   bool finds_touching_edges() const { return m_touching; }
 
-  // Whether no two edges touch, and all have the same region of the plane on their left, or all on their right: all winding
-  // numbers are 0 or 1, or all are 0 or -1.
+  // Whether no two edges touch, and all have the same region of the plane on their left, or all on their right: all
+  // winding numbers are 0 or 1, or all are 0 or -1.
   bool bounds_region() const { return !m_touching && m_bounds_region; }
 
 private:
-  // The winding number changes by one at each edge on the sweep line. So edges bound a region exactly if neighbours have
-  // opposite directions, and the lowest one always has the same. As many edges lead to a vertex as from it: if those
-  // that begin there differ from the ones below, the next one above does too.
+  // The winding number changes by one at each edge on the sweep line. So edges bound a region exactly if neighbours
+  // have opposite directions, and the lowest one always has the same. As many edges lead to a vertex as from it: if
+  // those that begin there differ from the ones below, the next one above does too.
   void sweep()
   {
     for(std::size_t i = 1; i < m_vertices.size(); ++i)

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The certificate of a flattened chart: whether any triangle is flipped, whether vertices are wound once, and whether the border is simple.
-// The methods of `strategies/` call `certify()` on rounded coordinates before they report success.
+// The certificate of a flattened chart: whether any triangle is flipped, whether vertices are wound once, and whether
+// the border is simple. The methods of `strategies/` call `certify()` on rounded coordinates before they report
+// success.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_CERTIFY_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_CERTIFY_CHART_H
@@ -25,8 +26,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What is looked at in the end, whichever way the coordinates came: orientations, by exact predicates, the border, and how
-// large triangles are.
+// What is looked at in the end, whichever way the coordinates came: orientations, by exact predicates, the border, and
+// how large triangles are.
 struct Certificate
 {
   std::vector<int> invalid; // the triangles that make the map invalid

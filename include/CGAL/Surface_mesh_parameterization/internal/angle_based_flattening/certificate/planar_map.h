@@ -121,19 +121,19 @@ public:
     return flipped_triangles(vertex, points).empty() && is_injective_at_vertices(vertex, border, points);
   }
 
-  // Theorem. The map is injective and keeps the orientation if and only if every triangle is positively oriented, no two
-  // border edges touch, and the border winds around no point more than once.
+  // Theorem. The map is injective and keeps the orientation if and only if every triangle is positively oriented, no
+  // two border edges touch, and the border winds around no point more than once.
   //
   // Proof. The border of a positively oriented triangle winds once around the points within it, and not around those
   // without. Summed over all triangles, edges between two of them cancel: the border winds around a point that is on no
   // edge as often as triangles contain it. If that is twice, or border edges touch, the map is not injective.
-  // Conversely, let two points of the surface have the same image. If no border edges touch, one of the two is not on the
-  // border, and has a neighbourhood that covers one of the image. Triangles at the other point cover a part of that
+  // Conversely, let two points of the surface have the same image. If no border edges touch, one of the two is not on
+  // the border, and has a neighbourhood that covers one of the image. Triangles at the other point cover a part of that
   // again, around which the border winds twice.
   //
   // This holds for any number of borders and components, and whether or not vertices are manifold. On a connected
-  // surface, it means that one border turns left and all others turn right: the winding numbers are not negative, and so
-  // the holes are within the outer border and apart. That does not follow from borders that are simple and apart:
+  // surface, it means that one border turns left and all others turn right: the winding numbers are not negative, and
+  // so the holes are within the outer border and apart. That does not follow from borders that are simple and apart:
   // two sheets glued crosswise along a cut have two that turn left.
   bool is_injective() const
   {

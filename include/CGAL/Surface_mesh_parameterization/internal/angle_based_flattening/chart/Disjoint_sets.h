@@ -20,8 +20,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Disjoint sets of the numbers from 0 on, at first of one each. `boost::disjoint_sets_with_storage` keeps them in pointers, and
-// does not compile if its header was included before those of Boost's property maps, as CGAL 6 does.
+// Disjoint sets of the numbers from 0 on, at first of one each. `boost::disjoint_sets_with_storage` keeps them in
+// pointers, and does not compile if its header was included before those of Boost's property maps, as CGAL 6 does.
 class Disjoint_sets
 {
 public:

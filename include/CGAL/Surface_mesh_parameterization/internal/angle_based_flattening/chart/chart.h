@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The corner table that all stages work on, with its borders, seams and constraint nodes. It is independent of the caller's mesh.
-// Made by `read_chart.h` and `read_surface.h`. A node has the equations that the paper has for each interior vertex (Eqs. 3 and 4).
+// The corner table that all stages work on, with its borders, seams and constraint nodes. It is independent of the
+// caller's mesh. Made by `read_chart.h` and `read_surface.h`. A node has the equations that the paper has for each
+// interior vertex (Eqs. 3 and 4).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_CHART_H
@@ -29,8 +30,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise. (Remainders of unsigned numbers take
-// less time.)
+// Corner `c` is a corner of triangle `c / 3`; the corners of a triangle are counterclockwise. (Remainders of unsigned
+// numbers take less time.)
 inline int next_corner(int c)
 {
   return static_cast<unsigned>(c) % 3 == 2 ? c - 2 : c + 1;
@@ -43,8 +44,8 @@ inline int previous_corner(int c)
 
 inline constexpr double pi = CGAL_PI;
 
-// A vertex with equations of the planar angles, or several vertices whose equations are added up: one for the sum of the
-// angles (Eq. 3), one for the lengths of the edges around (Eq. 4). What is not there has the multiplier 0.
+// A vertex with equations of the planar angles, or several vertices whose equations are added up: one for the sum of
+// the angles (Eq. 3), one for the lengths of the edges around (Eq. 4). What is not there has the multiplier 0.
 struct Constraint_node
 {
   double angle_sum = 2 * pi; // 0 if there is none; target angles have it also where the equation is not there
@@ -86,16 +87,18 @@ struct Chart
   // Of each corner that faces an edge of a seam: the one across the seam; -1 elsewhere. Empty without seams.
   std::vector<int> seam;
   bool has_equal_seams = false; // both sides of a seam get the same lengths
-  // With equal seams, of vertices of the outer border: prescribed sums of all planar angles at the vertex of the surface before the cut.
-  // NaN where there is none: such vertices in the middle of a seam have 2 pi. Infinite where the sum is free.
+  // With equal seams, of vertices of the outer border: prescribed sums of all planar angles at the vertex of the
+  // surface before the cut. NaN where there is none: such vertices in the middle of a seam have 2 pi. Infinite where
+  // the sum is free.
   std::vector<double> surface_sums;
-  // Loops through seams, along which lengths must come back to what they were; sorted by triangles. Empty without equal seams.
+  // Loops through seams, along which lengths must come back to what they were; sorted by triangles. Empty without equal
+  // seams.
   std::vector<Loop_crossing> crossings;
   int number_of_loops = 0;
   std::vector<int> node; // of each vertex: the one with its equations, or -1
-  // All interior vertices, unless someone wants others; those of seams of equal sides, each one for all places of a vertex of the
-  // surface before the cut; vertices of the outer border that have prescribed angles; one for each loop, without a vertex; and at
-  // the end all vertices of holes, in the order of `borders`.
+  // All interior vertices, unless someone wants others; those of seams of equal sides, each one for all places of a
+  // vertex of the surface before the cut; vertices of the outer border that have prescribed angles; one for each loop,
+  // without a vertex; and at the end all vertices of holes, in the order of `borders`.
   std::vector<Constraint_node> nodes;
   int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
 

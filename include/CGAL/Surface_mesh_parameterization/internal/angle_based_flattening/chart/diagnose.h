@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Names what makes a chart impossible to flatten: points that are not finite, vertices that are not manifold, the wrong topology.
-// `read_chart.h` and `read_surface.h` call `diagnose()`; stages that can fail return the type `Chart_defect`.
+// Names what makes a chart impossible to flatten: points that are not finite, vertices that are not manifold, the wrong
+// topology. `read_chart.h` and `read_surface.h` call `diagnose()`; stages that can fail return the type `Chart_defect`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H

@@ -19,9 +19,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The faces that a breadth-first search over a mesh has found, in its order, so that neighbours are near to each other in memory. They
-// are the triangles of a corner table: the corners are at the targets of the halfedge by which the search entered the face, of
-// the next one, and of the one after that. The second one faces the entry.
+// The faces that a breadth-first search over a mesh has found, in its order, so that neighbours are near to each other
+// in memory. They are the triangles of a corner table: the corners are at the targets of the halfedge by which the
+// search entered the face, of the next one, and of the one after that. The second one faces the entry.
 template <typename TriangleMesh>
 class Entered_faces
 {
@@ -65,11 +65,12 @@ public:
     return second != m_entries[t] && next(next(second, m_mesh), m_mesh) == m_entries[t];
   }
 
-  // Calls `link` with the two other halfedges of triangle `t`, and the corners that they face: 2 or 0 of the triangle. `rank` is that
-  // of the triangle in its connected part, on which nothing else has an influence.
+  // Calls `link` with the two other halfedges of triangle `t`, and the corners that they face: 2 or 0 of the triangle.
+  // `rank` is that of the triangle in its connected part, on which nothing else has an influence.
   //
-  // Which comes first, and so on which side the search goes on first, changes irregularly. If it was always the same side, the
-  // vertices would have an order with a direction, and coarsening, which follows it, would stretch thin limbs twice as much.
+  // Which comes first, and so on which side the search goes on first, changes irregularly. If it was always the same
+  // side, the vertices would have an order with a direction, and coarsening, which follows it, would stretch thin limbs
+  // twice as much.
   template <typename Link>
   void link_others(int t, int rank, const Link& link) const
   {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Finds border cycles and interior vertices of a corner table, and decides which vertices get the equations of Eqs. 3 and 4.
-// Called wherever a chart is made or changed: by the readers, for filled holes, coarse charts and patches.
+// Finds border cycles and interior vertices of a corner table, and decides which vertices get the equations of Eqs. 3
+// and 4. Called wherever a chart is made or changed: by the readers, for filled holes, coarse charts and patches.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FIND_BORDERS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_FIND_BORDERS_H
@@ -23,7 +23,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int> vertices_with_prescribed_ang
 // Whether the whole outer border is prescribed. Then the equations of all vertices sum up to that of all triangles.
 CGAL_ANGLE_BASED_FLATTENING_INLINE bool is_whole_border_prescribed(const Chart& chart);
 
-// Makes the interior vertices the constraint nodes, those of seams and those with prescribed angles, and those of the holes.
+// Makes the interior vertices the constraint nodes, those of seams and those with prescribed angles, and those of the
+// holes.
 CGAL_ANGLE_BASED_FLATTENING_INLINE void find_nodes(Chart& chart);
 
 // Makes the sides of the seams on the outer border equal, if there are seams, and finds the nodes.

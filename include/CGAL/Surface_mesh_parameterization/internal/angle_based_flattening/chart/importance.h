@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reads the importance of faces as weights of triangles in the energy, and refuses weights with which Newton's method is slow.
-// `prescriptions.h` calls it when a mesh is read; `coarse_solver.h` keeps the weights of coarse charts in the same range.
+// Reads the importance of faces as weights of triangles in the energy, and refuses weights with which Newton's method
+// is slow. `prescriptions.h` calls it when a mesh is read; `coarse_solver.h` keeps the weights of coarse charts in the
+// same range.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_IMPORTANCE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_IMPORTANCE_H

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What callers prescribe for a mesh: importance of faces, sums of angles, and both sides of seams, with the types of their maps hidden.
-// `run_parameterizer.h`, cones and atlas charts take it into the chart, before target angles are computed.
+// What callers prescribe for a mesh: importance of faces, sums of angles, and both sides of seams, with the types of
+// their maps hidden. `run_parameterizer.h`, cones and atlas charts take it into the chart, before target angles are
+// computed.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
@@ -58,7 +59,8 @@ Vertex_angle_sums<TriangleMesh> vertex_angle_sums(VertexAngleSumMap map)
         false};
 }
 
-// The border halfedge on the other side of a seam, of each border halfedge. It hides the type of the caller's property map.
+// The border halfedge on the other side of a seam, of each border halfedge. It hides the type of the caller's property
+// map.
 template <typename TriangleMesh>
 using Halfedge_seam_sides = std::function<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor(
     const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor&)>;
@@ -103,8 +105,8 @@ inline Chart_defect find_wrong_seam(const Chart& chart)
   return {};
 }
 
-// Makes the sides of seams equal, if there are seams. Those with a side on a hole are an error if they are all to be so, and are left
-// as they are otherwise.
+// Makes the sides of seams equal, if there are seams. Those with a side on a hole are an error if they are all to be
+// so, and are left as they are otherwise.
 inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
 {
   for(int k = 0; k < chart.number_of_holes(); ++k)
@@ -118,8 +120,8 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   return {};
 }
 
-// Sets the prescribed angles of a chart, if there are some that can be met. Null in programs that do not prescribe angles:
-// the check needs a maximum flow.
+// Sets the prescribed angles of a chart, if there are some that can be met. Null in programs that do not prescribe
+// angles: the check needs a maximum flow.
 inline Chart_defect (*optional_angle_sums)(std::vector<double> sums, Chart& chart) = nullptr;
 
 // Reads the prescribed angles of a mesh whose chart knows its seams of equal sides.

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Copies the connected component of a border halfedge from the caller's mesh into a chart, and links the sides of seams.
-// The first stage of every parameterizer (`run_parameterizer.h`), and of `measure_flattening.h`.
+// Copies the connected component of a border halfedge from the caller's mesh into a chart, and links the sides of
+// seams. The first stage of every parameterizer (`run_parameterizer.h`), and of `measure_flattening.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_READ_CHART_H
@@ -34,8 +34,8 @@ class Seam_mesh;
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What a `Seam_mesh` knows of its seams. `across()` returns the halfedge on the other side of a seam, of an inner one at the border;
-// the null halfedge where there is no seam.
+// What a `Seam_mesh` knows of its seams. `across()` returns the halfedge on the other side of a seam, of an inner one
+// at the border; the null halfedge where there is no seam.
 template <typename TriangleMesh>
 struct Seam_sides
 {
@@ -68,7 +68,8 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
   }
 };
 
-// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in a hash table.
+// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in
+// a hash table.
 template <typename Index>
 class Vertex_ranks
 {
@@ -132,8 +133,8 @@ public:
     return read(bhd, vimap);
   }
 
-  // Sets which corners are across a seam. `across` maps an inner halfedge at the border to that on the other side, or to the null
-  // halfedge. Of a seam between two components there is no other side here.
+  // Sets which corners are across a seam. `across` maps an inner halfedge at the border to that on the other side, or
+  // to the null halfedge. Of a seam between two components there is no other side here.
   template <typename Across>
   void link_seams(const Across& across)
   {
@@ -157,8 +158,8 @@ public:
 private:
   int facing_corner(halfedge_descriptor h, int t) const { return 3 * t + m_faces.facing_corner(h, t); }
 
-  // Sets the corner table, and the vertices in the order in which the faces come upon them. A face that is entered from another
-  // one brings one vertex, which may be new.
+  // Sets the corner table, and the vertices in the order in which the faces come upon them. A face that is entered from
+  // another one brings one vertex, which may be new.
   template <typename VertexIndexMap>
   Chart_defect find_faces(halfedge_descriptor inner, VertexIndexMap vimap)
   {
@@ -189,8 +190,8 @@ private:
     return {};
   }
 
-  // Sets what is opposite of the corner that faces halfedge `h`, and enters the face there if it is new. An edge between two
-  // faces that were found already is linked from the second one.
+  // Sets what is opposite of the corner that faces halfedge `h`, and enters the face there if it is new. An edge
+  // between two faces that were found already is linked from the second one.
   void link(halfedge_descriptor h, int corner)
   {
     const halfedge_descriptor across = opposite(h, m_mesh);
@@ -207,8 +208,8 @@ private:
     }
   }
 
-  // Adds face `f`, which `entry` belongs to. `from` is the corner that faces the entry from the other side; `target` and `source` are
-  // the vertices of the entry.
+  // Adds face `f`, which `entry` belongs to. `from` is the corner that faces the entry from the other side; `target`
+  // and `source` are the vertices of the entry.
   void enter(halfedge_descriptor entry, face_descriptor f, int from, int target, int source)
   {
     m_faces.enter(entry, f);

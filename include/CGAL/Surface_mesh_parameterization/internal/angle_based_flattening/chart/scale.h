@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Areas on the surface and in the plane, and the factor between both. A layout is scaled to the area of its surface here.
-// The methods of `strategies/` call it after the layout. The measures, the certificate and the atlas need the areas.
+// Areas on the surface and in the plane, and the factor between both. A layout is scaled to the area of its surface
+// here. The methods of `strategies/` call it after the layout. The measures, the certificate and the atlas need the
+// areas.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SCALE_H

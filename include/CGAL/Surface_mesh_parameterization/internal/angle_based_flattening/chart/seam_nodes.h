@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The equations of the surface before it was cut: Eqs. 3 and 4 around vertices of seams, and loops where these are not enough.
-// `find_nodes()` in `find_borders.h` calls it for charts whose seams have equal sides; the paper leaves seams free.
+// The equations of the surface before it was cut: Eqs. 3 and 4 around vertices of seams, and loops where these are not
+// enough. `find_nodes()` in `find_borders.h` calls it for charts whose seams have equal sides; the paper leaves seams
+// free.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H
@@ -22,8 +23,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Makes the constraint nodes of seams of equal sides: equations of the surface before the cut. Inside of that surface, triangles close
-// around the vertices of seams, and so these have the equation for lengths (Eq. 4), and that for angles (Eq. 3) if sums are prescribed.
+// Makes the constraint nodes of seams of equal sides: equations of the surface before the cut. Inside of that surface,
+// triangles close around the vertices of seams, and so these have the equation for lengths (Eq. 4), and that for angles
+// (Eq. 3) if sums are prescribed.
 class Seam_nodes
 {
 public:
@@ -73,8 +75,8 @@ private:
     }
   }
 
-  // Of a closed surface, one equation for lengths follows from all others. So does one for angles if all are there, since those of the
-  // triangles give their total.
+  // Of a closed surface, one equation for lengths follows from all others. So does one for angles if all are there,
+  // since those of the triangles give their total.
   void drop_implied_equations()
   {
     if(m_places.is_closed())
@@ -83,8 +85,9 @@ private:
       m_chart.nodes[m_first].has_planarity = false;
   }
 
-  // With the equations around vertices, what lengths change by across a seam obeys Kirchhoff's law at the vertices inside. If it vanishes
-  // on the edges that a spanning tree leaves over, it vanishes on all. All borders are one vertex of the tree.
+  // With the equations around vertices, what lengths change by across a seam obeys Kirchhoff's law at the vertices
+  // inside. If it vanishes on the edges that a spanning tree leaves over, it vanishes on all. All borders are one
+  // vertex of the tree.
   void add_loops()
   {
     const int border = m_chart.number_of_vertices();

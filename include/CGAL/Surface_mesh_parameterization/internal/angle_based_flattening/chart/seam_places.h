@@ -18,8 +18,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The vertices of the surface before it was cut along the seams of the outer border, here called places. A place is named by one of
-// the vertices of the chart that are its copies. Seams with a side on a hole count as borders of the surface.
+// The vertices of the surface before it was cut along the seams of the outer border, here called places. A place is
+// named by one of the vertices of the chart that are its copies. Seams with a side on a hole count as borders of the
+// surface.
 class Seam_places
 {
 public:

@@ -32,8 +32,8 @@ Point planar_point(const Chart::Point_2& p)
   return Point(FT(p.x()), FT(p.y()));
 }
 
-// Rounds `uv` to what points hold. They are read back from an array of such points: a conversion to their number type and
-// back in one expression is not enough, as GCC 12 removes it at -O2 where it vectorizes straight-line code.
+// Rounds `uv` to what points hold. They are read back from an array of such points: a conversion to their number type
+// and back in one expression is not enough, as GCC 12 removes it at -O2 where it vectorizes straight-line code.
 template <typename Point>
 void round_to_points(std::vector<Chart::Point_2>& uv)
 {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turns the charges of cones into angles that are possible: multiples of a quantum if asked for, with the total that topology demands.
-// Included by `select_cones_of_mesh.h`, or by the source file of the compiled library.
+// Turns the charges of cones into angles that are possible: multiples of a quantum if asked for, with the total that
+// topology demands. Included by `select_cones_of_mesh.h`, or by the source file of the compiled library.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CHOOSE_CONES_IMPL_H

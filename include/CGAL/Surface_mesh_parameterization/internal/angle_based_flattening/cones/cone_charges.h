@@ -60,8 +60,8 @@ private:
 // Where the log scale varies no more than that, no vertex is better than another one.
 inline constexpr double least_log_scale = 1e-9;
 
-// Chooses cones, each where the scale that the others leave is farthest from 1, and their charges. The charge of a cone is what it lacks
-// of a full turn.
+// Chooses cones, each where the scale that the others leave is farthest from 1, and their charges. The charge of a cone
+// is what it lacks of a full turn.
 class Cone_charges
 {
 public:
@@ -112,8 +112,8 @@ public:
     const int bound = number_of_bound_cones(), n = number_of_cones() - bound;
     if(n == 0 || !(m_log_scale.total_area() > 0))
       return true;
-    // The mean square of u = base + sum of charges * green functions is least where its gradient vanishes. The products of
-    // these functions come from a second response to each.
+    // The mean square of u = base + sum of charges * green functions is least where its gradient vanishes. The products
+    // of these functions come from a second response to each.
     Eigen::MatrixXd products(n, n);
     for(int i = 0; i < n; ++i) {
       const std::optional<Eigen::VectorXd> green = green_function(m_cones[i + bound]),
@@ -172,8 +172,8 @@ private:
     return u;
   }
 
-  // Adds a cone, and finds the charges that make u vanish at all cones. The first one of a closed surface takes what the others leave of
-  // the total.
+  // Adds a cone, and finds the charges that make u vanish at all cones. The first one of a closed surface takes what
+  // the others leave of the total.
   bool add(int cone)
   {
     const std::optional<Eigen::VectorXd> green = green_function(cone);

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All of `flatten_with_cones()`: selects cones, cuts through them, and flattens with equal sides of seams and the angles of the cones.
-// Included by `flatten_with_cones.h`. The map comes from ABF++ with the equations of `chart/seam_nodes.h`.
+// All of `flatten_with_cones()`: selects cones, cuts through them, and flattens with equal sides of seams and the
+// angles of the cones. Included by `flatten_with_cones.h`. The map comes from ABF++ with the equations of
+// `chart/seam_nodes.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_CONE_FLATTENER_H
@@ -44,7 +45,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Chooses cones, leads seams through them, and flattens what these leave. Writes seams and coordinates if all that succeeds.
+// Chooses cones, leads seams through them, and flattens what these leave. Writes seams and coordinates if all that
+// succeeds.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename NamedParameters>
 class Cone_flattener
 {

@@ -28,8 +28,8 @@ struct Quantized_charge
   int least, largest;
 };
 
-// Rounds to whole numbers between the bounds: each to the nearest, or, given their total, those up that leave the largest remainders.
-// Returns nothing if there is no way.
+// Rounds to whole numbers between the bounds: each to the nearest, or, given their total, those up that leave the
+// largest remainders. Returns nothing if there is no way.
 inline std::optional<std::vector<int>> round_charges(const std::vector<Quantized_charge>& charges,
                                                      const std::optional<int>& total)
 {

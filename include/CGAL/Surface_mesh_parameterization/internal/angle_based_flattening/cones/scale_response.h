@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Solves for the log scale of a conformal map that curvature at some vertices causes, many times with one factorization.
-// `cone_charges.h` asks it for each cone.
+// Solves for the log scale of a conformal map that curvature at some vertices causes, many times with one
+// factorization. `cone_charges.h` asks it for each cone.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_SCALE_RESPONSE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_SCALE_RESPONSE_H
@@ -26,8 +26,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// How the log scale of a conformal map responds to curvature at vertices: L u = q, with u = 0 at the border, for any number of q by one
-// factorization. On a closed surface, u = 0 at one vertex, which takes what the sum of all q leaves.
+// How the log scale of a conformal map responds to curvature at vertices: L u = q, with u = 0 at the border, for any
+// number of q by one factorization. On a closed surface, u = 0 at one vertex, which takes what the sum of all q leaves.
 class Scale_response
 {
 public:

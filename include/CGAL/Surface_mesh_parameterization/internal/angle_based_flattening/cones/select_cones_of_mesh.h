@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The side of `select_cones()` that knows the caller's mesh: reads surface and options, and names the vertices that are cones.
-// Called by `select_cones.h` and `cone_flattener.h`; `choose_cones()` does the work.
+// The side of `select_cones()` that knows the caller's mesh: reads surface and options, and names the vertices that are
+// cones. Called by `select_cones.h` and `cone_flattener.h`; `choose_cones()` does the work.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_SELECT_CONES_OF_MESH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_SELECT_CONES_OF_MESH_H

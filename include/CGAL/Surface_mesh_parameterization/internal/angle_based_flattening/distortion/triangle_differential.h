@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The derivatives of a map on one triangle, and what follows from them: the metric (Eq. 23), shear (Eq. 24) and stretch.
-// `measure_chart.h` and `map_stretch.h` sum these up. Injective maps and the atlas find crushed triangles with it.
+// The derivatives of a map on one triangle, and what follows from them: the metric (Eq. 23), shear (Eq. 24) and
+// stretch. `measure_chart.h` and `map_stretch.h` sum these up. Injective maps and the atlas find crushed triangles with
+// it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
@@ -84,8 +85,8 @@ private:
   double m_conformal = 0, m_anticonformal = 0;
 };
 
-// Triangles are needles on the surface, and crushed in the plane, if they are so many times as long as thin: if the quasi-conformal
-// ratio of the map from an equilateral triangle, or from the surface, is larger.
+// Triangles are needles on the surface, and crushed in the plane, if they are so many times as long as thin: if the
+// quasi-conformal ratio of the map from an equilateral triangle, or from the surface, is larger.
 inline constexpr double largest_ratio = 1000;
 
 // Also a triangle without area

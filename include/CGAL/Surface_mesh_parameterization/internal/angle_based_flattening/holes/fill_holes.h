@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a disk of a chart with holes: covers these with triangles of a chosen weight in Eq. 1.
-// Called by `hole_strategies.h` and `flatten_chart_hierarchically.h`, by way of `all_strategies.h`. Patches come from `patch.h`.
+// Makes a disk of a chart with holes: covers these with triangles of a chosen weight in Eq. 1. Called by
+// `hole_strategies.h` and `flatten_chart_hierarchically.h`, by way of `all_strategies.h`. Patches come from `patch.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
@@ -169,8 +169,8 @@ private:
     m_filled.opposite[d] = c;
   }
 
-  // The targets of the surface are those that it has with its holes. Those of the patches share what is left of the full turn: by
-  // their angles in space, and in fans, which have no shape of their own, equally.
+  // The targets of the surface are those that it has with its holes. Those of the patches share what is left of the
+  // full turn: by their angles in space, and in fans, which have no shape of their own, equally.
   void set_targets()
   {
     std::vector<double>& beta = m_filled.targets;
@@ -202,8 +202,8 @@ private:
   std::vector<int> m_rank; // of each vertex in the ring at hand
 };
 
-// A disk whose first vertices and triangles are those of a chart with holes that `diagnose()` found flawless. The weight of a patch
-// is `weight` times the mean of that of the triangles around it.
+// A disk whose first vertices and triangles are those of a chart with holes that `diagnose()` found flawless. The
+// weight of a patch is `weight` times the mean of that of the triangles around it.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart fill_holes(const Chart& chart, double weight)
 {
   return Hole_filler(chart).run(weight);

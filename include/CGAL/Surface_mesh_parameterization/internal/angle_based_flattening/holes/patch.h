@@ -21,12 +21,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The triangles that close a hole, counterclockwise as the ring of its `n` vertices is: numbers along the ring, and `n` for
-// a new vertex in the middle.
+// The triangles that close a hole, counterclockwise as the ring of its `n` vertices is: numbers along the ring, and `n`
+// for a new vertex in the middle.
 typedef std::vector<std::array<int, 3>> Patch;
 
-// Larger rings get a fan: the search among Delaunay triangles takes up to 0.3 s for a ring of this size, and 4 s for one of
-// twice the size.
+// Larger rings get a fan: the search among Delaunay triangles takes up to 0.3 s for a ring of this size, and 4 s for
+// one of twice the size.
 inline constexpr int largest_patch = 1000;
 
 // Where that finds nothing, the search among all triangles takes 0.04 s for a ring of this size, and cubic time.
@@ -40,9 +40,9 @@ inline Patch fan(int n)
   return patch;
 }
 
-// The patch of the least bend, also against the triangles around the hole, whose third vertices are at `outer`. Empty if there is
-// none without degenerate triangles, or if the ring is too large. Convex hulls need exact predicates. A ring whose last point
-// is the first one again has a degenerate edge, while CGAL takes it for closed.
+// The patch of the least bend, also against the triangles around the hole, whose third vertices are at `outer`. Empty
+// if there is none without degenerate triangles, or if the ring is too large. Convex hulls need exact predicates. A
+// ring whose last point is the first one again has a degenerate edge, while CGAL takes it for closed.
 inline Patch
 least_bent_patch(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& ring,
                  const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& outer)

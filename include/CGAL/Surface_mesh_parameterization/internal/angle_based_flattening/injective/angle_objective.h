@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The energy of angles (Eq. 1) of a whole map, as a function of positions instead of angles, with derivatives triangle by triangle.
-// `flatten_injectively.h` polishes with it: `Injective_descent` then nears the optimum of the direct method without any overlap.
+// The energy of angles (Eq. 1) of a whole map, as a function of positions instead of angles, with derivatives triangle
+// by triangle. `flatten_injectively.h` polishes with it: `Injective_descent` then nears the optimum of the direct
+// method without any overlap.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_ANGLE_OBJECTIVE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_ANGLE_OBJECTIVE_H
@@ -24,8 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The energy of the direct method (Eq. 1) as a function of the positions: what `Injective_descent` minimizes to polish a map.
-// The Hessian is that of Gauss and Newton.
+// The energy of the direct method (Eq. 1) as a function of the positions: what `Injective_descent` minimizes to polish
+// a map. The Hessian is that of Gauss and Newton.
 class Angle_objective
 {
 public:

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The energy of one triangle in an injective map: MIPS (Hormann and Greiner 2000) times a power of an area term, with derivatives.
-// It grows without bound as a triangle collapses, so descents never turn one over. `area_objective.h` sums it over a map,
-// `area_star.h` over the triangles around a vertex.
+// The energy of one triangle in an injective map: MIPS (Hormann and Greiner 2000) times a power of an area term, with
+// derivatives. It grows without bound as a triangle collapses, so descents never turn one over. `area_objective.h` sums
+// it over a map, `area_star.h` over the triangles around a vertex.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_ENERGY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_AREA_ENERGY_H
@@ -40,8 +40,8 @@ struct Area_term
   }
 };
 
-// A triangle of the surface: the gradient of the function that is 1 at a corner and 0 at the others, in an orthonormal frame
-// of the triangle
+// A triangle of the surface: the gradient of the function that is 1 at a corner and 0 at the others, in an orthonormal
+// frame of the triangle
 struct Flat_triangle
 {
   std::array<Eigen::Vector2d, 3> gradient;
@@ -80,7 +80,8 @@ struct Flat_triangle
 //
 //   MIPS * ((d + 1/d) / 2)^theta,  MIPS = (s1 / s2 + s2 / s1) / 2,  d = s1 s2,
 //
-// where s1 >= s2 are the singular values of the differential. At theta = 1 this is a quarter of the symmetric Dirichlet energy.
+// where s1 >= s2 are the singular values of the differential. At theta = 1 this is a quarter of the symmetric Dirichlet
+// energy.
 class Area_energy
 {
 public:
@@ -123,8 +124,8 @@ public:
     return result;
   }
 
-  // The Hessian without its negative eigenvalues. Its eigenvectors are known: two mix the singular values, one turns, and
-  // one shears.
+  // The Hessian without its negative eigenvalues. Its eigenvectors are known: two mix the singular values, one turns,
+  // and one shears.
   Hessian projected_hessian() const
   {
     const double q = m_s1 * m_s1 + m_s2 * m_s2, product = m_s1 * m_s2;

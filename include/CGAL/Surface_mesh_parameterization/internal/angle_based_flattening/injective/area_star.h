@@ -25,8 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The triangles around one vertex, as for `MIPS_star`, with their areas: they tell where to move the vertex to lower the
-// energy of `Area_energy`.
+// The triangles around one vertex, as for `MIPS_star`, with their areas: they tell where to move the vertex to lower
+// the energy of `Area_energy`.
 struct Area_star : Planar_star_base
 {
   // A triangle (v, p, q), counterclockwise, with the dot products of the edges at its corners on the surface

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The barrier of Smith and Schaefer (2015), which repels parts of the border that come near one another through the outside.
-// `injective_descent.h` adds it to the energy of the whole map, `border_keeper.h` to that of one vertex. It shapes the map; what keeps
-// the border simple are the exact tests of `planar_border.h`.
+// The barrier of Smith and Schaefer (2015), which repels parts of the border that come near one another through the
+// outside. `injective_descent.h` adds it to the energy of the whole map, `border_keeper.h` to that of one vertex. It
+// shapes the map; what keeps the border simple are the exact tests of `planar_border.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
@@ -64,7 +64,8 @@ struct Border_gap
   }
 };
 
-// Whether the direction leads from a border vertex to the outside. The interior is on the left of `previous`, `vertex`, `next`.
+// Whether the direction leads from a border vertex to the outside. The interior is on the left of `previous`, `vertex`,
+// `next`.
 inline bool leads_outside(const Planar_point& direction, const Planar_point& previous,
                           const Planar_point& vertex, const Planar_point& next)
 {
@@ -87,8 +88,8 @@ inline void add_pairs_of_vertex(const Planar_border& border, int i, double clear
   });
 }
 
-// The gap of a pair if it is nearer than its range and leads through the outside: what is inside is kept apart by triangles.
-// `at(i)` is the position of border vertex i.
+// The gap of a pair if it is nearer than its range and leads through the outside: what is inside is kept apart by
+// triangles. `at(i)` is the position of border vertex i.
 template <typename Positions, typename Visitor>
 void visit_gap(const Planar_border& border, const Border_pair& pair, const Positions& at,
                const Visitor& visit)
@@ -100,7 +101,8 @@ void visit_gap(const Planar_border& border, const Border_pair& pair, const Posit
     visit(gap);
 }
 
-// The barrier around one border vertex as a function of its position: other vertices and edges repel it and its two edges.
+// The barrier around one border vertex as a function of its position: other vertices and edges repel it and its two
+// edges.
 class Vertex_barrier
 {
 public:

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The border policy of `Relaxation` and `Refinement` for injective maps: a move or insertion that makes the border touch itself is refused.
-// `flatten_injectively.h` uses it in place of `Local_border`, which lets the border overlap itself.
+// The border policy of `Relaxation` and `Refinement` for injective maps: a move or insertion that makes the border
+// touch itself is refused. `flatten_injectively.h` uses it in place of `Local_border`, which lets the border overlap
+// itself.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_KEEPER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_KEEPER_H

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gradient and Hessian of a sum of energies of three vertices each, assembled by blocks for Newton's method on positions.
-// `injective_descent.h` sums triangles and border pairs in it, each without its negative eigenvalues: the sum is semidefinite.
+// Gradient and Hessian of a sum of energies of three vertices each, assembled by blocks for Newton's method on
+// positions. `injective_descent.h` sums triangles and border pairs in it, each without its negative eigenvalues: the
+// sum is semidefinite.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
@@ -29,8 +30,8 @@ struct Triangle_derivatives
   Eigen::Matrix<double, 6, 6> hessian; // without negative eigenvalues
 };
 
-// The gradient and the projected Hessian of a sum of energies of three vertices each, by the positions of all vertices. The
-// three need not be a triangle: parts of the border that repel each other are coupled too.
+// The gradient and the projected Hessian of a sum of energies of three vertices each, by the positions of all vertices.
+// The three need not be a triangle: parts of the border that repel each other are coupled too.
 class Definite_hessian
 {
   typedef Block_matrix<2>::Block Block;

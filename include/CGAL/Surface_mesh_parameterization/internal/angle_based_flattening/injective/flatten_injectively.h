@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The injective method: coarsening, Tutte's map, descent, refinement and polishing, with a map that is injective at every step.
-// The option `injective` gets here, by way of `all_strategies.h`. The paper instead mends overlaps after the map is made.
+// The injective method: coarsening, Tutte's map, descent, refinement and polishing, with a map that is injective at
+// every step. The option `injective` gets here, by way of `all_strategies.h`. The paper instead mends overlaps after
+// the map is made.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H
@@ -48,7 +49,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Flattens a disk coarse to fine, with a map that is injective all the time: it starts from Tutte's map of a coarse chart.
+// Flattens a disk coarse to fine, with a map that is injective all the time: it starts from Tutte's map of a coarse
+// chart.
 class Injective_flattening
 {
 public:
@@ -80,8 +82,8 @@ private:
   // From this number of vertices on, time is linear.
   static constexpr int large_chart = 100000;
 
-  // Charts of up to this size are relaxed as a whole, by Newton's method, and larger ones vertex by vertex. Newton's method
-  // may take about a third of the time.
+  // Charts of up to this size are relaxed as a whole, by Newton's method, and larger ones vertex by vertex. Newton's
+  // method may take about a third of the time.
   static int most_newton_vertices(const Chart& chart)
   {
     const int n = chart.number_of_vertices(), most = 20000;
@@ -167,8 +169,8 @@ private:
     return descent.has_converged();
   }
 
-  // Relaxes all that is there as a whole. A map to be polished comes near to the least energy of the angles on the last of these
-  // levels, while that is cheap.
+  // Relaxes all that is there as a whole. A map to be polished comes near to the least energy of the angles on the last
+  // of these levels, while that is cheap.
   void descend_on_level()
   {
     const Coarse_chart coarse = coarse_chart();
@@ -280,7 +282,8 @@ private:
     return result;
   }
 
-  // Small triangles have little energy where areas count, and can be crushed between large ones. Energies of angles do not know sizes.
+  // Small triangles have little energy where areas count, and can be crushed between large ones. Energies of angles do
+  // not know sizes.
   void widen_crushed_triangles()
   {
     const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
@@ -311,8 +314,8 @@ private:
   Relaxation<Border_keeper> m_relaxation;
 };
 
-// Flattens a disk that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a map was found,
-// which is not certified yet.
+// Flattens a disk that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a map
+// was found, which is not certified yet.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
 {

@@ -3,9 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Projected Newton steps that lower the energy of a map and keep it injective: no triangle turns over, the border stays simple.
-// `flatten_injectively.h` runs it on coarse charts with `Area_objective`, and with `Angle_objective` to polish. The barrier is that of
-// Smith and Schaefer (2015); the exact test of the border, not the barrier, makes the steps safe.
+// Projected Newton steps that lower the energy of a map and keep it injective: no triangle turns over, the border stays
+// simple. `flatten_injectively.h` runs it on coarse charts with `Area_objective`, and with `Angle_objective` to polish.
+// The barrier is that of Smith and Schaefer (2015); the exact test of the border, not the barrier, makes the steps
+// safe.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_INJECTIVE_DESCENT_H
@@ -34,16 +35,17 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// When to stop: after a step from which a smaller decrease is expected than this fraction of what distortion adds to the energy,
-// or after this many steps.
+// When to stop: after a step from which a smaller decrease is expected than this fraction of what distortion adds to
+// the energy, or after this many steps.
 struct Descent_limits
 {
   double tolerance = 1e-4;
   int steps = 50;
 };
 
-// Projected Newton steps of an injective map towards the least energy, the sum of that of the triangles and the barrier between
-// parts of the border. Each step stays injective: no triangle turns over, and an exact test finds the border simple.
+// Projected Newton steps of an injective map towards the least energy, the sum of that of the triangles and the barrier
+// between parts of the border. Each step stays injective: no triangle turns over, and an exact test finds the border
+// simple.
 //
 // `Objective` knows the energy of a triangle, its derivatives, and the weight of the barrier there.
 template <typename Objective>
@@ -155,8 +157,8 @@ private:
     return result;
   }
 
-  // The energy does not change if the map is moved or turned as a whole, and hardly if it is mapped conformally. Single precision
-  // needs more of the diagonal to factor such a matrix.
+  // The energy does not change if the map is moved or turned as a whole, and hardly if it is mapped conformally. Single
+  // precision needs more of the diagonal to factor such a matrix.
   bool solve(const Definite_hessian& hessian)
   {
     const Block_matrix<2> undamped = hessian.matrix(), matrix = damped(undamped, 1e-8);
@@ -175,7 +177,8 @@ private:
     return done;
   }
 
-  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns `false` if it stays.
+  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns `false` if it
+  // stays.
   bool search(Positions& uv, Planar_border& border, double before)
   {
     const int most_halvings = 30;

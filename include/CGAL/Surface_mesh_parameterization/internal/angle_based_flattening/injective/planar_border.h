@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The border of a map while its vertices move, with exact tests whether it is simple and a search for edges nearby.
-// `border_keeper.h` tests single moves with it, `injective_descent.h` whole steps, and `border_barrier.h` finds its pairs. If triangles
-// are positively oriented, a simple border makes the map of a disk injective (Lipman 2014).
+// `border_keeper.h` tests single moves with it, `injective_descent.h` whole steps, and `border_barrier.h` finds its
+// pairs. If triangles are positively oriented, a simple border makes the map of a disk injective (Lipman 2014).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_PLANAR_BORDER_H
@@ -22,8 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The borders of a chart in the plane, while their vertices move one by one: whether edges touch, and which are near. A disk
-// whose triangles are all positively oriented is injective if its border is simple, so nothing else needs a test.
+// The borders of a chart in the plane, while their vertices move one by one: whether edges touch, and which are near. A
+// disk whose triangles are all positively oriented is injective if its border is simple, so nothing else needs a test.
 //
 // Vertices and edges have numbers along the cycles; an edge has that of its source.
 class Planar_border

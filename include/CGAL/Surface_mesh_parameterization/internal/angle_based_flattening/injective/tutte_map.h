@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The first injective map: Tutte (1963) with the border on a circle and all weights equal.
-// `flatten_injectively.h` starts its descent there, on the coarse chart, because it is injective on any disk without parallel edges.
+// The first injective map: Tutte (1963) with the border on a circle and all weights equal. `flatten_injectively.h`
+// starts its descent there, on the coarse chart, because it is injective on any disk without parallel edges.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
@@ -28,8 +28,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Tutte's map of a disk to a circle, of the area of the surface: each interior vertex is the mean of its neighbours. It is
-// injective but for rounding, on any disk without parallel edges.
+// Tutte's map of a disk to a circle, of the area of the surface: each interior vertex is the mean of its neighbours. It
+// is injective but for rounding, on any disk without parallel edges.
 class Tutte_map
 {
 public:

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From angles to coordinates if the constraints hold: a walk along the border by the sine rule, then one Laplace equation for the interior.
-// `flatten_from_angles.h` prefers it to the least squares of Eqs. 19 to 21, which spread errors over the whole chart.
-// `predict_scale.h` and `seams/log_scale.h` share its cotangent Laplacian.
+// From angles to coordinates if the constraints hold: a walk along the border by the sine rule, then one Laplace
+// equation for the interior. `flatten_from_angles.h` prefers it to the least squares of Eqs. 19 to 21, which spread
+// errors over the whole chart. `predict_scale.h` and `seams/log_scale.h` share its cotangent Laplacian.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_EXACT_LAYOUT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_EXACT_LAYOUT_H
@@ -41,8 +41,9 @@ inline Planar_edge next_edge(const Planar_edge& edge, const std::vector<double>&
           edge.log_length + std::log(std::sin(alpha[next_corner(c)]) / std::sin(alpha[c]))};
 }
 
-// The first edge of each hole, if the first edge of the outer border has direction and log length 0: what the angles say along
-// the shortest way from triangle to triangle. (Other ways differ by no more than the angles violate their constraints.)
+// The first edge of each hole, if the first edge of the outer border has direction and log length 0: what the angles
+// say along the shortest way from triangle to triangle. (Other ways differ by no more than the angles violate their
+// constraints.)
 inline std::vector<Planar_edge> first_edges_of_holes(const Chart& chart, const std::vector<double>& alpha)
 {
   std::vector<Planar_edge> edge(chart.vertex.size()); // that each corner faces
@@ -94,8 +95,8 @@ struct Planar_edges
   double relative_gap() const { return std::sqrt(gap.squared_length()) / perimeter; }
 };
 
-// Sets the coordinates of a border's vertices to those along a walk, relative to the first one, in the unit whose logarithm is
-// `log_unit`. Spreads the gap that is left over all edges, and returns it relative to the border's length.
+// Sets the coordinates of a border's vertices to those along a walk, relative to the first one, in the unit whose
+// logarithm is `log_unit`. Spreads the gap that is left over all edges, and returns it relative to the border's length.
 inline double lay_out_border(const Chart& chart, const std::vector<int>& border, const Border_walk& walk,
                              double log_unit, std::vector<Chart::Point_2>& uv)
 {
@@ -148,7 +149,8 @@ inline void lay_out_borders(const Chart& chart, const std::vector<double>& alpha
   }
 }
 
-// The unknown translation of each vertex: its own if it is an interior one, that of its hole, or none (-1) at the outer border.
+// The unknown translation of each vertex: its own if it is an interior one, that of its hole, or none (-1) at the outer
+// border.
 inline std::vector<int> unknown_translations(const Chart& chart)
 {
   std::vector<int> unknown = chart.interior;
@@ -209,10 +211,10 @@ inline Two_vectors boundary_right_hand_side(const Chart& chart, const std::vecto
   return sum;
 }
 
-// Sets the coordinates of the interior vertices, and puts the holes into place: the cotangent Laplacian with the planar angles' own
-// cotangents vanishes on the planar triangulation that has these angles, so that one solve reproduces it. At a hole's
-// vertices its natural boundary values do not vanish, but as they are half the edges around, turned by a right
-// angle, their sum does.
+// Sets the coordinates of the interior vertices, and puts the holes into place: the cotangent Laplacian with the planar
+// angles' own cotangents vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
+// At a hole's vertices its natural boundary values do not vanish, but as they are half the edges around, turned by a
+// right angle, their sum does.
 inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha,
                              const Linear_solvers& solvers, std::unique_ptr<Linear_solver> scalar_solver,
                              Layout& layout)
@@ -236,8 +238,8 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
   return true;
 }
 
-// The layout of a chart whose angles fulfil the constraints. `scalar_solver` may know the pattern of the one-rings of the
-// interior vertices and the holes. Returns nothing if the linear solver fails.
+// The layout of a chart whose angles fulfil the constraints. `scalar_solver` may know the pattern of the one-rings of
+// the interior vertices and the holes. Returns nothing if the linear solver fails.
 inline std::optional<Layout> exact_layout(const Chart& chart, const std::vector<double>& alpha,
                                           const Linear_solvers& solvers,
                                           std::unique_ptr<Linear_solver> scalar_solver)

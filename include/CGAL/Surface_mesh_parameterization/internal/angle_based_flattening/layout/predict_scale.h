@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How much the scale of a conformal map will vary over a chart with holes, from one Poisson equation and without a map.
-// `strategies/limit_scale.h` refuses charts by it, such as long tubes, whose coordinates no number type can hold usefully.
+// `strategies/limit_scale.h` refuses charts by it, such as long tubes, whose coordinates no number type can hold
+// usefully.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PREDICT_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PREDICT_SCALE_H
@@ -30,8 +31,8 @@ struct Scale_prediction
   int far_border = 0;   // the one with the smallest scale
 };
 
-// What the angles lack, to be flat, at each unknown of the scale: 2 pi less the angles at an interior vertex; for a hole of m vertices
-// the angles around it less (m + 2) pi.
+// What the angles lack, to be flat, at each unknown of the scale: 2 pi less the angles at an interior vertex; for a
+// hole of m vertices the angles around it less (m + 2) pi.
 inline Eigen::VectorXd curvatures(const Chart& chart, const std::vector<double>& angles,
                                   const std::vector<int>& unknown, int n)
 {
@@ -45,8 +46,8 @@ inline Eigen::VectorXd curvatures(const Chart& chart, const std::vector<double>&
 }
 
 // The logarithm u of the scale solves the Poisson equation with the curvature as its source: L u = -K for the cotangent
-// Laplacian L, whose weights are half the ones here, with u = 0 at the outer border. A hole of much the same scale all around is one unknown. A tube
-// of a length of t circumferences has the range exp(2 pi t).
+// Laplacian L, whose weights are half the ones here, with u = 0 at the outer border. A hole of much the same scale all
+// around is one unknown. A tube of a length of t circumferences has the range exp(2 pi t).
 inline std::optional<Scale_prediction> predict_scale(const Chart& chart, const Linear_solvers& solvers)
 {
   const std::vector<int> unknown = unknown_translations(chart);

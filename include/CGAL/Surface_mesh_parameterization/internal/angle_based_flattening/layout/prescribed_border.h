@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The walk along an outer border with prescribed angles: turns are exactly those prescribed, and lengths alone close the polygon.
-// `exact_layout.h` calls it, so that straight sides stay straight although the angles are solved to a tolerance only.
+// The walk along an outer border with prescribed angles: turns are exactly those prescribed, and lengths alone close
+// the polygon. `exact_layout.h` calls it, so that straight sides stay straight although the angles are solved to a
+// tolerance only.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PRESCRIBED_BORDER_H
@@ -21,8 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Walks along the outer border, and turns by exactly as much as is prescribed, so that straight sides are straight whatever
-// the tolerance is. What the angles of the other vertices then lack to a full turn, they share.
+// Walks along the outer border, and turns by exactly as much as is prescribed, so that straight sides are straight
+// whatever the tolerance is. What the angles of the other vertices then lack to a full turn, they share.
 inline Border_walk walk_along_prescribed_border(const Chart& chart, const std::vector<double>& alpha)
 {
   const std::vector<int>& border = chart.borders.front();

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Symmetric sparse matrices of small blocks, and their form for Eigen's solvers. A block has all unknowns of one vertex.
-// Newton's method for angles has blocks of two multipliers (Eq. 16). Layouts and Tutte's map take blocks, too.
+// Symmetric sparse matrices of small blocks, and their form for Eigen's solvers. A block has all unknowns of one
+// vertex. Newton's method for angles has blocks of two multipliers (Eq. 16). Layouts and Tutte's map take blocks, too.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_MATRIX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_MATRIX_H
@@ -55,8 +55,8 @@ struct Block_matrix
   }
 };
 
-// What solvers get of a matrix of blocks: the unknowns `first`, ..., `last - 1` of each block, without what couples them
-// to one another.
+// What solvers get of a matrix of blocks: the unknowns `first`, ..., `last - 1` of each block, without what couples
+// them to one another.
 template <int BlockSize>
 struct Diagonal_parts
 {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Preconditions Eq. 16 by its two scalar matrices, one of planarity and one of reconstruction. Either is much cheaper than the whole.
-// `newton_equation.h` applies it in conjugate gradients, through `near_preconditioner.h`.
+// Preconditions Eq. 16 by its two scalar matrices, one of planarity and one of reconstruction. Either is much cheaper
+// than the whole. `newton_equation.h` applies it in conjugate gradients, through `near_preconditioner.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_PRECONDITIONER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BLOCK_PRECONDITIONER_H

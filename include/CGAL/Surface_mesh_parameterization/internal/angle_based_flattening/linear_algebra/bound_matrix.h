@@ -25,12 +25,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Binds the pairs of unknowns of the last blocks of a matrix S, those of the vertices of holes, to four numbers a, b, c, d
-// for each hole:
+// Binds the pairs of unknowns of the last blocks of a matrix S, those of the vertices of holes, to four numbers a, b,
+// c, d for each hole:
 //   lambda_plan(v) = a - c Im q(v) + d Re q(v)
 //   lambda_len(v)  = b + c Re q(v) + d Im q(v)
-// where the complex number q(v) is the vertex's position. The matrix Z from the bound unknowns to all has a block of its own for each
-// free block of S, then one (a, b) for each hole, then one (c, d) for each. Computes Z' S Z, and products with Z and Z'.
+// where the complex number q(v) is the vertex's position. The matrix Z from the bound unknowns to all has a block of
+// its own for each free block of S, then one (a, b) for each hole, then one (c, d) for each. Computes Z' S Z, and
+// products with Z and Z'.
 class Bound_matrix
 {
   typedef Block_matrix<2>::Block Block;

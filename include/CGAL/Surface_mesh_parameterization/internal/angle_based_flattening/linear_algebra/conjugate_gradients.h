@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Preconditioned conjugate gradients that stop by the preconditioned norm, in which large multipliers at slivers hide nothing.
-// They solve Eq. 16 iteratively (`newton_equation.h`), refine low precision, and solve the steps of injective maps.
+// Preconditioned conjugate gradients that stop by the preconditioned norm, in which large multipliers at slivers hide
+// nothing. They solve Eq. 16 iteratively (`newton_equation.h`), refine low precision, and solve the steps of injective
+// maps.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_CONJUGATE_GRADIENTS_H
@@ -37,9 +38,10 @@ struct Iterative_solution
   int steps;
 };
 
-// Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, until the preconditioned norm of the
-// residual, sqrt(r' M r), has become a small part of that of b. (Eigen's own looks at the plain norm, in which large
-// multipliers at slivers hide all others.) Starts at `x`, the solution within a subspace, whose `residual` is orthogonal to it.
+// Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, until the preconditioned norm of
+// the residual, sqrt(r' M r), has become a small part of that of b. (Eigen's own looks at the plain norm, in which
+// large multipliers at slivers hide all others.) Starts at `x`, the solution within a subspace, whose `residual` is
+// orthogonal to it.
 template <typename Matrix, typename Preconditioner>
 Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b,
                                        Preconditioner& preconditioner, const Iterative_accuracy& accuracy,

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Finds the vertices of Eq. 16 where planarity and reconstruction are strongly coupled: slivers and steep cones, with their neighbours.
-// `near_preconditioner.h` solves the whole matrix near these.
+// Finds the vertices of Eq. 16 where planarity and reconstruction are strongly coupled: slivers and steep cones, with
+// their neighbours. `near_preconditioner.h` solves the whole matrix near these.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_COUPLED_BLOCKS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_COUPLED_BLOCKS_H

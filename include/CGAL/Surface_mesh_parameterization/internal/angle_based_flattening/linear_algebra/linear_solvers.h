@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Hides the types of the caller's solver traits, and of their counterpart of lower precision, so that numerics are compiled only once.
-// Every stage that solves a linear system gets its solvers from here: angles, layouts, seams, cones and injective maps.
+// Hides the types of the caller's solver traits, and of their counterpart of lower precision, so that numerics are
+// compiled only once. Every stage that solves a linear system gets its solvers from here: angles, layouts, seams, cones
+// and injective maps.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
@@ -21,7 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The caller's solver traits, and their counterpart of lower precision, behind an interface: the numerics know neither type.
+// The caller's solver traits, and their counterpart of lower precision, behind an interface: the numerics know neither
+// type.
 class Solver_source
 {
 public:

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Definite systems that are factored in lower precision, which takes less time and memory, and in full precision where that fails.
-// Preconditioners of Eq. 16 and of injective maps rely on it, and layouts and predicted scales solve by it.
+// Definite systems that are factored in lower precision, which takes less time and memory, and in full precision where
+// that fails. Preconditioners of Eq. 16 and of injective maps rely on it, and layouts and predicted scales solve by it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MIXED_PRECISION_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MIXED_PRECISION_H
@@ -25,8 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A definite system whose solutions are good enough to precondition. It is factored by the counterpart of lower precision of
-// the caller's traits, and by a copy of these themselves if that is not enough.
+// A definite system whose solutions are good enough to precondition. It is factored by the counterpart of lower
+// precision of the caller's traits, and by a copy of these themselves if that is not enough.
 class Preconditioning_system
 {
 public:
@@ -67,8 +67,9 @@ private:
 
 typedef std::array<Eigen::VectorXd, 2> Two_vectors;
 
-// A definite system, solved in double precision for two right-hand sides. The counterpart of lower precision of the caller's
-// traits preconditions conjugate gradients; where these are slow, a copy of the caller's traits solves the system.
+// A definite system, solved in double precision for two right-hand sides. The counterpart of lower precision of the
+// caller's traits preconditions conjugate gradients; where these are slow, a copy of the caller's traits solves the
+// system.
 class Definite_system
 {
   static constexpr int max_steps = 30; // about as long as it takes to factor the matrix in double precision

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Completes `block_preconditioner.h` near slivers, steep cones and holes by solving the whole matrix there (multiplicative Schwarz).
-// `newton_equation.h` applies it to Eq. 16. Without it, these few vertices would cost most of the steps.
+// Completes `block_preconditioner.h` near slivers, steep cones and holes by solving the whole matrix there
+// (multiplicative Schwarz). `newton_equation.h` applies it to Eq. 16. Without it, these few vertices would cost most of
+// the steps.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEAR_PRECONDITIONER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_NEAR_PRECONDITIONER_H
@@ -26,15 +27,16 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Preconditions a matrix whose two scalar matrices are good far from some blocks, and bad near them: those of vertices
 // where both multipliers are strongly coupled, at slivers and steep cones; and those of holes in the matrix Z' S Z of
-// `Bound_matrix`, for the scalar matrices have each hole as one node, and know nothing of the translations. So the whole
-// matrix is solved near these blocks as well (multiplicative Schwarz).
+// `Bound_matrix`, for the scalar matrices have each hole as one node, and know nothing of the translations. So the
+// whole matrix is solved near these blocks as well (multiplicative Schwarz).
 class Near_preconditioner
 {
   // One takes up to twice as many steps, three or four take longer to factor.
   static constexpr int rings_of_holes = 2;
 
 public:
-  // The pattern has two blocks for each of the `holes` at its end. `global` preconditions the part without translations.
+  // The pattern has two blocks for each of the `holes` at its end. `global` preconditions the part without
+  // translations.
   Near_preconditioner(const Linear_solvers& solvers, Block_preconditioner& global, int holes,
                       const Block_matrix<2>& pattern)
       : m_global(global), m_system(solvers, solvers->low_precision()),
@@ -91,8 +93,8 @@ public:
     return true;
   }
 
-  // After `start()`, conjugate gradients keep residuals at zero near the blocks but for rounding, if each correction leaves
-  // them so. Then this is symmetric, without solving near the blocks beforehand, too.
+  // After `start()`, conjugate gradients keep residuals at zero near the blocks but for rounding, if each correction
+  // leaves them so. Then this is symmetric, without solving near the blocks beforehand, too.
   bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
   {
     if(!solve_globally(residual, correction))

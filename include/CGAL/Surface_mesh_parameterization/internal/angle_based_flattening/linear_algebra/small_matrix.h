@@ -17,8 +17,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A matrix of a few numbers, by columns: the blocks and local systems of Newton's method. Expression templates for each of their
-// sums and products would take longer to compile than all the rest of the direct method.
+// A matrix of a few numbers, by columns: the blocks and local systems of Newton's method. Expression templates for each
+// of their sums and products would take longer to compile than all the rest of the direct method.
 template <int Rows, int Columns>
 struct Small_matrix
 {

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sums up a sparse matrix from a small one for each triangle. The pattern is found once, and the order does not depend on threads.
-// `newton_step.h` assembles Eq. 16 with it, and both layouts their systems (Eqs. 19 to 21 in least squares).
+// Sums up a sparse matrix from a small one for each triangle. The pattern is found once, and the order does not depend
+// on threads. `newton_step.h` assembles Eq. 16 with it, and both layouts their systems (Eqs. 19 to 21 in least
+// squares).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
@@ -33,9 +34,9 @@ struct Extra_unknown
   int triangle, unknown;
 };
 
-// A symmetric sparse matrix that is the sum of a small matrix for each triangle, as a finite element stiffness
-// matrix is. A vertex has `BlockSize` unknowns or none; several vertices may have the same ones. The pattern is found once. Each column is
-// summed up by itself, in the order of the triangles.
+// A symmetric sparse matrix that is the sum of a small matrix for each triangle, as a finite element stiffness matrix
+// is. A vertex has `BlockSize` unknowns or none; several vertices may have the same ones. The pattern is found once.
+// Each column is summed up by itself, in the order of the triangles.
 template <int BlockSize>
 class Triangle_assembly
 {

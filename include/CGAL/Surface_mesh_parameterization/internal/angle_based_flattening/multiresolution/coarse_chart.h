@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What collapses leave of a chart, copied into a chart of its own, so that methods for any chart can flatten it (Section 5).
-// `coarsen.h` makes its stages of it, `flatten_hierarchically.h` the chart to be solved, and `seams/coarse_seams.h` a copy to cut.
+// What collapses leave of a chart, copied into a chart of its own, so that methods for any chart can flatten it
+// (Section 5). `coarsen.h` makes its stages of it, `flatten_hierarchically.h` the chart to be solved, and
+// `seams/coarse_seams.h` a copy to cut.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSE_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSE_CHART_H
@@ -21,8 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What remains of a chart after collapses, as a separate chart, without borders and constraint nodes. Vertices and triangles
-// keep their order.
+// What remains of a chart after collapses, as a separate chart, without borders and constraint nodes. Vertices and
+// triangles keep their order.
 struct Remaining_chart
 {
   Chart chart;

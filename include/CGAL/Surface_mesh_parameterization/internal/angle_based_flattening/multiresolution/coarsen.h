@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Simplification of a chart level by level (Section 5.1), and the way back. The paper collapses one edge at a time.
-// `flatten_hierarchically.h`, `flatten_injectively.h` and `seams/coarse_seams.h` coarsen with it; `refine.h` undoes the levels.
+// `flatten_hierarchically.h`, `flatten_injectively.h` and `seams/coarse_seams.h` coarsen with it; `refine.h` undoes the
+// levels.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H
@@ -27,8 +28,9 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Makes a chart coarser level by level.
 //
-// The vertices of coarse levels would lie all over the memory. So when half of the vertices are gone, the others are copied into a
-// chart of their own, which has numbers of its own: the next stage. All numbers of vertices here are those of the last stage.
+// The vertices of coarse levels would lie all over the memory. So when half of the vertices are gone, the others are
+// copied into a chart of their own, which has numbers of its own: the next stage. All numbers of vertices here are
+// those of the last stage.
 class Coarsening
 {
 public:
@@ -68,7 +70,8 @@ public:
     return vertices;
   }
 
-  // The values at the vertices that are left: the sums of those at the vertices of the whole chart that were merged there
+  // The values at the vertices that are left: the sums of those at the vertices of the whole chart that were merged
+  // there
   template <typename Value>
   std::vector<Value> merged(std::vector<Value> values) const
   {
@@ -100,8 +103,8 @@ public:
     }
   }
 
-  // Undoes the coarsest level. Returns the vertices that this level had removed. Each gets the value of the vertex into which it
-  // had been merged; the values of the others follow their numbers.
+  // Undoes the coarsest level. Returns the vertices that this level had removed. Each gets the value of the vertex into
+  // which it had been merged; the values of the others follow their numbers.
   template <typename Value>
   std::vector<int> undo_level(std::vector<Value>& values)
   {
@@ -155,8 +158,8 @@ private:
     return result;
   }
 
-  // The constraints of the whole chart would wait in memory while the coarse one is solved. Those at interior vertices, which are all
-  // alike, can be made again.
+  // The constraints of the whole chart would wait in memory while the coarse one is solved. Those at interior vertices,
+  // which are all alike, can be made again.
   void release_nodes()
   {
     m_has_released_nodes =

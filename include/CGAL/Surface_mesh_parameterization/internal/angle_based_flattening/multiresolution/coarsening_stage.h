@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The levels of a coarsening on one copy of the chart (Section 5.1). Each removes independent vertices, the cheapest of a block first.
-// `coarsen.h` chains such stages, and copies the chart in between to keep neighbours close in memory.
+// The levels of a coarsening on one copy of the chart (Section 5.1). Each removes independent vertices, the cheapest of
+// a block first. `coarsen.h` chains such stages, and copies the chart in between to keep neighbours close in memory.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSENING_STAGE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSENING_STAGE_H
@@ -27,8 +27,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Some levels of a coarsening, and the chart that they make coarser. No two vertices that a level removes are neighbours, so they
-// can be inserted again in any order.
+// Some levels of a coarsening, and the chart that they make coarser. No two vertices that a level removes are
+// neighbours, so they can be inserted again in any order.
 class Coarsening_stage
 {
   static constexpr int block_of_vertices = 32768;
@@ -58,8 +58,8 @@ public:
 
   // Removes up to `quota` vertices. See `Collapse_cost` for `extreme_angle`.
   //
-  // Blocks of vertices that are close in memory take turns, with the cheapest collapses of a block first: going for the cheapest
-  // ones of all would take most of the time, for jumps in memory.
+  // Blocks of vertices that are close in memory take turns, with the cheapest collapses of a block first: going for the
+  // cheapest ones of all would take most of the time, for jumps in memory.
   void add_level(int quota, double extreme_angle)
   {
     const std::vector<Collapse_candidate> candidates = cheapest_collapses(extreme_angle);
@@ -117,8 +117,8 @@ private:
     return candidates;
   }
 
-  // The numbers in a block of all allowed collapses, the cheapest first. Those whose costs differ by less than a factor of two
-  // stay in the order of the vertices.
+  // The numbers in a block of all allowed collapses, the cheapest first. Those whose costs differ by less than a factor
+  // of two stay in the order of the vertices.
   static std::vector<int> ranked(const std::vector<Collapse_candidate>& candidates, int begin, int end)
   {
     std::map<int, std::vector<int>> of_exponent;
@@ -131,7 +131,8 @@ private:
     return result;
   }
 
-  // Collapses an edge of a vertex, unless a neighbour has been removed, and locks the neighbours. Returns whether it did.
+  // Collapses an edge of a vertex, unless a neighbour has been removed, and locks the neighbours. Returns whether it
+  // did.
   bool is_removed(int v, Edge_collapses::Record record, Collapse_cost& cost, std::vector<char>& locked)
   {
     if(locked[v])

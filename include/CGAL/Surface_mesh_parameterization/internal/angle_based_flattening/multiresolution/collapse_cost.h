@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The rank of a half-edge collapse, and whether it is allowed (Section 5.1): swept volume, link condition, and angles that may result.
-// `coarsening_stage.h` asks it for the cheapest collapse of each vertex.
+// The rank of a half-edge collapse, and whether it is allowed (Section 5.1): swept volume, link condition, and angles
+// that may result. `coarsening_stage.h` asks it for the cheapest collapse of each vertex.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COLLAPSE_COST_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COLLAPSE_COST_H

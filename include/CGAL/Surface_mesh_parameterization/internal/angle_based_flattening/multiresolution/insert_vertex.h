@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The position of a vertex that is put back (Section 5.2): harmonic weights, Eq. 22 at the border, then the kernel of the star.
-// `refine.h` calls it for each vertex of a level. Mean value weights, and points on the way to them, are tried beyond the paper.
+// The position of a vertex that is put back (Section 5.2): harmonic weights, Eq. 22 at the border, then the kernel of
+// the star. `refine.h` calls it for each vertex of a level. Mean value weights, and points on the way to them, are
+// tried beyond the paper.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_INSERT_VERTEX_H
@@ -112,8 +113,8 @@ inline double similarity_energy(const Planar_star& star, const Planar_point& x)
   return sum;
 }
 
-// Where weights give no valid position: the best one of the centre of the kernel and some on the way from the vertex into which the
-// vertex had been merged, at `merged`, to the position by mean value weights
+// Where weights give no valid position: the best one of the centre of the kernel and some on the way from the vertex
+// into which the vertex had been merged, at `merged`, to the position by mean value weights
 inline Insertion insert_elsewhere(const Planar_star& star, const Planar_point& merged,
                                   const Planar_point& mean_value, Planar_point& position)
 {
@@ -131,7 +132,8 @@ inline Insertion insert_elsewhere(const Planar_star& star, const Planar_point& m
   return insertion;
 }
 
-// Finds a position for a vertex in its star. `position` is that of the vertex into which it had been merged, or near to it.
+// Finds a position for a vertex in its star. `position` is that of the vertex into which it had been merged, or near to
+// it.
 inline Insertion insert_vertex(const Planar_star& star, Planar_point& position)
 {
   const Planar_point merged = position;

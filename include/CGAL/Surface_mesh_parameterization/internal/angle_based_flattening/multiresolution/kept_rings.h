@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The surface data of all stars of a level, kept in one place for several sweeps of relaxation (Section 5.2) over that level.
-// `refine.h` and `flatten_injectively.h` call `relax_level()`, so that several sweeps gather these data once.
+// The surface data of all stars of a level, kept in one place for several sweeps of relaxation (Section 5.2) over that
+// level. `refine.h` and `flatten_injectively.h` call `relax_level()`, so that several sweeps gather these data once.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_KEPT_RINGS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_KEPT_RINGS_H
@@ -24,8 +24,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What the stars of the interior vertices of a level need of the surface, side by side in memory, for several sweeps over the
-// level. Single precision is enough for the weights of an energy, and takes half of the memory.
+// What the stars of the interior vertices of a level need of the surface, side by side in memory, for several sweeps
+// over the level. Single precision is enough for the weights of an energy, and takes half of the memory.
 class Kept_rings
 {
 public:

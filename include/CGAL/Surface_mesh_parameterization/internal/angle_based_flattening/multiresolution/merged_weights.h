@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The importance of faces on a coarse chart: each triangle has the mean of what was merged into its vertices.
-// `flatten_hierarchically.h` and `flatten_injectively.h` apply it, so that the coarse map already favours what the user marked.
+// `flatten_hierarchically.h` and `flatten_injectively.h` apply it, so that the coarse map already favours what the user
+// marked.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_MERGED_WEIGHTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_MERGED_WEIGHTS_H
@@ -21,8 +22,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The weights of triangles after collapses. Each vertex owns a third of the area of each triangle around it, and brings that
-// along where it is merged into another. The weight of a coarse triangle is the mean of what its vertices own then.
+// The weights of triangles after collapses. Each vertex owns a third of the area of each triangle around it, and brings
+// that along where it is merged into another. The weight of a coarse triangle is the mean of what its vertices own
+// then.
 class Merged_weights
 {
 public:

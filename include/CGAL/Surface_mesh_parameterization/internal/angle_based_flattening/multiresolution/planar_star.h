@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The triangles around one vertex, on the surface and in the plane, and whether a position of the vertex is valid, rounding included.
-// `insert_vertex.h` takes its weights from `Planar_star` (Section 5.2). Other stars share its base, and geometry in the plane `cross()`.
+// The triangles around one vertex, on the surface and in the plane, and whether a position of the vertex is valid,
+// rounding included. `insert_vertex.h` takes its weights from `Planar_star` (Section 5.2). Other stars share its base,
+// and geometry in the plane `cross()`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H

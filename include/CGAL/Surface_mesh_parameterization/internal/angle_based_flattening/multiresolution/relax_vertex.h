@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The move of one vertex that makes its star more similar to the surface: the relaxation of Section 5.2, with the energy MIPS.
-// `relaxation.h` and `border_keeper.h` call it. The paper smooths harmonically instead, which lets stretch grow.
+// The move of one vertex that makes its star more similar to the surface: the relaxation of Section 5.2, with the
+// energy MIPS. `relaxation.h` and `border_keeper.h` call it. The paper smooths harmonically instead, which lets stretch
+// grow.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
@@ -118,8 +119,8 @@ Planar_point newton_step(const Energy& here)
          determinant;
 }
 
-// Moves a vertex by a step of Newton's method, to a position that `accept` allows. Returns by which factor the energy of its
-// star fell, or 1 if the vertex does not move.
+// Moves a vertex by a step of Newton's method, to a position that `accept` allows. Returns by which factor the energy
+// of its star fell, or 1 if the vertex does not move.
 template <typename Star, typename Accept>
 double relax_vertex(const Star& star, Planar_point& position, const Accept& accept)
 {
@@ -139,7 +140,8 @@ double relax_vertex(const Star& star, Planar_point& position, const Accept& acce
   return 1;
 }
 
-// The same by several steps where triangles are nearly degenerate: each step makes such a triangle higher by a third only.
+// The same by several steps where triangles are nearly degenerate: each step makes such a triangle higher by a third
+// only.
 template <typename Star, typename Accept>
 double relax_vertex_repeatedly(const Star& star, Planar_point& position, const Accept& accept)
 {

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sweeps of relaxation over all vertices of a level (Section 5.2), in parallel, with the same result on any number of threads.
-// `refine.h`, `kept_rings.h`, `angle_descent.h` and `flatten_injectively.h` run them. `Local_border` is the policy without global tests.
+// Sweeps of relaxation over all vertices of a level (Section 5.2), in parallel, with the same result on any number of
+// threads. `refine.h`, `kept_rings.h`, `angle_descent.h` and `flatten_injectively.h` run them. `Local_border` is the
+// policy without global tests.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAXATION_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAXATION_H
@@ -35,7 +36,8 @@ inline int begin_of_vertex_block(int b, int blocks, int n)
   return static_cast<int>(std::int64_t(n) * b / blocks);
 }
 
-// Lets the border of a map overlap itself, but not around a border vertex where it did not. `Border_keeper` keeps all of it simple.
+// Lets the border of a map overlap itself, but not around a border vertex where it did not. `Border_keeper` keeps all
+// of it simple.
 class Local_border
 {
 public:
@@ -109,7 +111,8 @@ private:
   std::vector<Planar_point>& m_uv;
 };
 
-// Moves the vertices of a map, one by one, to where the energy of their stars is lower. `Border` says where those on the border may be.
+// Moves the vertices of a map, one by one, to where the energy of their stars is lower. `Border` says where those on
+// the border may be.
 template <typename Border>
 class Relaxation
 {
@@ -173,8 +176,8 @@ public:
 
   bool border_touches(int v) const { return m_border.touches_at(v); }
 
-  // Moves a border vertex from `before` to its position in the map, or back if the chart would overlap itself there. Returns
-  // whether it stays.
+  // Moves a border vertex from `before` to its position in the map, or back if the chart would overlap itself there.
+  // Returns whether it stays.
   bool keep_border_position(int v, const Planar_point& before)
   {
     const bool is_kept = m_border.has_moved(v, before, m_uv[v]);

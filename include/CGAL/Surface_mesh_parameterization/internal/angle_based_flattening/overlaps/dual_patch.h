@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A connected part of a chart as a chart of its own, opened along seams, which still knows its triangles in the whole.
-// `separate_overlaps.h` and `minimum_cut.h` cut such patches. `atlas/` opens and divides surfaces with it, `cones/` opens one along seams.
+// `separate_overlaps.h` and `minimum_cut.h` cut such patches. `atlas/` opens and divides surfaces with it, `cones/`
+// opens one along seams.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_DUAL_PATCH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_DUAL_PATCH_H
@@ -50,8 +51,8 @@ public:
       : m_whole(whole), m_cost(cost), m_local(whole.number_of_triangles(), -1)
   {}
 
-  // `is_seam` is that of the edge that each corner of the chart faces. The patch knows the other sides of its seams, also of those where
-  // the chart was open before.
+  // `is_seam` is that of the edge that each corner of the chart faces. The patch knows the other sides of its seams,
+  // also of those where the chart was open before.
   Dual_patch cut_out(std::vector<int> triangles, const std::vector<char>& is_seam)
   {
     Dual_patch patch;

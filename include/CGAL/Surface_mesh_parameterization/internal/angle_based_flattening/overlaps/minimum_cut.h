@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The cheapest seam between two sheets of a map that overlap, as a minimum cut of the dual graph.
-// `separate_overlaps.h` makes one such cut after the other. The paper splits its charts by Sheffer and Hart (2002) instead.
+// The cheapest seam between two sheets of a map that overlap, as a minimum cut of the dual graph. `separate_overlaps.h`
+// makes one such cut after the other. The paper splits its charts by Sheffer and Hart (2002) instead.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_MINIMUM_CUT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_OVERLAPS_MINIMUM_CUT_H
@@ -25,8 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The cheapest cut of a patch between two sheets, as a maximum flow on its dual graph. Each sheet is one node, and so is each
-// block of triangles that must not be separated.
+// The cheapest cut of a patch between two sheets, as a maximum flow on its dual graph. Each sheet is one node, and so
+// is each block of triangles that must not be separated.
 class Minimum_cut
 {
   typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,

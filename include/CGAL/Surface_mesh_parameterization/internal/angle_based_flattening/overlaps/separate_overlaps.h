@@ -50,8 +50,8 @@ struct Separation
   std::vector<char> overlaps; // of each triangle: whether it overlaps another one; empty if none does
 };
 
-// Cuts a chart into pieces whose maps are injective: while triangles of a piece overlap, the cheapest cut between two sheets
-// of it is made. Pieces of a disk are disks.
+// Cuts a chart into pieces whose maps are injective: while triangles of a piece overlap, the cheapest cut between two
+// sheets of it is made. Pieces of a disk are disks.
 template <typename Point>
 class Overlap_separator
 {
@@ -86,8 +86,8 @@ public:
   }
 
 private:
-  // Two triangles with a large angle at a vertex that they share can be apart, and touch there after a cut that runs through
-  // the vertex: pieces are looked at again.
+  // Two triangles with a large angle at a vertex that they share can be apart, and touch there after a cut that runs
+  // through the vertex: pieces are looked at again.
   void finish_or_split(const Dual_patch& patch, bool is_whole)
   {
     std::vector<Point> uv;

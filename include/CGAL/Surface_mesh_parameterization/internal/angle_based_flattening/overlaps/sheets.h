@@ -31,9 +31,9 @@ enum class Sheet : char
 
 // Finds sheets of a patch: two connected sets of triangles, of which each triangle of one overlaps one of the other.
 //
-// A layer is a triangle together with one that it overlaps. Layers are next to each other if one of the two triangles is the
-// same, and the others are neighbours: so does a point pass on that moves within the overlap. The layers that hang together
-// give two sheets, unless they wind around so far that a triangle is in both.
+// A layer is a triangle together with one that it overlaps. Layers are next to each other if one of the two triangles
+// is the same, and the others are neighbours: so does a point pass on that moves within the overlap. The layers that
+// hang together give two sheets, unless they wind around so far that a triangle is in both.
 class Sheet_finder
 {
   typedef std::vector<int> Layers;

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The check that no two charts of an atlas come nearer than the gutter: it draws all of them again, texel by texel.
-// `pack_impl.h` includes it. `pack_mesh.h` and `atlas/build_atlas_impl.h` call `certify_packing()` on the coordinates as they are written.
+// `pack_impl.h` includes it. `pack_mesh.h` and `atlas/build_atlas_impl.h` call `certify_packing()` on the coordinates
+// as they are written.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CERTIFY_PACKING_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CERTIFY_PACKING_IMPL_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What packing keeps of a chart: edges of the outline, hull, area, and the directions in which the bounding box is smallest.
-// `read_outlines.h` fills it, and `chart_shape.h` draws it, at cost of the outline instead of all triangles.
+// What packing keeps of a chart: edges of the outline, hull, area, and the directions in which the bounding box is
+// smallest. `read_outlines.h` fills it, and `chart_shape.h` draws it, at cost of the outline instead of all triangles.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
@@ -32,8 +32,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 typedef std::array<Planar_point, 2> Planar_segment;
 
-// What packing knows about a chart. Its points are moved and scaled, so that its bounding box has the origin as centre and a longest
-// side of length 1.
+// What packing knows about a chart. Its points are moved and scaled, so that its bounding box has the origin as centre
+// and a longest side of length 1.
 struct Chart_outline
 {
   Planar_point origin = Planar_point::Zero();
@@ -147,7 +147,8 @@ inline double angle_of_smallest_rectangle(const std::vector<Planar_point>& hull)
   return -std::atan2(side.y(), side.x());
 }
 
-// Turned by this angle, the chart has the smallest bounding box that is a square: of many angles the best one, refined by bisection
+// Turned by this angle, the chart has the smallest bounding box that is a square: of many angles the best one, refined
+// by bisection
 inline double angle_of_smallest_square(const std::vector<Planar_point>& hull)
 {
   const int samples = 512;

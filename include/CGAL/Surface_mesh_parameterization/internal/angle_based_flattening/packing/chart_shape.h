@@ -25,7 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Coordinates may move by that many texels when they are rounded, and keep the place that was found for them: enough for floats.
+// Coordinates may move by that many texels when they are rounded, and keep the place that was found for them: enough
+// for floats.
 inline constexpr double placement_tolerance = 1. / (1 << 8);
 
 // A chart turned and scaled. Its coordinates are those of the outline times a complex number, plus `shift`.
@@ -53,8 +54,8 @@ public:
 
   bool fits(int resolution) const { return m_width <= resolution && m_height <= resolution; }
 
-  // The cells of `side`^2 texels that the chart touches, or comes nearer to than `gutter` texels, in a mask that is larger by `margin`
-  // cells on all sides
+  // The cells of `side`^2 texels that the chart touches, or comes nearer to than `gutter` texels, in a mask that is
+  // larger by `margin` cells on all sides
   Texel_mask cells(int side, int gutter = 0, int margin = 0) const
   {
     Texel_mask mask((m_width + side - 1) / side + 2 * margin, (m_height + side - 1) / side + 2 * margin);

@@ -42,11 +42,11 @@ public:
     std::fill_n(m_longest_free_run.begin() + y, mask.height(), -1);
   }
 
-  // The first place for the lower left corner of a mask, by rows from `first_row` on, and in them from the left; none if
-  // `is_stopped(y)` before row y.
+  // The first place for the lower left corner of a mask, by rows from `first_row` on, and in them from the left; none
+  // if `is_stopped(y)` before row y.
   //
-  // A cell of the mask that meets an occupied one rules out 64 places at a time. Those cells that did so before come first: they leave
-  // few places for which the whole mask is compared.
+  // A cell of the mask that meets an occupied one rules out 64 places at a time. Those cells that did so before come
+  // first: they leave few places for which the whole mask is compared.
   template <typename IsStopped>
   std::optional<Texel> find_place(const Texel_mask& mask, int first_row, const IsStopped& is_stopped)
   {

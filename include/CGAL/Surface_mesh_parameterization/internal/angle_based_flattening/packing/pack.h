@@ -20,15 +20,17 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale. `corners` are three for each
-// triangle, `chart` is that of each triangle, `area` what the triangle should have in proportion: a chart is scaled to the sum of its areas.
+// Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale. `corners`
+// are three for each triangle, `chart` is that of each triangle, `area` what the triangle should have in proportion: a
+// chart is scaled to the sum of its areas.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>& corners,
                                                 const std::vector<int>& chart,
                                                 const std::vector<double>& area, int number_of_charts,
                                                 const Packing_options& options);
 
-// Whether any two texels that different charts touch have `gutter` texels between them, and the border of the unit square half of that,
-// rounded up. Rounding errors make triangles larger only, by less than 2^-20 texels: what is certified is true of the exact triangles.
+// Whether any two texels that different charts touch have `gutter` texels between them, and the border of the unit
+// square half of that, rounded up. Rounding errors make triangles larger only, by less than 2^-20 texels: what is
+// certified is true of the exact triangles.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing_check certify_packing(const std::vector<Planar_point>& corners,
                                                                  const std::vector<int>& chart,
                                                                  int number_of_charts, int resolution,

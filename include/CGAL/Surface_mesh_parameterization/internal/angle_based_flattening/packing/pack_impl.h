@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The body of `pack()`: checks the input, reads the outlines, searches the scale, and turns places into similarities.
-// `pack.h` includes it in programs without the compiled library, which otherwise has it in `angle_based_flattening_texture.cpp`.
+// `pack.h` includes it in programs without the compiled library, which otherwise has it in
+// `angle_based_flattening_texture.cpp`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_IMPL_H

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // `pack_charts()` for any mesh: numbers the charts, reads areas and coordinates, and writes those of the packed atlas.
-// It is the only layer of this folder that knows the mesh. What it writes is certified after rounding to the type of the map.
+// It is the only layer of this folder that knows the mesh. What it writes is certified after rounding to the type of
+// the map.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_MESH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_MESH_H

@@ -38,7 +38,8 @@ inline std::string wrong_option(const Packing_options& options)
   return wrong;
 }
 
-// A rotation, scaled, without a reflection. Small charts far from the origin lose no digits: `origin` is subtracted first.
+// A rotation, scaled, without a reflection. Small charts far from the origin lose no digits: `origin` is subtracted
+// first.
 struct Similarity
 {
   double cosine = 1, sine = 0;                                              // times the scale

@@ -47,7 +47,8 @@ private:
   std::vector<int> m_first, m_triangles;
 };
 
-// Reads one chart. `largest_area` is that of all triangles. Its coordinates are not finite if they are too large for their differences.
+// Reads one chart. `largest_area` is that of all triangles. Its coordinates are not finite if they are too large for
+// their differences.
 class Outline_reader
 {
 public:

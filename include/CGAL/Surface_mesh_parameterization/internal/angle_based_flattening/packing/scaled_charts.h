@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The charts of a packing before and after they have a scale: directions to try, order, and masks of their cells.
-// `place_charts.h` takes the masks from it. `search_scale.h` keeps those of the last scale, as the next attempt may have the same.
+// `place_charts.h` takes the masks from it. `search_scale.h` keeps those of the last scale, as the next attempt may
+// have the same.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_SCALED_CHARTS_H
@@ -33,8 +34,8 @@ inline constexpr double least_extent = 1. / 16;
 // All directions are tried for charts of at least this share of the area, four for others.
 inline constexpr double least_turned_share = 0.02;
 
-// Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts are smaller by
-// `alike`.
+// Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts
+// are smaller by `alike`.
 inline constexpr double largest_small_share = 0.002, alike = 0.75;
 
 // The charts before they have a scale
@@ -59,8 +60,8 @@ public:
   const std::vector<double>& directions(int c) const { return m_angles[c]; }
   const Packing_options& options() const { return m_options; }
 
-  // Charts are placed by cells of so many texels along a side: by large ones first. Where there are many texels, the last ones have several
-  // of them, too.
+  // Charts are placed by cells of so many texels along a side: by large ones first. Where there are many texels, the
+  // last ones have several of them, too.
   const std::vector<int>& texels_of_cells() const { return m_cells; }
 
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
@@ -124,7 +125,8 @@ public:
       m_shapes[c].resize(charts.directions(c).size());
   }
 
-  // Makes the shapes that are not there yet: of the largest chart those in the directions that are wanted, of others all.
+  // Makes the shapes that are not there yet: of the largest chart those in the directions that are wanted, of others
+  // all.
   void make_shapes(const std::vector<char>& is_wanted)
   {
     std::vector<std::pair<int, int>> missing;

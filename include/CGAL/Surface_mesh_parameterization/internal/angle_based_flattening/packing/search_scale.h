@@ -24,7 +24,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Searches the largest scale with places for all charts. That is not monotone: the largest of those that were tried counts.
+// Searches the largest scale with places for all charts. That is not monotone: the largest of those that were tried
+// counts.
 class Scale_search
 {
 public:

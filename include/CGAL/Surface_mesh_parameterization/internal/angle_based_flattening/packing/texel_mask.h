@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sets of texels as bits, 64 of a row in a word, with dilation by the gutter.
-// `chart_shape.h` draws charts into them, `occupied_cells.h` compares them, and `certify_packing_impl.h` checks the result with them.
+// Sets of texels as bits, 64 of a row in a word, with dilation by the gutter. `chart_shape.h` draws charts into them,
+// `occupied_cells.h` compares them, and `certify_packing_impl.h` checks the result with them.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_TEXEL_MASK_H
@@ -140,8 +140,8 @@ inline void add_moved(Texel_mask::Word* words, int number_of_words, int distance
   }
 }
 
-// The texels from which one of the mask is at most `distance` columns and rows away, in a mask that is larger by that on all sides.
-// Texels spread over 1, 2, 4, ... columns, and rows.
+// The texels from which one of the mask is at most `distance` columns and rows away, in a mask that is larger by that
+// on all sides. Texels spread over 1, 2, 4, ... columns, and rows.
 inline Texel_mask dilated(const Texel_mask& mask, int distance)
 {
   Texel_mask result(mask.width() + 2 * distance, mask.height() + 2 * distance);

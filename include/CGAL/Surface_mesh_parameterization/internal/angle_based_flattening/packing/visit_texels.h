@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All texels that a triangle or segment touches, none missed whatever the rounding.
-// `chart_shape.h` draws with it, `certify_packing_impl.h` relies on its bounds, and `baking/chart_texels.h` finds what to bake by it.
+// All texels that a triangle or segment touches, none missed whatever the rounding. `chart_shape.h` draws with it,
+// `certify_packing_impl.h` relies on its bounds, and `baking/chart_texels.h` finds what to bake by it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_VISIT_TEXELS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_VISIT_TEXELS_H
@@ -21,13 +21,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A texel is the closed square from (x, y) to (x + 1, y + 1). Of coordinates up to 2^16, a product and what is computed of it here have
-// errors below 2^-32.
+// A texel is the closed square from (x, y) to (x + 1, y + 1). Of coordinates up to 2^16, a product and what is computed
+// of it here have errors below 2^-32.
 inline constexpr double rounding_tolerance = 1. / (1 << 24);
 
-// Calls `visit(y, first, last)` for each row with texels that a triangle or a segment touches, or comes nearer to than `tolerance`, which
-// is at least the one above: an interval of each row, which may be longer by up to two tolerances at the ends. Whole `neighbours` in all
-// directions count as well.
+// Calls `visit(y, first, last)` for each row with texels that a triangle or a segment touches, or comes nearer to than
+// `tolerance`, which is at least the one above: an interval of each row, which may be longer by up to two tolerances at
+// the ends. Whole `neighbours` in all directions count as well.
 template <std::size_t N, typename Visit>
 void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, const Visit& visit,
                   double neighbours = 0)

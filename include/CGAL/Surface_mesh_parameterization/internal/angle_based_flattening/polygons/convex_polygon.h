@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Exact tests whether a polygon in the plane is strictly convex, also after rounding to `float`.
-// `make_polygons_convex.h` mends what fails them: readers triangulate polygons as fans, which may turn over at a concave corner.
+// `make_polygons_convex.h` mends what fails them: readers triangulate polygons as fans, which may turn over at a
+// concave corner.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_POLYGONS_CONVEX_POLYGON_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_POLYGONS_CONVEX_POLYGON_H

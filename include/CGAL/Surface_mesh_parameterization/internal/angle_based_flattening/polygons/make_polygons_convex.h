@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Moves vertices of a finished map a little, until the polygons that were divided into triangles are convex in the plane.
-// `atlas/build_atlas_impl.h` runs it before charts are packed, and the program `flatten_mesh` on single maps.
+// Moves vertices of a finished map a little, until the polygons that were divided into triangles are convex in the
+// plane. `atlas/build_atlas_impl.h` runs it before charts are packed, and the program `flatten_mesh` on single maps.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_POLYGONS_MAKE_POLYGONS_CONVEX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_POLYGONS_MAKE_POLYGONS_CONVEX_H
@@ -189,7 +189,8 @@ private:
     return result;
   }
 
-  // Moves a vertex if that leaves fewer bad corners, and more in no polygon, and half of the area of each triangle at first.
+  // Moves a vertex if that leaves fewer bad corners, and more in no polygon, and half of the area of each triangle at
+  // first.
   bool move(int v, const Point& point)
   {
     const std::vector<int> corners = star(v);

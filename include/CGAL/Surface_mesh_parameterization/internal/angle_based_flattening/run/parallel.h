@@ -30,8 +30,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 struct Cancelled
 {};
 
-// Calls `f(b)` for each b in [0, n), in parallel if TBB is available. An exception in one thread also stops the loops that others run
-// at the time within the same loop. They would go on behind a loop that was not done.
+// Calls `f(b)` for each b in [0, n), in parallel if TBB is available. An exception in one thread also stops the loops
+// that others run at the time within the same loop. They would go on behind a loop that was not done.
 template <typename Function>
 void parallel_for(int n, const Function& f)
 {

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a visitor hears of a run: the start of a stage, Newton's steps, levels. It also times stages, and stops the run if told to.
-// `solve_angles.h`, `coarsen.h`, `flatten_injectively.h`, the strategies and the stages of an atlas report through it.
+// What a visitor hears of a run: the start of a stage, Newton's steps, levels. It also times stages, and stops the run
+// if told to. `solve_angles.h`, `coarsen.h`, `flatten_injectively.h`, the strategies and the stages of an atlas report
+// through it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H

@@ -60,8 +60,8 @@ bool can_reach_terminals(const TriangleMesh& mesh, const NamedParameters& np, Se
   return true;
 }
 
-// Reads a mesh, finds seams of each of its parts by `find(part)`, and marks them if all parts have some. With `keeps_seams`, the present
-// ones are borders of the parts; otherwise `find()` gets them to change.
+// Reads a mesh, finds seams of each of its parts by `find(part)`, and marks them if all parts have some. With
+// `keeps_seams`, the present ones are borders of the parts; otherwise `find()` gets them to change.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename NamedParameters>
 class Seam_application
 {

@@ -135,8 +135,8 @@ private:
     return no_side;
   }
 
-  // A loop, or a side to a sector that another side with the same source leads to. Such a pair remains unnoticed only if
-  // both sides are on the border, whose edges are then just these two.
+  // A loop, or a side to a sector that another side with the same source leads to. Such a pair remains unnoticed only
+  // if both sides are on the border, whose edges are then just these two.
   std::size_t parallel_side(const Range& range, const Range& end)
   {
     std::vector<std::size_t> source(end.first_side - range.first_side);

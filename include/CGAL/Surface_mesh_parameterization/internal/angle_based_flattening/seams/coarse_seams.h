@@ -65,8 +65,9 @@ public:
     return result;
   }
 
-  // Draws paths of the copy, given by their edges, on the surface: each becomes the shortest path between its ends that stays near it,
-  // or the shortest anywhere where edges that must not become seams bar all of these. Returns whether all stay near.
+  // Draws paths of the copy, given by their edges, on the surface: each becomes the shortest path between its ends that
+  // stays near it, or the shortest anywhere where edges that must not become seams bar all of these. Returns whether
+  // all stay near.
   bool draw(const std::vector<std::vector<int>>& paths, Sector_graph& surface) const
   {
     std::vector<int> node(m_surface.points.size()), seams;
@@ -104,8 +105,8 @@ private:
       m_members[region[v]].push_back(static_cast<int>(v));
   }
 
-  // Appends the edges of the fine path of a path that is not closed. It does not cross the inside of another one, `avoided`. Returns
-  // whether it stays near.
+  // Appends the edges of the fine path of a path that is not closed. It does not cross the inside of another one,
+  // `avoided`. Returns whether it stays near.
   bool find_fine_path(const std::vector<int>& path, const std::vector<int>& node,
                       const std::vector<int>& avoided, const Sector_graph& surface,
                       std::vector<int>& edges) const

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Seams that open a connected surface of any genus to a disk: a Steiner tree of borders and terminals by Mehlhorn (1988), handles by
-// Erickson and Whittlesey (2005). `find_seams_impl.h`, `greedy_cones.h` and `repair_cut.h` cut with it.
-// The paper cuts its closed models by Sheffer and Hart (2002).
+// Seams that open a connected surface of any genus to a disk: a Steiner tree of borders and terminals by Mehlhorn
+// (1988), handles by Erickson and Whittlesey (2005). `find_seams_impl.h`, `greedy_cones.h` and `repair_cut.h` cut with
+// it. The paper cuts its closed models by Sheffer and Hart (2002).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CUT_TOPOLOGY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CUT_TOPOLOGY_H
@@ -173,8 +173,8 @@ private:
         m_surface.set_seam(c, true);
   }
 
-  // Mehlhorn's approximation of a Steiner tree of the borders and terminals: Kruskal's algorithm on the edges between the regions that
-  // are nearest to each of them
+  // Mehlhorn's approximation of a Steiner tree of the borders and terminals: Kruskal's algorithm on the edges between
+  // the regions that are nearest to each of them
   bool join_borders()
   {
     int borders = 0;
@@ -224,8 +224,8 @@ private:
     }
   }
 
-  // The greedy homotopy basis of Erickson and Whittlesey: a tree of shortest paths, a spanning tree of the triangles across the other
-  // edges that prefers edges of long loops, and the loops of the 2g edges that are left
+  // The greedy homotopy basis of Erickson and Whittlesey: a tree of shortest paths, a spanning tree of the triangles
+  // across the other edges that prefers edges of long loops, and the loops of the 2g edges that are left
   void cut_handles()
   {
     std::vector<int> sources = border_nodes(m_surface);
@@ -291,8 +291,8 @@ private:
     open(path);
   }
 
-  // Makes the seam of one edge longer: another way between two terminals, or else one more edge, the cheapest between the border of the
-  // disk and its interior.
+  // Makes the seam of one edge longer: another way between two terminals, or else one more edge, the cheapest between
+  // the border of the disk and its interior.
   void lengthen_border()
   {
     if(m_terminals.size() == 2 && take_detour())

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The interface of the seam search: `find_topological_seams()`, `find_seams()` and `shorten_seams()` on a chart, without a mesh.
-// `apply_seams.h`, `overlaps/separate_overlaps.h` and `atlas/` include it. Their bodies are in `find_seams_impl.h`.
+// The interface of the seam search: `find_topological_seams()`, `find_seams()` and `shorten_seams()` on a chart,
+// without a mesh. `apply_seams.h`, `overlaps/separate_overlaps.h` and `atlas/` include it. Their bodies are in
+// `find_seams_impl.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_H
@@ -47,8 +48,8 @@ struct Seams
   double predicted_stretch = 1;
 };
 
-// Those that make a disk of a connected surface, and reach the terminals. `cost` is that of the edge that each corner faces, infinity
-// where it must not be a seam.
+// Those that make a disk of a connected surface, and reach the terminals. `cost` is that of the edge that each corner
+// faces, infinity where it must not be a seam.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,
                                                                 const std::vector<double>& cost,
                                                                 const std::vector<int>& terminals = {});

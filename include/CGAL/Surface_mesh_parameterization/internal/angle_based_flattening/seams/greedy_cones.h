@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Seams for little stretch: joins the vertex of the most extreme predicted scale to the seams, until the predicted stretch is small.
-// `find_seams_impl.h` runs it, on the surface or on its coarse copy. The scale comes from `log_scale.h`, so no map is made on the way.
+// Seams for little stretch: joins the vertex of the most extreme predicted scale to the seams, until the predicted
+// stretch is small. `find_seams_impl.h` runs it, on the surface or on its coarse copy. The scale comes from
+// `log_scale.h`, so no map is made on the way.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_GREEDY_CONES_H
@@ -25,15 +26,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The first searches of key-path exchange visit each node so many times at most, and later ones half as often each time. Genus 133 took
-// over 200 s without a limit.
+// The first searches of key-path exchange visit each node so many times at most, and later ones half as often each
+// time. Genus 133 took over 200 s without a limit.
 inline constexpr int most_visits = 100;
 
 // So many times at most, terminals are added after seams were shortened.
 inline constexpr int most_rounds = 5;
 
-// Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose predicted scale is
-// farthest from 1, until the predicted stretch is small enough.
+// Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose
+// predicted scale is farthest from 1, until the predicted stretch is small enough.
 class Greedy_cones
 {
 public:
@@ -73,7 +74,8 @@ private:
     return Topological_cut(m_surface, m_cost).run() ? Seams::DONE : Seams::NO_CUT;
   }
 
-  // The first terminal is where the sphere shrinks most, the second one where it shrinks or grows most then, away from the first.
+  // The first terminal is where the sphere shrinks most, the second one where it shrinks or grows most then, away from
+  // the first.
   Status open_sphere()
   {
     std::vector<char> is_fixed(chart().points.size(), false);

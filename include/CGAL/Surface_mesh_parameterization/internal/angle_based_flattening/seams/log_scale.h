@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The scale of a conformal map, predicted from angle defects by one Poisson equation (Ben-Chen, Gotsman and Bunin 2008).
-// `greedy_cones.h` and `find_seams_impl.h` choose and judge seams by it, `cones/cone_charges.h` and `cones/scale_response.h` cones.
+// The scale of a conformal map, predicted from angle defects by one Poisson equation (Ben-Chen, Gotsman and Bunin
+// 2008). `greedy_cones.h` and `find_seams_impl.h` choose and judge seams by it, `cones/cone_charges.h` and
+// `cones/scale_response.h` cones.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_LOG_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_LOG_SCALE_H
@@ -30,8 +31,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Predicts by how much a conformal map of the opened surface changes lengths: log scale factors u with L u = -K, where L is the
-// cotangent Laplacian and K the angle defect, and u = 0 on seams and borders.
+// Predicts by how much a conformal map of the opened surface changes lengths: log scale factors u with L u = -K, where
+// L is the cotangent Laplacian and K the angle defect, and u = 0 on seams and borders.
 class Log_scale
 {
 public:
@@ -48,8 +49,8 @@ public:
       m_total_area += a;
   }
 
-  // Of each vertex. If the surface is closed, and but one vertex is fixed, the defects may be made to sum to 0: then the solution does
-  // not depend on that vertex, but for a constant.
+  // Of each vertex. If the surface is closed, and but one vertex is fixed, the defects may be made to sum to 0: then
+  // the solution does not depend on that vertex, but for a constant.
   std::optional<std::vector<double>> solve(const std::vector<char>& is_fixed, bool is_balanced = false) const
   {
     const int n = m_surface.number_of_vertices();
@@ -108,8 +109,8 @@ public:
   double total_area() const { return m_total_area; }
 
 private:
-  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite. Those near 0 are raised to the
-  // least target angle, and the largest is what the others leave of pi.
+  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite. Those near 0
+  // are raised to the least target angle, and the largest is what the others leave of pi.
   static std::vector<double> proper_angles(const Chart& surface)
   {
     std::vector<double> angles(surface.vertex.size());

@@ -22,8 +22,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 inline constexpr std::size_t no_side = (std::numeric_limits<std::size_t>::max)();
 
-// A surface without its seams. A side is a halfedge with a face; sides are numbered part by part, and face by face.
-// A sector is a vertex of the opened surface: faces around a vertex that are next to each other across edges that are not
+// A surface without its seams. A side is a halfedge with a face; sides are numbered part by part, and face by face. A
+// sector is a vertex of the opened surface: faces around a vertex that are next to each other across edges that are not
 // seams.
 template <typename TriangleMesh>
 class Opened_surface

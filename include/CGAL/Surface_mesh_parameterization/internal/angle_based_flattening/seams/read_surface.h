@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From a mesh of any topology to connected parts as flat arrays, with costs of edges, and back from corners to halfedges.
-// `apply_seams.h`, `overlaps/split_charts.h`, `cones/` and `atlas/` read with it. `chart/read_chart.h` does this for a single disk.
+// From a mesh of any topology to connected parts as flat arrays, with costs of edges, and back from corners to
+// halfedges. `apply_seams.h`, `overlaps/split_charts.h`, `cones/` and `atlas/` read with it. `chart/read_chart.h` does
+// this for a single disk.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_SURFACE_H
@@ -39,8 +40,8 @@ struct Surface_part
   std::vector<char> is_diagonal; // the same edge, in a larger polygon; empty if there are none
 };
 
-// Reads a mesh of any topology as connected parts, and writes seams to it. A vertex whose triangles do not all hang together by edges
-// becomes several ones. `Report` has a diagnosis for each error, and a message.
+// Reads a mesh of any topology as connected parts, and writes seams to it. A vertex whose triangles do not all hang
+// together by edges becomes several ones. `Report` has a diagnosis for each error, and a message.
 template <typename TriangleMesh, typename VertexPointMap, typename Report>
 class Surface_reader
 {
@@ -57,7 +58,8 @@ public:
   const std::vector<Surface_part>& parts() const { return m_parts; }
   double scale() const { return m_scale; } // lengths in the mesh, divided by those of the parts
 
-  // Reads the surface, opened along the edges with `is_cut(e)`. Returns whether that is possible, and says why if it is not.
+  // Reads the surface, opened along the edges with `is_cut(e)`. Returns whether that is possible, and says why if it is
+  // not.
   template <typename IsCut>
   bool read(const IsCut& is_cut, Report& report)
   {
@@ -189,8 +191,8 @@ private:
     return true;
   }
 
-  // Sets what is across the edge `h` that a corner of the last part faces, and enters the face there if it is new. An edge between
-  // two faces that were found already is linked from the second one.
+  // Sets what is across the edge `h` that a corner of the last part faces, and enters the face there if it is new. An
+  // edge between two faces that were found already is linked from the second one.
   template <typename IsCut>
   void link(halfedge_descriptor h, int corner, const IsCut& is_cut)
   {

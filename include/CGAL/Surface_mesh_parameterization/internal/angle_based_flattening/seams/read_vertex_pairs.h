@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The reader of CGAL's selection files: pairs of vertices, checked one by one, so that a report can name line and number.
-// `seam_selection.h` marks the edges between them as seams.
+// The reader of CGAL's selection files: pairs of vertices, checked one by one, so that a report can name line and
+// number. `seam_selection.h` marks the edges between them as seams.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_VERTEX_PAIRS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_READ_VERTEX_PAIRS_H

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Turns seams that nearly open a surface to a disk into ones that do, by taking away and adding as little as possible.
-// `find_seams_impl.h` needs it after `coarse_seams.h`: paths that are drawn on the fine surface may meet or miss one another.
+// `find_seams_impl.h` needs it after `coarse_seams.h`: paths that are drawn on the fine surface may meet or miss one
+// another.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_REPAIR_CUT_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_REPAIR_CUT_H
@@ -22,8 +23,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Makes a disk of a connected surface whose seams do almost that: takes away what divides it, and what leads nowhere, and adds what is
-// missing.
+// Makes a disk of a connected surface whose seams do almost that: takes away what divides it, and what leads nowhere,
+// and adds what is missing.
 class Cut_repair
 {
 public:

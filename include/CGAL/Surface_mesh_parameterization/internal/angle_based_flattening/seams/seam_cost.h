@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What an edge costs as a seam, from the named parameters: its length or weight, or infinity if it is constrained.
-// `apply_seams.h`, `overlaps/split_charts.h` and `atlas/atlas_maker.h` read costs by it, so that all follow the same parameters.
+// `apply_seams.h`, `overlaps/split_charts.h` and `atlas/atlas_maker.h` read costs by it, so that all follow the same
+// parameters.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SEAM_COST_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SEAM_COST_H
@@ -45,8 +46,8 @@ edge_weight_map(const EdgeWeightMap& weights)
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What an edge of a given length costs as a seam, by the named parameters: its weight or length, and infinity if it must not
-// be one.
+// What an edge of a given length costs as a seam, by the named parameters: its weight or length, and infinity if it
+// must not be one.
 template <typename Edge, typename NamedParameters>
 auto seam_cost(const NamedParameters& np)
 {

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A surface opened along seams, as a graph for Boost: nodes are the sectors of a vertex between seams, so no path crosses a seam.
-// `shortest_paths.h` searches it. `repair_cut.h`, `coarse_seams.h` and `atlas/` open and close seams in it.
+// A surface opened along seams, as a graph for Boost: nodes are the sectors of a vertex between seams, so no path
+// crosses a seam. `shortest_paths.h` searches it. `repair_cut.h`, `coarse_seams.h` and `atlas/` open and close seams in
+// it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SECTOR_GRAPH_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SECTOR_GRAPH_H
@@ -23,9 +24,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A surface opened along seams, as an `IncidenceGraph` of Boost.Graph. Its vertices are the sectors between two seams or borders at
-// a vertex of the surface, here called nodes. The edge that corner `c` faces leads from the node of the next corner to that of the
-// previous one; there are none along seams and borders.
+// A surface opened along seams, as an `IncidenceGraph` of Boost.Graph. Its vertices are the sectors between two seams
+// or borders at a vertex of the surface, here called nodes. The edge that corner `c` faces leads from the node of the
+// next corner to that of the previous one; there are none along seams and borders.
 class Sector_graph
 {
 public:

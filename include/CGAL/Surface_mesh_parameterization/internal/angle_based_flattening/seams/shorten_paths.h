@@ -23,8 +23,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Shortens seams by key-path exchange: without one path between two branches, what was a disk is an annulus, and the shortest path
-// between its borders makes it a disk again. Ends of seams inside the surface, and terminals, are kept.
+// Shortens seams by key-path exchange: without one path between two branches, what was a disk is an annulus, and the
+// shortest path between its borders makes it a disk again. Ends of seams inside the surface, and terminals, are kept.
 class Path_shortening
 {
 public:
@@ -36,7 +36,8 @@ public:
       m_is_terminal[v] = true;
   }
 
-  // Searches visit at most `visits` nodes for each node of the surface, in all. Returns whether anything became shorter.
+  // Searches visit at most `visits` nodes for each node of the surface, in all. Returns whether anything became
+  // shorter.
   bool run(int visits)
   {
     m_visits_left = static_cast<std::int64_t>(visits) * m_surface.number_of_nodes();

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Dijkstra's search on an opened surface, which can be bounded, restricted and repeated at the cost of what it visits.
-// All seam searches use it: `cut_topology.h`, `greedy_cones.h`, `shorten_paths.h`, `coarse_seams.h` and, in `atlas/`, further seams.
+// All seam searches use it: `cut_topology.h`, `greedy_cones.h`, `shorten_paths.h`, `coarse_seams.h` and, in `atlas/`,
+// further seams.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEST_PATHS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEST_PATHS_H
@@ -27,8 +28,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // The cost of an edge that must not become a seam
 inline constexpr double forbidden = std::numeric_limits<double>::infinity();
 
-// Shortest paths from some nodes of an opened surface. Searches can follow one another, also when seams have changed: each takes time
-// for the nodes that it visits and those that the one before visited, not for the whole surface.
+// Shortest paths from some nodes of an opened surface. Searches can follow one another, also when seams have changed:
+// each takes time for the nodes that it visits and those that the one before visited, not for the whole surface.
 class Shortest_paths
 {
 public:
@@ -137,8 +138,8 @@ private:
     m_visited = 0;
   }
 
-  // Notes a path to a node if it is the shortest so far. Nodes at an infinite distance are queued too: the order of nodes at the same
-  // distance depends on all that are in the queue.
+  // Notes a path to a node if it is the shortest so far. Nodes at an infinite distance are queued too: the order of
+  // nodes at the same distance depends on all that are in the queue.
   void reach(int x, double distance, int last_edge, Queue& queue)
   {
     Label& label = m_labels[x];

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How far each vertex can be seen from outside, by rays: seams are better hidden, as Sheffer and Hart (2002) lay theirs.
-// `seam_weights.h` makes edges expensive by it where they are well visible.
+// How far each vertex can be seen from outside, by rays: seams are better hidden, as Sheffer and Hart (2002) lay
+// theirs. `seam_weights.h` makes edges expensive by it where they are well visible.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_VISIBILITY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_VISIBILITY_H

@@ -23,8 +23,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The methods with all that their options can ask for. The initialization runs before `main()`, and more than once if several shared
-// libraries include this header, with the same result.
+// The methods with all that their options can ask for. The initialization runs before `main()`, and more than once if
+// several shared libraries include this header, with the same result.
 inline const bool has_all_strategies = [] {
   optional_strategies = {&fill_holes, &progressive_embedding, &made_injective, &flatten_injectively};
   return true;

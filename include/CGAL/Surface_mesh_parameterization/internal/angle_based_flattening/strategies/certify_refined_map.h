@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The last stage of the hierarchical and the injective method: scales, rounds and certifies the map, and says why it fails.
-// `flatten_chart_hierarchically.h` calls it. A map that was valid before can fail here only by rounding.
+// The last stage of the hierarchical and the injective method: scales, rounds and certifies the map, and says why it
+// fails. `flatten_chart_hierarchically.h` calls it. A map that was valid before can fail here only by rounding.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_CERTIFY_REFINED_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_CERTIFY_REFINED_MAP_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lets any CGAL parameterizer solve the coarse chart of the hierarchical method (Section 5), by way of a `Surface_mesh`.
-// `Hierarchical_parameterizer_3.h` passes it on as the coarse solver.
+// Lets any CGAL parameterizer solve the coarse chart of the hierarchical method (Section 5), by way of a
+// `Surface_mesh`. `Hierarchical_parameterizer_3.h` passes it on as the coarse solver.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_SOLVER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_SOLVER_H

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The direct method with its fallbacks: from the surface's angles, with a raised barrier, and from a progressive embedding.
-// `flatten_chart_directly.h` runs it on disks, and `hole_strategies.h` extends it. The paper has the first attempt only (Algorithm 18).
+// The direct method with its fallbacks: from the surface's angles, with a raised barrier, and from a progressive
+// embedding. `flatten_chart_directly.h` runs it on disks, and `hole_strategies.h` extends it. The paper has the first
+// attempt only (Algorithm 18).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
@@ -30,8 +31,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The strategies of the direct method, one after the other until one gives a valid map. A feasible chart with one border has
-// a valid map, which the last one finds unless the range of numbers is too small for it.
+// The strategies of the direct method, one after the other until one gives a valid map. A feasible chart with one
+// border has a valid map, which the last one finds unless the range of numbers is too small for it.
 class Direct_strategies
 {
   typedef ABF_plus_plus_report Report;
@@ -90,8 +91,8 @@ protected:
     return result;
   }
 
-  // A high barrier keeps angles away from zero on the way. If all goes well it is lowered again, else the angles with the
-  // high one are what there is.
+  // A high barrier keeps angles away from zero on the way. If all goes well it is lowered again, else the angles with
+  // the high one are what there is.
   Direct_flattening raise_barrier()
   {
     ABF_plus_plus_options raised = m_options;
@@ -140,7 +141,8 @@ protected:
     return take_embedding(*embedding);
   }
 
-  // Near the limits of precision rounding by the scale to the surface's area is too much; a power of two rounds nothing.
+  // Near the limits of precision rounding by the scale to the surface's area is too much; a power of two rounds
+  // nothing.
   Direct_flattening take_embedding(const std::vector<Chart::Point_2>& embedding)
   {
     std::vector<Chart::Point_2> uv = embedding;

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The interface of both methods on a chart: `flatten_chart()` and `flatten_chart_hierarchically()`, without a mesh.
-// Both parameterizers, `make_injective.h`, `atlas/` and `cones/` call them. The bodies are in the two headers of similar name.
+// Both parameterizers, `make_injective.h`, `atlas/` and `cones/` call them. The bodies are in the two headers of
+// similar name.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The body of `flatten_chart()`: refuses scales out of range, and picks the strategies for disks or for holes.
-// `flatten_chart.h` includes it in programs without the compiled library, which has it in `angle_based_flattening_direct.cpp`.
+// `flatten_chart.h` includes it in programs without the compiled library, which has it in
+// `angle_based_flattening_direct.cpp`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_DIRECTLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_DIRECTLY_H

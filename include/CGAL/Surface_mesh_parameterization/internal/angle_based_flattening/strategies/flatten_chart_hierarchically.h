@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The body of `flatten_chart_hierarchically()` (Section 5): refinement, holes, polishing by the direct solver, and certificate.
-// `Hierarchical_parameterizer_3.h` and `make_injective.h` include it. `direct_strategies.h` falls back on its progressive embedding.
+// The body of `flatten_chart_hierarchically()` (Section 5): refinement, holes, polishing by the direct solver, and
+// certificate. `Hierarchical_parameterizer_3.h` and `make_injective.h` include it. `direct_strategies.h` falls back on
+// its progressive embedding.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
@@ -171,8 +172,8 @@ flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
   return result;
 }
 
-// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns nothing
-// if double precision does not hold that.
+// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns
+// nothing if double precision does not hold that.
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::optional<std::vector<Chart::Point_2>>
 progressive_embedding(Chart chart, const ABF_plus_plus_options& options)
 {

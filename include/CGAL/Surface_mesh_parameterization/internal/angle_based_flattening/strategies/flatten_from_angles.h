@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One attempt of the direct method, from given angles to a certified map: Algorithm 18, then Eqs. 19 to 21 or the exact layout.
-// `direct_strategies.h` makes each attempt but the last with it; `flatten_chart_hierarchically.h` polishes with its parts.
+// One attempt of the direct method, from given angles to a certified map: Algorithm 18, then Eqs. 19 to 21 or the exact
+// layout. `direct_strategies.h` makes each attempt but the last with it; `flatten_chart_hierarchically.h` polishes with
+// its parts.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
@@ -114,8 +115,8 @@ find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_opti
   return std::move(layout->uv);
 }
 
-// From angles `start`, near to the solution, to a certified map: most of every strategy but the last one. The map is that of
-// `part`, the chart itself or its first vertices and triangles.
+// From angles `start`, near to the solution, to a certified map: most of every strategy but the last one. The map is
+// that of `part`, the chart itself or its first vertices and triangles.
 inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& part,
                                              const ABF_plus_plus_options& options,
                                              const Linear_solvers& solvers, Rounding round,

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The hierarchical method on a chart (Section 5): coarsens it, has the coarse chart solved, refines and relaxes the map.
-// `flatten_chart_hierarchically.h` adds holes, polishing and the certificate. The coarse solver is any function on charts.
+// The hierarchical method on a chart (Section 5): coarsens it, has the coarse chart solved, refines and relaxes the
+// map. `flatten_chart_hierarchically.h` adds holes, polishing and the certificate. The coarse solver is any function on
+// charts.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
@@ -142,8 +143,8 @@ private:
     }
   }
 
-  // Collapses all that is there to one triangle, which has a valid map without any solver: what is put back from there is a
-  // progressive embedding.
+  // Collapses all that is there to one triangle, which has a valid map without any solver: what is put back from there
+  // is a progressive embedding.
   bool start_without_solver()
   {
     m_coarsening.coarsen(3, 0, m_options.visitor);
@@ -183,8 +184,8 @@ private:
   std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
 };
 
-// Flattens a chart that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a valid
-// map was found, which is not certified yet.
+// Flattens a chart that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a
+// valid map was found, which is not certified yet.
 inline Flattening<Hierarchical_report>
 flatten_hierarchically(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
 {

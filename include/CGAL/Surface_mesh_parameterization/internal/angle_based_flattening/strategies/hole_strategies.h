@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The direct method on charts with holes: equations for the holes first, then the holes filled with patches, soft or stiff.
-// `flatten_chart_directly.h` runs it. The paper's constraints are those of a disk.
+// The direct method on charts with holes: equations for the holes first, then the holes filled with patches, soft or
+// stiff. `flatten_chart_directly.h` runs it. The paper's constraints are those of a disk.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_HOLE_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_HOLE_STRATEGIES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Refuses charts with holes on which any conformal map would shrink some part beyond use.
-// `flatten_chart_directly.h` asks before it solves; `flatten_chart_hierarchically.h` asks on the coarse chart, where that is cheap.
+// Refuses charts with holes on which any conformal map would shrink some part beyond use. `flatten_chart_directly.h`
+// asks before it solves; `flatten_chart_hierarchically.h` asks on the coarse chart, where that is cheap.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LIMIT_SCALE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LIMIT_SCALE_H
@@ -27,8 +27,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Doubles hold larger ranges, but nothing that could be done with such a map.
 inline constexpr double largest_scale_range = 1e10;
 
-// Predicts the range of scale of a chart with several borders. If it is too large, the report says so, and the triangles at
-// the far border are returned. A prediction that fails refuses nothing.
+// Predicts the range of scale of a chart with several borders. If it is too large, the report says so, and the
+// triangles at the far border are returned. A prediction that fails refuses nothing.
 template <typename Report>
 std::vector<int> limit_scale(const Chart& chart, const Linear_solvers& solvers, Report& report)
 {

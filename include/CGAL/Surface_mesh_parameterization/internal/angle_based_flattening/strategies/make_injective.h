@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The option `injective` of the direct method: keeps its own map if that is injective, and otherwise takes the injective method's.
-// `all_strategies.h` enters it, and `flatten_chart_directly.h` calls it through `optional_strategies.h`.
+// The option `injective` of the direct method: keeps its own map if that is injective, and otherwise takes the
+// injective method's. `all_strategies.h` enters it, and `flatten_chart_directly.h` calls it through
+// `optional_strategies.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The table of functions that the methods call only on demand, so that simple programs need not compile them.
-// `all_strategies.h` fills it. `direct_strategies.h`, `hole_strategies.h` and both flattening bodies call what is there.
+// `all_strategies.h` fills it. `direct_strategies.h`, `hole_strategies.h` and both flattening bodies call what is
+// there.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
@@ -37,9 +38,9 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers);
 
-// What the methods call only where their options ask for it, or where their own map is not valid. Programs that do not need it do not
-// compile it: <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h> enters the functions here. The compiled library has
-// all of them.
+// What the methods call only where their options ask for it, or where their own map is not valid. Programs that do not
+// need it do not compile it: <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h> enters the functions here.
+// The compiled library has all of them.
 struct Optional_strategies
 {
   decltype(&ABF::fill_holes) fill_holes = nullptr;

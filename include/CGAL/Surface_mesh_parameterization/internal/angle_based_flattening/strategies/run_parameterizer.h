@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A run of a parameterizer on a mesh: checks options, reads the chart, flattens it, writes coordinates, and reports in terms of the mesh.
-// `ABF_plus_plus_parameterizer_3.h` and `Hierarchical_parameterizer_3.h` differ in the function that they pass to it.
+// A run of a parameterizer on a mesh: checks options, reads the chart, flattens it, writes coordinates, and reports in
+// terms of the mesh. `ABF_plus_plus_parameterizer_3.h` and `Hierarchical_parameterizer_3.h` differ in the function that
+// they pass to it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_RUN_PARAMETERIZER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_RUN_PARAMETERIZER_H
@@ -62,8 +63,8 @@ struct Outcome
   }
 };
 
-// The outcome of a parameterizer's last run. As functions of CGAL take parameterizers by value, a copy passes its outcome on
-// to what it was copied from. Several copies may do so at once.
+// The outcome of a parameterizer's last run. As functions of CGAL take parameterizers by value, a copy passes its
+// outcome on to what it was copied from. Several copies may do so at once.
 template <typename Outcome>
 class Last_outcome
 {
