@@ -14,7 +14,7 @@ namespace CGAL {
 \ingroup PkgSolverInterfaceLS
 
 The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative
-solution: fewer digits, half of the memory and less time are then enough. The counterpart of
+solution: fewer digits then suffice, which take half of the memory and less time. The counterpart of
 `SuperLU_solver_traits<double>` is `SuperLU_solver_traits<float>`, with the same widths, and with
 `SuperLU_options::PIVOTS` as its check. Any other solver is its own counterpart.
 

@@ -12,13 +12,13 @@ namespace CGAL {
 \ingroup PkgSolverInterfaceLS
 
 The options of `SuperLU_solver_traits`. The default values suit matrices from triangle meshes. The widths change the
-speed of SuperLU. They change only the last digits of results.
+speed of SuperLU, and only the last digits of results.
 
 \sa `CGAL::SuperLU_solver_traits<FT>`
 */
 struct SuperLU_options
 {
-  /// What is checked of a factorization before it is used.
+  /// How a factorization is checked before it is used.
   enum Check
   {
     /// A matrix that is singular up to rounding errors is refused. A matrix that is not definite is factored with
@@ -33,7 +33,7 @@ struct SuperLU_options
     PIVOTS
   };
 
-  /// What is checked of a factorization.
+  /// How a factorization is checked.
   Check check = ACCURACY;
 
   /// The number of columns that SuperLU treats at once, at least 1; 0 means an automatic choice. SuperLU has an upper

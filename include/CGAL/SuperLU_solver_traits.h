@@ -9,13 +9,12 @@
 #include <CGAL/config.h>
 
 #ifndef CGAL_SUPERLU_ENABLED
-#error                                                                                                       \
-    "CGAL::SuperLU_solver_traits needs SuperLU: link with the CMake target CGAL::SuperLU_support, or define CGAL_SUPERLU_ENABLED and link with SuperLU and a BLAS."
+#error "SuperLU_solver_traits needs SuperLU: link with CGAL::SuperLU_support, or define CGAL_SUPERLU_ENABLED."
 #endif
 
 #if !__has_include(<Eigen/Core>)
 #error                                                                                                       \
-    "CGAL::SuperLU_solver_traits needs Eigen 3.4 or later: link with the CMake target CGAL::Eigen3_support, or tell the compiler in which folder Eigen is."
+    "SuperLU_solver_traits needs Eigen 3.4 or later: link with CGAL::Eigen3_support, or include its folder."
 #endif
 
 #include <CGAL/Eigen_sparse_matrix.h>
@@ -61,9 +60,9 @@ NormalEquationSparseLinearAlgebraTraits_d}
 
 \cgalHeading{Single Precision}
 
-With `float`, the entries of the factors take half of the memory. Their indices take the same memory. Solutions take
+With `float`, the entries of the factors take half of the memory; their indices take the same memory. Solutions take
 about 0.6 of the time, and so do factorizations of some hundred thousand rows. Smaller factorizations gain less.
-Solutions have a backward error of some \f$ 10^{-7}\f$: a system with condition number \f$ \kappa\f$ is solved to a
+Solutions have a backward error of about \f$ 10^{-7}\f$: a system with condition number \f$ \kappa\f$ is solved to a
 relative error of about \f$ 10^{-7} \kappa\f$. This is enough to precondition an iterative solution in `double`.
 `symmetric()` returns whether the preconditioner is definite.
 
@@ -85,15 +84,19 @@ A copy shares the factorization, which never changes, at the cost of copying a f
 
 \cgalHeading{Errors}
 
-A function that fails returns `false` and leaves the object usable. After a failure of `factor()` the object holds no
-factorization. Failures are: a matrix that is not square, is empty, is singular or has an entry that is not finite (a
-matrix that is singular but for rounding errors is recognized if it is semidefinite, by an estimate of its condition
-number, and otherwise, with `double`, only if a pivot is as small as these errors); with `SuperLU_options::PIVOTS` any
-matrix that is not definite; a right-hand side of another size or with an entry that is not finite; a solution that is
-not finite or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite of iterative
-refinement; factors with more than \f$ 2^{31}\f$ entries, or more than fit into memory. SuperLU itself would end the
-program if memory runs out. The memory that it needs is therefore computed before it is called. If several threads
-factor at once, the same memory is not promised to two of them.
+A function that fails returns `false` and leaves the object usable. After a failure of `factor()`, the object holds no
+factorization. These are failures:
+- a matrix that is not square, is empty, is singular, or has an entry that is not finite. A matrix that is singular up
+  to rounding errors is recognized if it is semidefinite, by an estimate of its condition number; otherwise, with
+  `double`, only if a pivot is as small as these errors;
+- with `SuperLU_options::PIVOTS`, any matrix that is not definite;
+- a right-hand side of another size, or with an entry that is not finite;
+- a solution that is not finite, or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite
+  of iterative refinement;
+- factors with more than \f$ 2^{31}\f$ entries, or more than fit into memory.
+
+SuperLU itself would end the program if memory runs out. The memory that it needs is therefore computed before it is
+called. If several threads factor at once, the same memory is not promised to two of them.
 
 \cgalHeading{Thread Safety}
 

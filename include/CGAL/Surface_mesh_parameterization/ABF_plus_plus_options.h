@@ -70,23 +70,23 @@ struct ABF_plus_plus_options : Flattening_options
 
   Layout_type layout = AUTOMATIC_LAYOUT; ///< How coordinates are computed from angles.
 
-  /// Whether edges on both sides of a seam get the same length in the plane, so that the scale does not jump there.
-  /// Otherwise the two lengths may differ by a large factor. If this is not set, they do for a `Seam_mesh`, unless
-  /// angles of the border of its map are prescribed. Other meshes have seams if
-  /// `ABF_plus_plus_parameterizer_3::set_seam_sides()` says so, and equal lengths if this is `true`.
+  /// Whether both sides of each seam edge get equal lengths in the plane, so that the scale does not jump there. If
+  /// unset, lengths are equal for a `Seam_mesh`, unless angles of the border of the cut surface are prescribed. Other
+  /// meshes have seams only after a call of `ABF_plus_plus_parameterizer_3::set_seam_sides()`, and equal lengths only
+  /// if this is `true`. If lengths are not equal, they may differ by a large factor.
   ///
-  /// Angles are found on the surface before the cut: the equations of lengths hold around the vertices of seams, too,
-  /// and along loops through handles and around borders. Lengths are equal up to the tolerance. On models with 16 cones
-  /// that costs next to no distortion, and up to 1.3 times the time.
+  /// Angles are found on the surface before the cut: the equations of lengths also hold around vertices of seams, and
+  /// along loops through handles and around borders. Lengths are equal up to the tolerance. On models with 16 cones,
+  /// the distortion was hardly higher, and the time up to 1.3 times as long.
   ///
-  /// A seam with a side on the border of a hole keeps different lengths, or is an error if this is `true`. An injective
-  /// map (`Flattening_options::injective`) has equal lengths only if the map does not overlap itself anyway;
-  /// `ABF_plus_plus_report::largest_seam_jump` tells.
+  /// A seam with a side on the border of a hole keeps different lengths; if this is `true`, it is an error. With
+  /// `Flattening_options::injective`, lengths are equal only if the map of the direct method does not overlap itself;
+  /// see `ABF_plus_plus_report::largest_seam_jump`.
   std::optional<bool> equal_seam_lengths;
 
   /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
   /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
-  /// error. Programs without the compiled library include `ABF_plus_plus_strategies.h` for the last of them.
+  /// error. Programs without the compiled library must include `ABF_plus_plus_strategies.h` for the last strategies.
   bool fallbacks = true;
 };
 

@@ -34,12 +34,12 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The class `ABF_plus_plus_parameterizer_3` implements *ABF++*, angle based flattening
-/// \cgalCite{cgal:slmb-abf-05}: a free-border parameterization that finds the planar angles nearest to the
-/// angles of the surface, and then the planar triangulation with these angles.
+/// The class `ABF_plus_plus_parameterizer_3` implements *ABF++*, angle-based flattening \cgalCite{cgal:slmb-abf-05}: a
+/// free-border parameterization that finds the planar angles nearest to the angles of the surface, and then the planar
+/// triangulation with these angles.
 ///
 /// The map is nearly conformal, and it has no flipped triangles: an exact predicate checks the orientation of every
-/// triangle, on the coordinates that are written. On surfaces that are hard to flatten it stretches much less than
+/// triangle, on the coordinates that are written. On surfaces that are hard to flatten, it stretches much less than
 /// linear conformal maps.
 ///
 /// \cgalModels{Parameterizer_3}
@@ -55,7 +55,7 @@ namespace Surface_mesh_parameterization {
 ///
 /// Each copy of a parameterizer has a report of its own. Several copies can flatten several charts at once.
 /// `CGAL::Surface_mesh_parameterization::parameterize()` takes its parameterizer by value. At the end of a run, the
-/// copy passes its report on to the parameterizer that it was copied from. The report can therefore be read there.
+/// copy passes its report on to the parameterizer that it was copied from, where the report can be read.
 ///
 /// \sa `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`
 /// \sa `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3`
@@ -84,7 +84,7 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems. It keeps copies of
+  /// constructs a parameterizer from `options` and a traits object for the sparse linear systems, and keeps copies of
   /// both. A visitor in the options must outlive the calls of `parameterize()`.
   explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
                                          Solver_traits sparse_la = Solver_traits())
@@ -93,19 +93,18 @@ public:
     m_prescriptions.equal_seam_lengths = options.equal_seam_lengths;
   }
 
-  /// sets how much the angles of each face matter, from the next call of `parameterize()` on. Without a call of this
-  /// function, all faces have the importance 1.
+  /// sets how much the angles of each face matter, from the next call of `parameterize()` on. By default, all faces
+  /// have the importance 1.
   ///
-  /// The importance of a face is its weight in the energy: the squares of the relative changes of its angles, and their
-  /// barrier, count so many times. Faces of large importance change less, and the distortion goes to the faces around
-  /// them. Only ratios matter: if all faces have the same importance, the map is that without. On scanned surfaces,
-  /// patches of 5 % of the faces with the importance 10 had 0.6 to 0.9 times their angular distortion, and the rest of
-  /// the surface had up to 6 % more. With the importance 0.1, they had 1.4 to 3.5 times their angular distortion.
+  /// The importance of a face is its weight in the energy: a factor of the squared relative changes of its angles, and
+  /// of their barrier. Faces of large importance change less, and the faces around them change more. Only ratios
+  /// matter: if all faces have the same importance, it has no effect. On scanned surfaces, patches of 5 % of the faces
+  /// with the importance 10 had 0.6 to 0.9 times their angular distortion, and the rest of the surface had up to 6 %
+  /// more. With the importance 0.1, they had 1.4 to 3.5 times their angular distortion.
   ///
-  /// The importance of every face of the flattened component must be in [0.1, 10]. It has no unit. Otherwise,
-  /// `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and
-  /// `offending_faces()` returns the faces. If neighbouring faces differ by a factor of 100, the solver may take
-  /// 25 times as many steps.
+  /// The importance of every face of the flattened component must be in [0.1, 10]. Otherwise, `parameterize()` returns
+  /// `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and `offending_faces()` returns the faces.
+  /// If neighbouring faces differ by a factor of 100, the solver may take 25 times as many steps.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each face.
@@ -120,45 +119,44 @@ public:
   }
 
   /// prescribes sums of planar angles at vertices of the outer border, or at cones, from the next call of
-  /// `parameterize()` on: the inner angles that the border has there in the plane. Without a call of this function, and
-  /// at vertices without a prescribed sum, they are free. With \f$\pi\f$ at all vertices between two others, the border
-  /// is a straight line between these; `polygon_angles()` and `rectangle_angles()` prescribe whole polygons.
+  /// `parameterize()` on. At a vertex of the outer border, the sum is the inner angle of the border in the plane.
+  /// Angles that are not prescribed are free. If all vertices between two others have the angle \f$\pi\f$, the border
+  /// between these two is a straight line; `polygon_angles()` and `rectangle_angles()` prescribe whole polygons.
   ///
-  /// The angles change by as little as the prescribed ones allow. The exact layout turns by exactly the prescribed
-  /// angles, so that straight sides are straight up to rounding, whatever the tolerance is. The map is locally
-  /// injective. It overlaps itself if the prescribed border does.
+  /// All other angles change as little as the prescribed angles allow. The exact layout turns by exactly the prescribed
+  /// angles, so that sides are straight up to rounding, independent of the tolerance. The map is locally injective. It
+  /// overlaps itself if the prescribed border does.
   ///
-  /// Before anything is solved, `parameterize()` checks whether there is a map with these angles at all, and otherwise
-  /// returns `ERROR_WRONG_PARAMETER` with one of these diagnoses:
-  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large
-  ///   as the triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices()`
-  ///   returns the vertices.
-  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
-  ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other
-  ///   vertices must be positive, and less than \f$\pi\f$ for each triangle there. `offending_vertices()` returns these
-  ///   other vertices.
-  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between
-  ///   them. That is so where a straight side runs along a triangle with two border edges. `offending_vertices()`
+  /// Before anything is solved, `parameterize()` checks whether a map with these angles exists. If not, it returns
+  /// `ERROR_WRONG_PARAMETER` with one of these diagnoses:
+  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is too large:
+  ///   each triangle at a vertex has less than \f$\pi\f$ there. `offending_vertices()` returns the vertices.
+  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if all \f$m\f$ border vertices have prescribed angles, their sum is not
+  ///   \f$(m - 2)\pi\f$ up to \f$10^{-6}\f$. (The largest angle is corrected by a smaller difference.) If some are
+  ///   free, the rest of this sum is not positive, or is not less than \f$\pi\f$ for each triangle at the free
+  ///   vertices. `offending_vertices()` returns the free vertices.
+  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border between them does not turn towards
+  ///   it, for example where a straight side runs along a triangle with two border edges. `offending_vertices()`
   ///   returns the two vertices of each such edge. `split_flat_chords()` splits these edges.
-  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which
-  ///   `offending_vertices()` returns. This is possible only if an angle is above \f$\pi\f$.
+  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: the triangles near some vertices cannot have the angles that are prescribed
+  ///   there. `offending_vertices()` returns these vertices. This is possible only if an angle is above \f$\pi\f$.
   ///
-  /// A map that does not have the prescribed angles, up to `ABF_plus_plus_options::tolerance`, is not returned: the
-  /// diagnosis is `Diagnosis::NO_CONVERGENCE` then. With `Flattening_options::injective`, a map that overlaps itself is
+  /// If the map does not have the prescribed angles up to `ABF_plus_plus_options::tolerance`, it is not returned, and
+  /// the diagnosis is `Diagnosis::NO_CONVERGENCE`. With `Flattening_options::injective`, a map that overlaps itself is
   /// an error.
   ///
-  /// With equal seam lengths (`ABF_plus_plus_options::equal_seam_lengths`), the sums are those of the surface before it
-  /// was cut: of all angles around a vertex in the middle of a seam, which then is a *cone* unless the sum is
-  /// \f$2\pi\f$, and of the inner angles at a vertex of the border. All copies of a vertex must have the same sum.
-  /// Vertices in the middle of a seam without a prescribed sum have \f$2\pi\f$, and the transitions across seams are
-  /// rigid motions. The sum of a cone with `free_cone_angle` is free. If all vertices have sums, these must be
-  /// \f$\pi\f$ times the number of triangles together: on a closed surface of Euler characteristic \f$\chi\f$, the sum
-  /// of \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Edges in the way have the diagnosis
-  /// `Diagnosis::INFEASIBLE_ANGLE_SUMS` then, and straight sides are straight up to the tolerance only.
+  /// With equal seam lengths (`ABF_plus_plus_options::equal_seam_lengths`), sums are those of the surface before it was
+  /// cut. For a vertex in the middle of a seam, this is the sum of all angles around the vertex; unless the sum is
+  /// \f$2\pi\f$, the vertex is a *cone*. For a vertex of the border of the surface, it is the inner angle. All copies
+  /// of a vertex must have the same sum. Seam vertices missing from the map get \f$2\pi\f$, and rigid motions map one
+  /// side of a seam to the other. The sum of a cone with `free_cone_angle` is free. If no sum is free, all sums
+  /// together must be \f$\pi\f$ times the number of triangles: on a closed surface of Euler characteristic \f$\chi\f$,
+  /// the sum of \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Chords without room then have the diagnosis
+  /// `Diagnosis::INFEASIBLE_ANGLE_SUMS`, and sides are straight only up to the tolerance.
   ///
-  /// Programs without the compiled library include `polygon_angles.h` or `ABF_plus_plus_strategies.h`: the check of
-  /// the angles needs a maximum flow. Without it, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis
-  /// `Diagnosis::WRONG_OPTION`.
+  /// Programs without the compiled library must include `polygon_angles.h` or `ABF_plus_plus_strategies.h`, for the
+  /// maximum flow that checks the angles. Otherwise, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the
+  /// diagnosis `Diagnosis::WRONG_OPTION`.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
@@ -166,25 +164,25 @@ public:
   /// \tparam VertexAngleSumMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a value type that is convertible
   ///         to `std::optional<double>`. The angles are in radians. For a `Seam_mesh`, the key type can also be the
-  ///         vertex descriptor of the mesh that it cuts, as in `Cone_selection::angles()`: that needs equal seam
-  ///         lengths, which are the default then.
+  ///         vertex descriptor of the mesh that it cuts, as in `Cone_selection::angles()`. This needs equal seam
+  ///         lengths, which are then the default.
   template <typename VertexAngleSumMap>
   void set_angle_sums(VertexAngleSumMap angle_sums)
   {
     m_prescriptions.angle_sums = internal::ABF::vertex_angle_sums<Triangle_mesh>(angle_sums);
   }
 
-  /// says which halfedges are the two sides of a seam, for a mesh that was cut open by copies of its vertices, from the
-  /// next call of `parameterize()` on. A `Seam_mesh` needs no call of this function. The sides matter for
-  /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump`.
+  /// sets the pairs of halfedges that are the two sides of a seam edge, for a mesh that was cut open by copying its
+  /// vertices, from the next call of `parameterize()` on. A `Seam_mesh` needs no call of this function.
+  /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump` use these pairs.
   ///
-  /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns
+  /// Each halfedge must be the other side of its other side. Otherwise, `parameterize()` returns
   /// `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_OPTION`, and `offending_vertices()` returns the
   /// vertices of an edge. The function keeps a copy of the property map, and so do copies of the parameterizer.
   ///
   /// \tparam HalfedgeSideMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%halfedge_descriptor` as key type and value type. It maps each
-  ///         halfedge without a face to that on the other side, or to the null halfedge where there is no seam.
+  ///         halfedge without a face to the halfedge on the other side, or to the null halfedge if there is no seam.
   template <typename HalfedgeSideMap>
   void set_seam_sides(HalfedgeSideMap sides)
   {
@@ -199,11 +197,10 @@ public:
   /// Computations are in `double`. Points are converted to `double`, and coordinates are converted to the number type
   /// of `VertexUVmap`.
   ///
-  /// For \f$n\f$ vertices the time is that of a few sparse factorizations, of \cgalBigO{n^{3/2}} operations each. If
+  /// For \f$n\f$ vertices, the time is that of a few sparse factorizations with \cgalBigO{n^{3/2}} operations each. If
   /// `ABF_plus_plus_options::linear_solver` is `ABF_plus_plus_options::ITERATIVE`, two matrices of order \f$n\f$ are
-  /// factored. If it is `ABF_plus_plus_options::DIRECT`, one matrix of order \f$2n\f$ is factored for each Newton
-  /// step.
-  /// The layout needs one more. The factors take \cgalBigO{n \log n} memory.
+  /// factored. If it is `ABF_plus_plus_options::DIRECT`, one matrix of order \f$2n\f$ is factored for each Newton step.
+  /// The layout needs one more factorization. The factors take \cgalBigO{n \log n} memory.
   ///
   /// \tparam VertexUVmap must be a model of `ReadWritePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and
@@ -224,8 +221,8 @@ public:
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border and
   /// `Flattening_options::holes` is `Flattening_options::REFUSE`;
-  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), none was found, or a
-  ///    visitor stopped the computation;
+  /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), no valid map was found, or
+  ///   a visitor stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 153 million
   ///    triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is
@@ -246,7 +243,7 @@ public:
     return error_code(outcome.report.status);
   }
 
-  /// returns the given traits object. Copies of it factor the matrices.
+  /// returns the given traits object. Its copies factor the matrices.
   const Solver_traits& solver_traits() const
   {
     return m_linear_algebra;
@@ -260,8 +257,8 @@ public:
   }
 
   /// returns the vertices that the last call's diagnosis is about: a vertex that is pinched, is on a second border, or
-  /// has a coordinate that is not finite, the two vertices that parallel edges join, or what `set_angle_sums()` says.
-  /// The vector is empty for other diagnoses.
+  /// has a coordinate that is not finite; the two vertices that parallel edges join; or the vertices that the
+  /// description of `set_angle_sums()` lists. The vector is empty for other diagnoses.
   const std::vector<vertex_descriptor>& offending_vertices() const
   {
     return m_outcome.get().offending_vertices;
@@ -286,9 +283,9 @@ private:
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or
-/// not on a border is `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything
-/// else is the same.
+/// replaces \cgal's function of this name. If the halfedge is null or not on a border, this function violates no
+/// precondition, but returns `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`.
+/// Otherwise, both functions are the same.
 ///
 /// \relates ABF_plus_plus_parameterizer_3
 template <typename TriangleMesh, typename SolverTraits, typename HD, typename VertexUVmap>

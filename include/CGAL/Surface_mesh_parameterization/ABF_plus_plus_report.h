@@ -19,21 +19,22 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// One step of the angle solver, as reported.
+/// One step of the angle solver.
 struct ABF_plus_plus_step
 {
   int iteration = 0;              ///< Number of the step, from 1.
   double energy = 0;              ///< Energy after the step.
   double constraint_residual = 0; ///< Largest violation of a constraint after the step, in radians.
   double predicted_decrease = 0;  ///< Decrease of the energy that the step's quadratic model promised.
-  /// Fraction of the full step that was taken. It is above 1 where full steps converge slowly.
+  /// Fraction of the full step that was taken. It is above 1 if full steps converge slowly.
   double step_length = 0;
   int linear_iterations = 0; ///< Steps of conjugate gradients.
-  /// Matrices factored: one by the direct solver, two by the iterative one at first. Where slivers, steep cones or
-  /// holes are, the iterative solver factors another one, which is small, in each step.
+  /// Number of matrices that were factored: one by the direct solver; two by the iterative solver in the first step. If
+  /// there are slivers, steep cones or holes, the iterative solver factors one more small matrix in each step.
   int factorizations = 0;
-  int repeated_factorizations = 0; ///< Of these, those that the counterpart of lower precision
-  ///< (`Low_precision_solver_traits`) refused, and that the solver traits themselves repeated.
+  /// Number of factorizations that the solver traits repeated, because the counterpart of lower precision
+  /// (`Low_precision_solver_traits`) failed.
+  int repeated_factorizations = 0;
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -45,16 +46,18 @@ struct ABF_plus_plus_report : Flattening_report
   enum Strategy
   {
     FROM_TARGET_ANGLES, ///< Newton's method from the target angles.
-    RAISED_BARRIER,    ///< The same with a higher barrier, and from there with the given barrier if possible.
-    FROM_SOFT_PATCHES, ///< Newton's method from the angles of the next one (`Flattening_options::SOLVE`).
+
+    /// The same with a higher barrier, and then with the given barrier from the angles found, if possible.
+    RAISED_BARRIER,
+    FROM_SOFT_PATCHES, ///< Newton's method from the angles of `SOFT_PATCHES` (`Flattening_options::SOLVE`).
     SOFT_PATCHES,      ///< Newton's method from the target angles, with the holes filled.
-    STIFF_PATCHES,     ///< The same with fillings of the full weight of the triangles around them.
+    STIFF_PATCHES,     ///< The same; the fillings have the full weight of the triangles around them.
     FROM_PROGRESSIVE_EMBEDDING, ///< Newton's method from the angles of a progressive embedding, which satisfy all
     ///< constraints: the surface is simplified to one triangle, and all vertices are inserted again where their
     ///< triangles are valid.
-    PROGRESSIVE_EMBEDDING, ///< That map itself, improved by local descent on the energy.
+    PROGRESSIVE_EMBEDDING, ///< The progressive embedding itself, improved by local descent on the energy.
 
-    /// The injective map of the hierarchical method, polished, where the direct method's own overlaps itself
+    /// The polished injective map of the hierarchical method, if the map of the direct method overlaps itself
     /// (`Flattening_options::injective`).
     INJECTIVE_DESCENT
   };
@@ -77,7 +80,7 @@ struct ABF_plus_plus_report : Flattening_report
   };
 
   Strategy strategy = FROM_TARGET_ANGLES;         ///< The strategy that gave the result, or was tried last.
-  std::vector<Failed_strategy> failed_strategies; ///< The strategies that failed before.
+  std::vector<Failed_strategy> failed_strategies; ///< The strategies that failed before this one.
 
   bool converged = false;                ///< Whether both tolerances were met.
   int iterations = 0;                    ///< Newton steps taken.
@@ -92,20 +95,20 @@ struct ABF_plus_plus_report : Flattening_report
   /// Largest gap in a border that the exact layout closed, relative to the border's length.
   double closure = 0;
 
-  /// Largest difference between the logarithms of the lengths of both sides of an edge on a seam (`Seam_mesh`); 0
-  /// without seams.
+  /// Largest difference between the logarithms of the lengths of both sides of a seam edge; 0 without seams.
   double largest_seam_jump = 0;
-  /// Largest difference from \f$2\pi\f$ of the sum of the planar angles at a vertex in the middle of a seam, in
-  /// radians: by so much one side of the seam turns differently from the other side. Vertices whose sums are prescribed
-  /// or marked as free are not counted.
+  /// Largest difference between \f$2\pi\f$ and the sum of planar angles at a vertex in the middle of a seam, in
+  /// radians. This is the difference between the turns of both sides of the seam. Vertices with a prescribed or free
+  /// sum do not count.
   double largest_seam_turn = 0;
 
-  /// Vertices with a prescribed angle, of the surface before the cut if seams have equal lengths.
+  /// Number of vertices with a prescribed angle. If seams have equal lengths, these are vertices of the surface before
+  /// the cut.
   int prescribed_angles = 0;
-  /// Largest difference of a prescribed angle from that of the map, in radians.
+  /// Largest difference between a prescribed angle and the angle in the map, in radians.
   double largest_angle_error = 0;
-  /// Largest distance of a vertex from the straight side that it is prescribed to be on: from the line through the ends
-  /// of the side, relative to the distance of these ends.
+  /// Largest distance between a vertex and the straight side that it should be on: the distance from the line through
+  /// the ends of the side, divided by the length of the side.
   double side_deviation = 0;
 };
 

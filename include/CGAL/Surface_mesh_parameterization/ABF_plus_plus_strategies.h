@@ -18,16 +18,16 @@
 ///
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// Where this header is included in one file of a program, `ABF_plus_plus_parameterizer_3` and
-/// `Hierarchical_parameterizer_3` have all strategies. Without it, programs compile in less than half of the time, and
+/// If one file of a program includes this header, `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`
+/// have all strategies. Without this header, programs compile in less than half of the time, and
 /// - `Flattening_options::injective` and `Flattening_options::FILL` are refused, with the diagnosis
 ///   `Diagnosis::WRONG_OPTION`;
-/// - so are the angles of `ABF_plus_plus_parameterizer_3::set_angle_sums()`, unless `polygon_angles.h` is included;
-/// - the last of `ABF_plus_plus_options::fallbacks`, which is a progressive embedding, or filled holes, is not tried,
-///   and the message of a failure says so.
+/// - angles of `ABF_plus_plus_parameterizer_3::set_angle_sums()` are refused in the same way, unless the program
+///   includes `polygon_angles.h`;
+/// - the last strategies of `ABF_plus_plus_options::fallbacks`, progressive embeddings and filled holes, are not tried.
+///   The message of a failure says so.
 ///
-/// Programs that link with the compiled library have all strategies, and need not include it. Neither do those that
-/// include `make_atlas.h`.
+/// Programs that link with the compiled library, or include `make_atlas.h`, have all strategies without this header.
 
 #include <CGAL/enable_warnings.h>
 

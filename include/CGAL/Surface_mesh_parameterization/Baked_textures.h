@@ -26,34 +26,36 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The directions to which normals in tangent space refer at a corner of a face, as in glTF: the attributes `NORMAL`
-/// and `TANGENT`. A normal map is shown as it was baked if the model has these.
+/// The directions at a corner of a face that normals in tangent space refer to, as in glTF: the attributes `NORMAL` and
+/// `TANGENT`. A viewer needs these attributes to show a normal map exactly.
 struct Tangent_frame
 {
   std::array<double, 3> normal;  ///< The normal of the vertex, of length 1.
   std::array<double, 3> tangent; ///< The direction of growing u, orthogonal to the normal, of length 1.
 
-  /// 1, or -1 where the chart is mirrored. Times this, the cross product of normal and tangent is the bitangent, the
-  /// direction of growing v.
+  /// 1, or -1 if the chart is mirrored. The bitangent, the direction of growing v, is the cross product of normal and
+  /// tangent times this sign.
   double sign = 1;
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is
-/// that at \f$v = 1\f$, the last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$
-/// of a texture of \f$n^2\f$ texels have their centre at \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
+/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is at
+/// \f$v = 1\f$, the last row is at \f$v = 0\f$, and \f$u\f$ grows along each row. In a texture of \f$n^2\f$ texels, the
+/// texel in row \f$i\f$ and column \f$j\f$ has its centre at \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
 struct Baked_textures
 {
   /// Where the values of a texel come from.
   enum Texel : std::uint8_t
   {
-    /// The texel is in no chart and no gutter. Its normal is (0, 0, 1), its displacement 0, and its colour black.
+    /// The texel is in no chart and no gutter. Its normal is (0, 0, 1), its displacement is 0, and its colour is black.
     EMPTY,
     GUTTER,     ///< The values are those of the nearest texel of a chart.
-    FRONT_FACE, ///< The ray met a face of the fine surface that looks along the ray.
-    BACK_FACE, ///< The ray met only faces that look against it. The normal of the nearest one was turned around.
-    CLOSEST_POINT ///< The ray met nothing. The values are those at the closest point.
+    FRONT_FACE, ///< The ray met a face of the fine surface with a normal along the ray.
+
+    /// The ray met only faces with a normal against the ray. The normal of the nearest one was reversed.
+    BACK_FACE,
+    CLOSEST_POINT ///< The ray met nothing. The values are those of the closest point.
   };
 
   int resolution = 0; ///< The number of texels along each side.
@@ -61,8 +63,8 @@ struct Baked_textures
   std::vector<std::uint8_t> texels; ///< For each texel, its `Texel`.
   std::vector<float> normals;       ///< For each texel, x, y and z of a vector of length 1.
 
-  /// For each texel, the distance from the simple surface to the fine one along the simple surface's interpolated
-  /// normal, in units of the surface. It is negative where the fine surface is inside.
+  /// For each texel, the distance from the simple to the fine surface along the interpolated normal of the simple
+  /// surface, in units of the surface. It is negative where the fine surface is inside.
   std::vector<float> displacements;
 
   std::vector<float>

@@ -23,15 +23,15 @@ struct Baking_options
 {
   int resolution = 1024; ///< Texels along each side of the square, from 1 to 16384.
 
-  /// How many texels around charts are filled, from 0 to 1024. It should be at most `Packing_options::gutter`;
+  /// Number of texels around charts that are filled, from 0 to 1024. It should be at most `Packing_options::gutter`;
   /// between charts that are closer than two gutters, each texel belongs to the nearest chart.
   int gutter = 2;
 
-  /// How far rays go to both sides of the simple surface, in units of the surface; finite and above 0. If unset, it
-  /// is a twentieth of the diagonal of the bounding box of the simple surface.
+  /// Length of rays to each side of the simple surface, in units of the surface; finite and above 0. If unset, the
+  /// length is a twentieth of the diagonal of the bounding box of the simple surface.
   std::optional<double> ray_length;
 
-  /// Whether normals are in the coordinates of the surface, instead of the tangent space.
+  /// Whether normals are in the coordinates of the surface, instead of in tangent space.
   bool normals_in_object_space = false;
 
   int threads = 0; ///< As `Flattening_options::threads`.

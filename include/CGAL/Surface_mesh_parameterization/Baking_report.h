@@ -20,31 +20,32 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `bake_surface()` reports.
+/// The report of `bake_surface()`.
 struct Baking_report : Report
 {
-  /// The texels that a chart touches. Each got its values from the fine surface.
+  /// The number of texels that a chart touches. Each got its values from the fine surface.
   std::size_t number_of_chart_texels = 0;
 
-  /// The texels around the charts that got the values of the nearest texel of a chart.
+  /// The number of texels around the charts, which got the values of the nearest texel of a chart.
   std::size_t number_of_gutter_texels = 0;
 
-  /// The texels of charts whose ray met no face of the fine surface that looks along the ray, but one that looks
-  /// against it. Its normal was turned around.
+  /// The number of texels of charts whose ray met only faces of the fine surface with a normal against the ray. The
+  /// normal was reversed.
   std::size_t number_of_back_faces = 0;
 
-  /// The texels of charts whose ray met nothing. They got the values at the closest point of the fine surface.
+  /// The number of texels of charts whose ray met nothing. They got the values of the closest point of the fine
+  /// surface.
   std::size_t number_of_missed_rays = 0;
 
-  double ray_length = 0; ///< How far rays went to both sides, in units of the surface.
+  double ray_length = 0; ///< The length of rays to each side, in units of the surface.
 
-  /// The largest distance between a point of the simple surface and the point that was found for it, in units of the
+  /// The largest distance between a point of the simple surface and its point of the fine surface, in units of the
   /// surface.
   double largest_distance = 0;
 
   double mean_distance = 0; ///< The mean of these distances.
 
-  /// returns the number of the texels of charts whose ray met a face that looks along it.
+  /// returns the number of texels of charts whose ray met a face with a normal along the ray.
   std::size_t number_of_front_faces() const
   {
     return number_of_chart_texels - number_of_back_faces - number_of_missed_rays;

@@ -22,7 +22,7 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `flatten_with_cones()` reports. If anything is wrong, `status` and `message` are those of the first part that
+/// The report of `flatten_with_cones()`. If anything is wrong, `status` and `message` are those of the first step that
 /// failed.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`

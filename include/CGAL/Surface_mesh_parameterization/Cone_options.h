@@ -18,12 +18,14 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// How `select_cones()` finds the angles of the cones that it chose.
+/// How `select_cones()` finds the angles of the cones.
 enum class Cone_angles
 {
   PREDICTED,     ///< The predicted scale is 1 at all cones.
-  LEAST_SQUARES, ///< The predicted scale varies as little as these cones allow, in the mean over the area.
-  FREE ///< The angles are unknowns of the map: all are `free_cone_angle`, and a sphere may have fewer than three cones.
+  LEAST_SQUARES, ///< The predicted scale varies as little as possible, in the mean over the area.
+
+  /// The map determines the angles: all are `free_cone_angle`. A sphere may then have fewer than three cones.
+  FREE
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -34,12 +36,12 @@ struct Cone_options
   Cone_angles angles = Cone_angles::PREDICTED; ///< How the angles of the cones are found.
 
   /// If not 0, the angles of the cones are multiples of this angle, in radians; \f$2\pi\f$ must be a multiple of it.
-  /// With
-  /// \f$\pi/2\f$, a grid continues across all seams. The surface must be a sphere or a disk, and `angles` not `FREE`.
+  /// With \f$\pi/2\f$, a grid continues across all seams. The surface must be a sphere or a disk, and `angles` must not
+  /// be `FREE`.
   double angle_multiple = 0;
 
-  /// The options of ABF++ in `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` with
-  /// free angles only.
+  /// The options of ABF++ in `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` only
+  /// with free angles.
   ABF_plus_plus_options parameterizer;
 };
 

@@ -25,7 +25,7 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `select_cones()` reports besides the cones.
+/// The report of `select_cones()`, without the cones.
 struct Cone_report : Report
 {
   /// the \f$L_2\f$ stretch that the scale \f$e^u\f$ predicts for a map with these cones
@@ -49,10 +49,10 @@ struct Cone_selection : Cone_report
   /// `free_cone_angle` if these sums are free
   std::vector<std::pair<vertex_descriptor, double>> cones;
 
-  /// the vertices that the diagnosis is about: the pinched one, or those whose angles are not possible
+  /// the vertices that the diagnosis is about: the pinched vertex, or the vertices whose angles are not possible
   std::vector<vertex_descriptor> offending_vertices;
 
-  /// the face that the diagnosis is about: the first one of a second component
+  /// the face that the diagnosis is about: the first face of a second component
   std::vector<face_descriptor> offending_faces;
 
   /// returns the cones without their angles. `vertex_is_constrained_map(CGAL::make_boolean_property_map(vertices))`

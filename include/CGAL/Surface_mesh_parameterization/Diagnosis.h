@@ -31,49 +31,57 @@ enum class Diagnosis
   NON_FINITE_POINT,    ///< A coordinate of a point is infinite or not a number.
   TOO_LARGE,           ///< There are more triangles than 32-bit numbers allow.
   NO_AREA,             ///< No face has an area in space, or a weight above 0.
-  NON_MANIFOLD_VERTEX, ///< A vertex is surrounded by faces, and belongs to other faces as well.
+  NON_MANIFOLD_VERTEX, ///< The faces around a vertex form several fans: the surface is pinched.
   SEVERAL_COMPONENTS,  ///< The surface is not connected.
   NO_BORDER,           ///< The surface is closed: it must be cut open first.
   NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
   SHORT_BORDER,        ///< A border has fewer than three edges.
-  SEVERAL_BORDERS,     ///< The surface has holes, and is to be a disk.
-  NONZERO_GENUS,       ///< The surface has handles, so it is not a disk.
-  WRONG_TOPOLOGY,      ///< The surface is neither a sphere nor a disk, as multiples of an angle need.
-  PARALLEL_EDGES,      ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
+  SEVERAL_BORDERS,     ///< The surface has holes, but must be a disk.
+  NONZERO_GENUS,       ///< The surface has handles: it is not a disk.
+
+  /// The surface is neither a sphere nor a disk, which `Cone_options::angle_multiple` needs.
+  WRONG_TOPOLOGY,
+  PARALLEL_EDGES, ///< Two edges have the same vertices, or an edge is a loop: no planar drawing exists.
   NON_FINITE_COORDINATE,    ///< A coordinate in the plane is infinite or not a number.
   INCONSISTENT_COORDINATES, ///< Planar coordinates differ within a chart at a vertex without a seam.
   DEGENERATE_CHART, ///< A chart has no area in the plane up to rounding, or too large an area to compute.
 
   // What is asked for
-  WRONG_OPTION,          ///< An option is out of its range, or does not go with the others.
-  WRONG_WEIGHT,          ///< A weight or importance is negative, out of its range, or not a number.
-  WRONG_ANGLE_SUM,       ///< A prescribed angle is not possible at its vertex.
-  WRONG_ANGLE_TOTAL,     ///< The prescribed angles do not sum to those of a polygon.
-  FLAT_CHORD,            ///< An edge between two border vertices has no room beside the prescribed border.
+  WRONG_OPTION,    ///< An option is out of its range, or contradicts another option.
+  WRONG_WEIGHT,    ///< A weight or importance is negative, out of its range, or not a number.
+  WRONG_ANGLE_SUM, ///< A prescribed angle is not possible at its vertex.
+
+  /// The prescribed angles do not have the sum of a polygon, or of the closed surface.
+  WRONG_ANGLE_TOTAL,
+  /// An edge joins two border vertices, and the prescribed border leaves no room beside it.
+  FLAT_CHORD,
   INFEASIBLE_ANGLE_SUMS, ///< The triangles near some vertices cannot have the angles that are prescribed there.
-  NO_CUT_ALLOWED,        ///< The edges that may become seams leave no way.
+  NO_CUT_ALLOWED,        ///< The edges that may become seams leave no way to cut.
 
   // The computation
   LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
-  NO_CONVERGENCE,       ///< The constraints could not be met, and the layout has flipped triangles.
+  NO_CONVERGENCE,       ///< The solver did not satisfy the constraints, and the layout has flipped triangles.
   SCALE_TOO_LARGE,      ///< The map of a surface with several borders would need a range of scale above 1e10.
   FLIPPED_TRIANGLES,    ///< A triangle is not positively oriented in the plane.
-  OVERLAPPING,          ///< The map overlaps itself, although it was to be injective.
+  OVERLAPPING,          ///< The map overlaps itself, but should be injective.
   PRECISION_EXCEEDED,   ///< There is a valid map, but the number type of the coordinates cannot hold it.
   NOT_CERTIFIED,        ///< Exact predicates did not confirm the result.
   CANCELLED,            ///< A visitor or an exception stopped the computation.
 
   // Atlases
-  STRETCH_BOUND_MISSED, ///< Each face has a chart, and some chart is not good, whatever was tried.
-  SOMETHING_SKIPPED,    ///< Some parts have no charts; all others have.
+  STRETCH_BOUND_MISSED, ///< Each face has a chart, but some chart is not good.
+  SOMETHING_SKIPPED,    ///< Some parts have no charts; all other parts have charts.
   NOTHING_FLATTENED,    ///< All parts were skipped.
-  PACKING_FAILED,       ///< The charts of an atlas do not fit into the square at this resolution.
+
+  /// The charts of an atlas do not fit into the square, or are not certified to be apart.
+  PACKING_FAILED,
   TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the square, however small the charts are.
 
   // Baking
-  NO_TEXTURE_COORDINATES, ///< A face has texture coordinates that are not finite, or no face has an area there.
-  OUTSIDE_SQUARE,         ///< A texture coordinate is below 0 or above 1.
-  EMPTY_FINE_MESH,        ///< The fine surface has no face with area.
+  /// Texture coordinates of a face are not finite, or no face has an area in the texture.
+  NO_TEXTURE_COORDINATES,
+  OUTSIDE_SQUARE,             ///< A texture coordinate is below 0 or above 1.
+  EMPTY_FINE_MESH,            ///< The fine surface has no face with an area.
   FINE_MESH_NOT_TRIANGULATED, ///< A face of the fine surface is not a triangle.
   WRONG_FINE_POINT, ///< A point of the fine surface is not finite, or too far from the simple surface.
   WRONG_NORMAL,     ///< A given normal is zero or not finite.
@@ -85,7 +93,7 @@ enum class Diagnosis
   TOO_FEW_LINES,       ///< The file has no third line.
   NOT_A_NUMBER,        ///< A word is not a vertex number.
   NUMBER_OUT_OF_RANGE, ///< The mesh has no vertex of this number.
-  ODD_COUNT,           ///< The last number is without a partner.
+  ODD_COUNT,           ///< The number of vertex numbers is odd.
   NO_SUCH_EDGE         ///< There is no edge between two vertices.
 };
 

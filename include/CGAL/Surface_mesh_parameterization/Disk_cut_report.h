@@ -23,10 +23,11 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise,
-/// `status` and `message` are about the first part that is not one. If a part has several defects, its status is the
-/// first of `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`, `SEVERAL_BORDERS`,
-/// `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order of the mesh.
+/// The report of `is_disk_cut()`. It converts to `true` if all parts are disks that can be flattened. Otherwise,
+/// `status` and `message` are about the first part that is not such a disk. If a part has several defects, its status
+/// is the first of `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`,
+/// `SEVERAL_BORDERS`, `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order
+/// of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>
@@ -46,7 +47,7 @@ struct Disk_cut_report : Report
     /// A face of the part, the first one in the order of the mesh.
     face_descriptor face = boost::graph_traits<TriangleMesh>::null_face();
 
-    std::size_t number_of_faces = 0; ///< Faces of the part.
+    std::size_t number_of_faces = 0; ///< The number of faces.
 
     /// Vertices minus edges plus faces; 1 for a disk.
     std::ptrdiff_t euler_characteristic = 0;
@@ -58,16 +59,16 @@ struct Disk_cut_report : Report
 
     std::vector<std::size_t> border_sizes; ///< For each border cycle, the number of its edges.
 
-    /// Where the defect is; the null halfedge if there is none. This halfedge belongs to the face that is not a
-    /// triangle, points to the vertex that is not a manifold, is on the second or short border, is a loop, or is one
-    /// of the parallel edges. For closed parts and handles, it belongs to `face`.
+    /// A halfedge at the defect, or the null halfedge if there is none. This halfedge belongs to the face that is not a
+    /// triangle, points to the non-manifold vertex, is on the second or on the short border, is a loop, or is one of
+    /// the parallel edges. For closed parts and handles, it belongs to `face`.
     halfedge_descriptor where = boost::graph_traits<TriangleMesh>::null_halfedge();
   };
 
   std::vector<Part> parts;         ///< All parts, ordered by their first faces.
-  std::size_t number_of_disks = 0; ///< Parts without defect.
+  std::size_t number_of_disks = 0; ///< The number of parts without defect.
 
-  /// Rank of the first part with a defect; the number of parts if there is none.
+  /// The position of the first part with a defect in `parts`; the number of parts if there is none.
   std::size_t defective_part = 0;
 };
 

@@ -14,7 +14,7 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// Measures of the distortion of one triangle, as `measure_flattening()` gives them to a visitor.
+/// Measures of the distortion of one triangle, which `measure_flattening()` passes to a visitor.
 ///
 /// On a triangle, the map \f$S\f$ from the plane to the surface is linear. Below, \f$S_u\f$ and \f$S_v\f$ are its
 /// derivatives along the axes of the plane. Its singular values \f$\Gamma \geq \gamma\f$ are the largest and the
@@ -24,9 +24,9 @@ namespace Surface_mesh_parameterization {
 ///
 /// The measures of a flipped triangle are those of its mirror image. Flips are counted separately, so they do not hide
 /// how good a map is elsewhere. (Sander et al. call the stretch of a flipped triangle infinite.) If a triangle has no
-/// area, in space or in the plane, every measure that is made from derivatives has its worst value: 1 for shear,
+/// area, in space or in the plane, every measure that is computed from derivatives has its worst value: 1 for shear,
 /// principal shear and equal-stretch error, and infinity for the others. Its scale is 0. If a planar coordinate of a
-/// triangle is not a finite number, its measures are not a number.
+/// triangle is not finite, its measures are NaN.
 struct Flattening_face_measures
 {
   /// Area on the surface: the weight of the triangle in all means but that of the angular distortion.
@@ -95,10 +95,10 @@ struct Flattening_measures
   /// The root of the mean square of the same change, in radians. 0 at best.
   double rms_angle_change = 0;
 
-  /// As `mean_angle_change`, but every corner counts alike, whatever the area of its triangle.
+  /// As `mean_angle_change`, but every corner counts alike, independent of the area of its triangle.
   double mean_corner_angle_change = 0;
 
-  /// As `rms_angle_change`, but every corner counts alike, whatever the area of its triangle.
+  /// As `rms_angle_change`, but every corner counts alike, independent of the area of its triangle.
   double rms_corner_angle_change = 0;
 
   /// Mean over all corners of \f$(\alpha/\beta - 1)^2\f$ with planar angles \f$\alpha\f$ and target angles

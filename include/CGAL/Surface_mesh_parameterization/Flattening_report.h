@@ -21,10 +21,10 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What the reports of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3` have in common.
+/// The common part of the reports of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`.
 struct Flattening_report : Report
 {
-  /// Wall clock time of each stage, in seconds; 0 for those that the method does not have.
+  /// Wall clock time of each stage, in seconds; 0 for stages that the method does not have.
   struct Seconds
   {
     double read = 0;         ///< Copying the mesh into arrays, and checking the input.
@@ -65,8 +65,8 @@ struct Flattening_report : Report
   int triangles = 0; ///< Triangles of the chart.
   int borders = 0;   ///< Border cycles of the chart.
 
-  /// Whether the borders are simple, as `Flattening_measures::border_is_simple`: with no flipped triangle, the map is
-  /// injective if and only if they are.
+  /// Whether the borders are simple; see `Flattening_measures::border_is_simple`. If no triangle is flipped, the map is
+  /// injective if and only if the borders are simple.
   bool border_is_simple = false;
   double scale_range = 1; ///< Ratio of the longest to the shortest edge of the layout.
   /// Ratio of the largest to the smallest scale of a conformal map of a chart with several borders, predicted by one
@@ -75,13 +75,14 @@ struct Flattening_report : Report
   int flipped_triangles = 0; ///< Triangles that are not positively oriented.
   double smallest_angle = 0; ///< Smallest angle of the planar triangulation, in radians.
 
-  /// Whether the map was asked to be injective (`Flattening_options::injective`) and is certified to be.
+  /// Whether an injective map was asked for (`Flattening_options::injective`) and is certified.
   bool injective = false;
-  /// Share of the length of the border of an injective map that is nearer to another part than
-  /// `Flattening_options::clearance` allows without force. It is 0 if the direct method's own map is injective.
+  /// Share of the border of an injective map, by length, that is in contact: nearer to another part of the border than
+  /// `Flattening_options::clearance`. It is 0 if the direct method's own map is injective.
   double contact = 0;
-  /// Least distance between two parts of the border of an injective map, outside of it, divided by the length of the
-  /// shorter of the edges there. It is infinite if it is not below 1, and if the direct method's own map is injective.
+  /// Least distance between two parts of the border of an injective map, measured outside of the map and divided by the
+  /// length of the shorter of the edges there. It is infinite if it would be 1 or more, or if the direct method's own
+  /// map is injective.
   double least_clearance = (std::numeric_limits<double>::infinity)();
   /// Moves and steps that were refused because the border would have touched itself.
   int border_rejections = 0;

@@ -16,20 +16,19 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// A visitor follows the progress of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`, and may stop
-/// them. If one of its functions returns `false`, the computation ends. `parameterize()` then returns
-/// `ERROR_NO_1_TO_1_MAPPING` with the diagnosis `Diagnosis::CANCELLED`, and the caller's property maps are unchanged.
-/// The report then has the size of the chart, but not the steps that were taken. If a function throws an exception, the
-/// exception passes through `parameterize()`, with the same effects.
+/// Base class of visitors that follow `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`, and may
+/// cancel them. If a function returns `false`, the computation ends. `parameterize()` then returns
+/// `ERROR_NO_1_TO_1_MAPPING` with the diagnosis `Diagnosis::CANCELLED`, and no property map is changed. The report then
+/// contains the size of the chart, but no steps. If a function throws an exception, the exception passes through
+/// `parameterize()`, with the same effects.
 ///
-/// The functions are called one after the other, never by two threads at once. With \tbb and a number of threads in
-/// the options, the thread may differ from the caller of `parameterize()`. The functions of the base class do
-/// nothing.
+/// One thread at a time calls the functions. With \tbb and a number of threads in the options, this thread may differ
+/// from the caller of `parameterize()`. The functions of the base class do nothing.
 class Flattening_visitor
 {
 public:
-  /// The stage that begins. Stages are repeated if the direct method tries another strategy. Its third strategy
-  /// simplifies the chart and refines it, as the hierarchical method does.
+  /// The stages. They are repeated if the direct method tries another strategy. Its third strategy simplifies and
+  /// refines the chart, as the hierarchical method does.
   enum Stage
   {
     READ,          ///< Copying the mesh into arrays, and checking the input.
@@ -46,13 +45,13 @@ public:
 
   virtual ~Flattening_visitor() {}
 
-  /// is called at the beginning of a stage. Returns whether to continue.
+  /// is called when a stage begins. Returns whether to continue.
   virtual bool start(Stage) { return true; }
 
-  /// is called after each Newton step, with the entry of this step in the report. Returns whether to continue.
+  /// is called after each Newton step, with its entry in the report. Returns whether to continue.
   virtual bool step(const ABF_plus_plus_step&) { return true; }
 
-  /// is called when the hierarchical method has added or undone a level of collapses. The arguments are the present
+  /// is called when the hierarchical method has added or undone a level of collapses. The arguments are the current
   /// number of vertices and the number of vertices of the whole chart. Returns whether to continue.
   virtual bool level(int /* vertices */, int /* all_vertices */) { return true; }
 };

@@ -20,8 +20,8 @@ namespace Surface_mesh_parameterization {
 struct Hierarchical_options : Flattening_options
 {
   /// Fraction of the vertices that is removed before the coarse chart is flattened, in (0, 1). The paper uses 0.95.
-  /// Injective maps start from about 300 vertices, or 1000 if `area_weight` is above 0.1, whatever this and
-  /// `coarse_triangles` are.
+  /// Injective maps ignore this option and `coarse_triangles`: they start from about 300 vertices, or 1000 if
+  /// `area_weight` is above 0.1.
   double simplification_rate = 0.95;
 
   /// Number of triangles of the coarse chart. If not 0, it replaces `simplification_rate`. At least about 200
@@ -41,17 +41,17 @@ struct Hierarchical_options : Flattening_options
   /// there are more than 100,000 vertices, and none if `area_weight` is above 0.1.
   int angle_sweeps = 0;
 
-  /// The final sweeps end with one that lowers the energy by less than this fraction of it; 0 for all sweeps, and below
-  /// 1.
+  /// The final sweeps end when a sweep lowers the energy by less than this fraction; below 1. With 0, all sweeps are
+  /// done.
   double energy_tolerance = 0;
 
-  /// How often a coarse chart that cannot be flattened is replaced by a finer one. After that, the refinement starts
-  /// from one triangle, without a solver.
+  /// How often a coarse chart that cannot be flattened is replaced by a finer one. Refinement then starts from one
+  /// triangle, without a solver.
   int max_retries = 3;
 
   /// Whether the direct solver starts from the angles of the refined map. This lowers the distortion to that of the
   /// direct method. For injective maps, Newton's method lowers the same energy by moving the vertices, so that the map
-  /// stays injective. It solves its linear systems by the same solver traits, and does not need `polish_options`.
+  /// stays injective. It uses the same solver traits, and ignores `polish_options`.
   bool polish = false;
 
   /// Options of the direct solver that polishes. The solver of its linear systems is a template parameter of the

@@ -102,8 +102,8 @@ typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_me
 /// method of Section 5 of \cgalCite{cgal:slmb-abf-05}. It simplifies the surface, flattens the coarse chart with
 /// another parameterizer, and refines the map while it inserts the removed vertices again.
 ///
-/// No triangle is flipped on the way: a vertex is inserted or moved only where all its triangles keep their
-/// orientation. In the end an exact predicate checks every triangle.
+/// No step flips a triangle: a vertex is inserted or moved only where all its triangles keep their orientation.
+/// Finally, an exact predicate checks every triangle.
 ///
 /// Half-edge collapses remove vertices in levels of independent vertices, cheapest first. The cost of a collapse is
 /// the volume that it sweeps. If the coarse chart cannot be flattened, finer charts are tried. The last resort is a
@@ -122,8 +122,8 @@ typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_me
 /// \tparam SolverTraits_ solves the linear systems of polishing (`Hierarchical_options::polish`); see
 ///         `ABF_plus_plus_parameterizer_3` for the requirements.<br>
 ///         <b>%Default:</b> `CoarseParameterizer_::Solver_traits` if the coarse parameterizer has a member
-///         `solver_traits()`, as `ABF_plus_plus_parameterizer_3` has. The object is then a copy of that of the coarse
-///         parameterizer. Otherwise `CGAL::SuperLU_solver_traits<>`.
+///         `solver_traits()`, as `ABF_plus_plus_parameterizer_3` has. The object is then a copy of the object of the
+///         coarse parameterizer. Otherwise, `CGAL::SuperLU_solver_traits<>`.
 ///
 /// Each copy of a parameterizer has a report of its own; see `ABF_plus_plus_parameterizer_3`.
 ///
@@ -164,16 +164,16 @@ public:
   /// Mesh face type
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
-  /// constructs a parameterizer from `options`. The coarse parameterizer is default constructed. If it takes
-  /// `ABF_plus_plus_options`, it has the same `Flattening_options::holes`.
+  /// constructs a parameterizer from `options`. The coarse parameterizer is default constructed. If its constructor
+  /// takes `ABF_plus_plus_options`, it gets the same `Flattening_options::holes`.
   explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options())
       : Hierarchical_parameterizer_3(options,
                                      internal::ABF::coarse_parameterizer_for<Coarse_parameterizer>(options))
   {}
 
   /// constructs a parameterizer from `options` and the parameterizer of the coarse chart. It keeps copies of both.
-  /// Polishing uses the solver traits object of the coarse parameterizer if it is of the type `Solver_traits`, and a
-  /// default constructed object otherwise.
+  /// Polishing uses the solver traits object of the coarse parameterizer if this object has the type `Solver_traits`,
+  /// and otherwise a default constructed object.
   Hierarchical_parameterizer_3(const Hierarchical_options& options, Coarse_parameterizer coarse_parameterizer)
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
         m_linear_algebra(internal::ABF::Solver_traits_of<Coarse_parameterizer>::template get<Solver_traits>(
@@ -191,10 +191,9 @@ public:
   /// sets how much the angles of each face matter, from the next call of `parameterize()` on; see
   /// `ABF_plus_plus_parameterizer_3::set_importance()`.
   ///
-  /// The coarse parameterizer gets the importance of the faces of the coarse chart if it has such a member function
-  /// too: where faces are merged, the mean of their importance, weighted by area. (`LSCM_parameterizer_3` has no such
-  /// function, and flattens all coarse faces alike.) Relaxation and polishing know the importance
-  /// of every face.
+  /// If the coarse parameterizer also has such a member function, it gets the importance of the faces of the coarse
+  /// chart. Merged faces get the mean of their importance, weighted by area. (`LSCM_parameterizer_3` has no such
+  /// function, and flattens all coarse faces alike.) Relaxation and polishing know the importance of every face.
   template <typename FaceImportanceMap>
   void set_importance(FaceImportanceMap fimap)
   {
@@ -209,10 +208,10 @@ public:
   ///
   /// Parameters, requirements and exceptions are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
   ///
-  /// \return `OK` only if every triangle is positively oriented. Otherwise `report()` has the reason. The code is an
-  /// error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING` if
-  /// there is no valid map, none was found, or a visitor stopped the computation. The errors of the coarse
-  /// parameterizer are not errors of this function.
+  /// \return `OK` only if every triangle is positively oriented. Otherwise, `report()` contains the reason. The code is
+  /// an error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING`
+  /// if there is no valid map, none was found, or a visitor stopped the computation. Errors of the coarse parameterizer
+  /// are not errors of this function.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
@@ -241,7 +240,8 @@ public:
     return m_outcome.get().report;
   }
 
-  /// returns the parameterizer of the coarse chart. The report of the default one is that of the last coarse chart.
+  /// returns the parameterizer of the coarse chart. The default coarse parameterizer has the report of the last coarse
+  /// chart.
   const Coarse_parameterizer& coarse_parameterizer() const
   {
     return m_coarse_parameterizer;
@@ -272,9 +272,9 @@ private:
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// is called in place of \cgal's function of this name. Instead of an unmet precondition, a halfedge that is null or
-/// not on a border is `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`. Everything
-/// else is the same.
+/// replaces \cgal's function of this name. If the halfedge is null or not on a border, this function violates no
+/// precondition, but returns `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`.
+/// Otherwise, both functions are the same.
 ///
 /// \relates Hierarchical_parameterizer_3
 template <typename TriangleMesh, typename CoarseParameterizer, typename SolverTraits, typename HD,

@@ -20,24 +20,23 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `split_overlaps()` reports.
+/// The report of `split_overlaps()`.
 struct Overlap_split_report : Report
 {
-  std::size_t number_of_charts = 0; ///< The connected parts of the surface without the seams that were given.
-  std::size_t number_of_overlapping_charts = 0; ///< Those whose maps were not injective.
+  std::size_t number_of_charts = 0; ///< The number of charts: connected pieces between given seams.
+  std::size_t number_of_overlapping_charts = 0; ///< The number of charts whose maps were not injective.
 
-  /// The faces that overlapped others of their chart. Beyond 64 pairs of such faces for each face of a chart, not all
-  /// pairs are looked at.
+  /// The number of faces that overlapped other faces of their chart. It may be too small if a chart has more than 64
+  /// overlapping pairs for each face, because not all pairs are then examined.
   std::size_t number_of_overlapping_faces = 0;
-  /// The connected parts of the surface without all seams, each with an injective map.
+  /// The number of connected pieces between all seams, each with an injective map.
   std::size_t number_of_pieces = 0;
 
   /// The length of the borders of the overlapping charts; a seam within a chart counts twice.
   double border_length = 0;
-  double added_seam_length = 0; ///< The length of the seams that were added, each counted once.
+  double added_seam_length = 0; ///< The length of the added seams, each counted once.
 
-  /// By which share the borders became longer: twice `added_seam_length` divided by `border_length`; 0 if nothing
-  /// overlapped.
+  /// The relative growth of the borders: twice `added_seam_length` divided by `border_length`; 0 if nothing overlapped.
   double extra_seam = 0;
 };
 

@@ -20,29 +20,31 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `pack_charts()` reports.
+/// The report of `pack_charts()`.
 struct Packing_report : Report
 {
-  std::size_t number_of_faces = 0;  ///< The faces that have a chart.
-  std::size_t number_of_charts = 0; ///< The charts that have a face.
+  std::size_t number_of_faces = 0;  ///< The number of faces that have a chart.
+  std::size_t number_of_charts = 0; ///< The number of charts that have a face.
 
-  /// The sum of the areas of all triangles, where the unit square has area 1. What overlaps within a chart counts each
-  /// time.
+  /// The sum of the areas of all triangles; the unit square has the area 1. Overlaps within a chart count several
+  /// times.
   double covered_share = 0;
 
-  /// How many texels a unit of length of the surface has along it, where the weight is 1 and the map is isometric.
+  /// The number of texels per unit of length on the surface, where the weight is 1 and the map is isometric.
   double texels_per_length = 0;
 
-  std::size_t number_of_turned_charts = 0; ///< The charts that were tried in all directions, and not in four.
+  /// The number of charts that were tried in all directions, not only in four.
+  std::size_t number_of_turned_charts = 0;
 
-  /// The charts that were not tried in rows of texels where the one before, of about the same size, had no place.
+  /// The number of charts that were not tried in rows of texels where the previous chart of about the same size did not
+  /// fit.
   std::size_t number_of_small_charts = 0;
 
-  /// The charts that would be smaller than a sixteenth of a texel. They were enlarged to that, so that they do not
-  /// vanish when coordinates are rounded.
+  /// The number of charts that were enlarged to a sixteenth of a texel, so that they do not vanish when coordinates are
+  /// rounded.
   std::size_t number_of_enlarged_charts = 0;
 
-  std::size_t number_of_attempts = 0; ///< How many scales were tried.
+  std::size_t number_of_attempts = 0; ///< The number of scales that were tried.
 };
 
 } // namespace Surface_mesh_parameterization

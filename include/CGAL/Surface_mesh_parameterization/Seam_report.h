@@ -20,20 +20,19 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What the functions report that cut a surface open along seams: `cut_to_disks()`, `select_seams()`, and
-/// `shorten_seams()`.
+/// The report of `cut_to_disks()`, `select_seams()` and `shorten_seams()`.
 struct Seam_report : Report
 {
-  std::size_t number_of_components = 0; ///< the connected components of the surface
-  std::size_t number_of_disks = 0;      ///< the connected components of the surface without its seams
+  std::size_t number_of_components = 0; ///< the number of connected components
+  std::size_t number_of_disks = 0;      ///< the number of disks between the seams
 
-  /// the vertices that seams were led to: by `select_seams()` because of their scale, by `cut_to_disks()` because they
-  /// were given
+  /// the number of vertices that seams lead to: for `select_seams()` because of their scale, for `cut_to_disks()`
+  /// because they were given
   std::size_t number_of_terminals = 0;
   double seam_length = 0;          ///< the length of all seams, each counted once
-  double relative_seam_length = 0; ///< the same, divided by the square root of the area of the surface
-  double predicted_stretch = 1; ///< the largest \f$L_2\f$ stretch of all disks that `select_seams()` expects
-  bool bound_reached = true;    ///< whether that is at most the bound
+  double relative_seam_length = 0; ///< `seam_length`, divided by the square root of the area
+  double predicted_stretch = 1; ///< the largest \f$L_2\f$ stretch that `select_seams()` predicts for a disk
+  bool bound_reached = true;    ///< whether the predicted stretch is at most the bound
 };
 
 } // namespace Surface_mesh_parameterization

@@ -20,18 +20,18 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `read_seam_selection()` and `write_seam_selection()` return. Like the `bool` of \cgal's functions for files, it
-/// converts to `true` on success.
+/// The report of `read_seam_selection()` and `write_seam_selection()`. It converts to `true` on success, like the
+/// `bool` of \cgal's functions for files.
 struct Seam_selection_report : Report
 {
   std::size_t line = 0; ///< The line with the error, from 1; 0 if there is none.
 
-  /// Which number of the line is wrong, from 1; 0 if there is none. It is the first of a pair.
+  /// The position of the wrong number in its line, from 1; 0 if there is none. For a pair, it is the first number.
   std::size_t element = 0;
 
-  std::size_t number_of_seams = 0; ///< Pairs in the file that are seams.
+  std::size_t number_of_seams = 0; ///< The number of pairs in the file that are seams.
 
-  /// Pairs in the file that are border edges. They are not marked: a border edge is no seam.
+  /// The number of pairs in the file that are border edges. They are not marked: a border edge is not a seam.
   std::size_t number_of_border_edges = 0;
 };
 

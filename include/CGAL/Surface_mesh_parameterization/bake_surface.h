@@ -23,32 +23,31 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-bakes a fine surface into textures of a simple one: its normals, its distance, and its colours if it has some. With the
+bakes the normals, the distance and the colours, if any, of a fine surface into textures of a simple surface. With the
 texture of normals, the simple surface is shaded like the fine one (Section 6.1 and Figure 9 of the paper
 \cgalCite{cgal:slmb-abf-05}).
 
-Every texel that a triangle of the simple surface touches gets values. They are those at its centre, or at the point of
-the chart that is closest to its centre in the plane. From this point of the simple surface, a ray goes along the
-interpolated normals of the vertices, to both sides as far as `Baking_options::ray_length`. Of the faces of the fine
-surface that it meets, the nearest one that looks along the ray is taken. If there is none, the nearest that looks
-against it is taken, and its normal is turned around. If the ray meets nothing, the closest point of the fine surface is
-taken, and a normal that looks against the ray is turned around. The report counts these texels, and
-`Baked_textures::texels` marks them. There the normals and colours of the fine surface's vertices are interpolated.
+Every texel that a triangle of the simple surface touches gets values. It belongs to the point of the simple surface at
+its centre, or to the point of the chart that is closest to its centre in the plane. From this point, a ray goes along
+the interpolated normal of the vertices, to each side as far as `Baking_options::ray_length`. The values are those of
+the nearest point of the fine surface on the ray whose face has a normal along the ray. If there is none, the nearest
+point is taken, and its normal is reversed. If the ray meets nothing, the closest point of the fine surface is taken,
+and a normal against the ray is reversed. The report counts such texels, and `Baked_textures::texels` marks them. The
+normals and colours of the fine surface are interpolated from its vertices.
 
 Normals are in tangent space, in the convention of glTF: x along growing \f$u\f$, y along growing \f$v\f$, which is up
-in the picture, and z along the normal. At each corner, the tangent is the mean of those of the triangles around its
-vertex in its chart, weighted by their angles, orthogonal to the normal. Normals, tangents and bitangents are
-interpolated, and scaled to length 1 each, as common glTF viewers do. So that these do not compute other directions,
-write those that `frames` receives into the file. Programs that only know files without tangents compute nearly the
-same.
+in the picture, and z along the normal. At each corner, the tangent is the mean of the tangents of the triangles around
+the vertex in the same chart, weighted by their angles, and made orthogonal to the normal. Normals, tangents and
+bitangents are interpolated, and each is scaled to length 1, as common glTF viewers do. Write the directions that
+`frames` receives into the file, so that viewers use the same ones. Programs that read files without tangents compute
+nearly the same directions.
 
-Then `Baking_options::gutter` texels around each chart, in rows, columns and between, get the values of the nearest
-texel of a chart, so that interpolation and smaller copies of the texture find no foreign values at seams.
+Then `Baking_options::gutter` texels around each chart, in all directions, get the values of the nearest texel of a
+chart, so that interpolation and smaller copies of the texture show no other values at seams.
 
-For \f$n\f$ triangles of both surfaces and \f$t\f$ texels of charts, it takes time \cgalBigO{n \log n + t \log n} as a
-rule, and 17 bytes for each texel of the square, 29 with colours, and about 200 for each triangle of the fine surface.
-Rows are baked side by side if the program is linked with `CGAL::TBB_support`. The result does not depend on the number
-of threads.
+For \f$n\f$ triangles of both surfaces and \f$t\f$ texels of charts, the time is usually \cgalBigO{n \log n + t \log n}.
+The memory is 17 bytes for each texel of the square, or 29 with colours, and about 200 bytes for each triangle of the
+fine surface. With `CGAL::TBB_support`, rows are baked in parallel. The result does not depend on the number of threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as
@@ -60,10 +59,10 @@ of threads.
 \tparam FineNamedParameters the same
 
 \param mesh the simple surface, a triangle mesh
-\param uv the texture coordinates in the unit square, as `make_atlas()` writes them: a halfedge of a face has those of
-       its target at that face
+\param uv the texture coordinates in the unit square, as `make_atlas()` writes them: a halfedge stores those of its
+       target in its face
 \param fine_mesh the fine surface, a triangle mesh, in the same place as the simple one
-\param frames receives the directions at each corner, to which normals in tangent space refer: a halfedge gets those at
+\param frames receives the directions at each corner that normals in tangent space refer to: a halfedge stores those at
        its target in its face; faces without a chart get none
 \param options the options
 \param np optional named parameters for the simple surface:
@@ -81,7 +80,7 @@ of threads.
     \cgalParamDefault{the mean of the normals of the faces around each vertex, weighted by their angles}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{the number of each face's chart, as `make_atlas()` writes it. A face with a negative number is
+    \cgalParamDescription{the chart number of each face, as `make_atlas()` writes it. A face with a negative number is
     left out.}
     \cgalParamType{a model of `ReadablePropertyMap` with an integer as value type}
     \cgalParamDefault{all faces have charts}
@@ -108,7 +107,7 @@ of threads.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the textures, and a report that says what is wrong, if anything
+\return the textures, with a report that says what is wrong, if anything
 
 \sa `make_atlas()`
 */
@@ -128,7 +127,7 @@ Baked_textures bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const Fi
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-bakes a fine surface into textures of a simple one, and does not write the tangent frames. Everything else is as above.
+bakes a fine surface into textures of a simple one as above, without returning the tangent frames.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh,
           typename NamedParameters = parameters::Default_named_parameters,

@@ -69,27 +69,26 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces of `mesh` that are not positively oriented in the plane to `out`: those that are flipped, those
-/// whose vertices are collinear, and those with a coordinate that is infinite or not a number.
+/// writes the faces of `mesh` that are not positively oriented in the plane to `out`: faces that are flipped, have
+/// collinear vertices, or have a coordinate that is infinite or not a number.
 ///
 /// Nothing is rounded: like all functions of this header, the function uses exact predicates on the stored
 /// coordinates. It takes linear time.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 /// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose
-///         number type is exact or has only numbers that `double` has too. The key type is
+///         number type is exact, or whose numbers `double` can hold. The key type is
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`.
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
 ///
 /// \param mesh a triangulated surface.
-/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges. It does not matter which
-///        parameterizer computed them. A halfedge of a face has the coordinates of its target at that face, as
-///        `make_atlas()` writes them. The surface is then cut open along the edges whose two sides have different
-///        coordinates, and each chart between them counts.
+/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges, from any parameterizer. A halfedge
+///        stores the coordinates of its target in its face, as `make_atlas()` writes them. The surface is then cut open
+///        along the edges whose two sides have different coordinates, and all charts are checked.
 /// \param out receives the faces, in the order of the mesh.
 ///
-/// \return `out`, behind what was written.
+/// \return `out` after the last face.
 ///
 /// \exception std::invalid_argument if a face is not a triangle.
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
@@ -100,8 +99,8 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh, UVMap uvmap, FaceOutp
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces that are not positively oriented, as above, but only those of the connected component of `h`. Use
-/// it for a map of one of several components. `h` may be any halfedge.
+/// writes the faces of the connected component of `h` that are not positively oriented, as above. `h` may be any
+/// halfedge.
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
@@ -112,12 +111,12 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns whether every point of the surface has a neighbourhood that is mapped injectively, without a change of
+/// returns whether every point of the surface has a neighbourhood that is mapped injectively and with positive
 /// orientation. This holds if and only if
 /// - no face is in `flipped_faces()`,
 /// - the faces around each interior vertex go around it once (positively oriented faces may do so more often),
-/// - the faces around each border vertex take less than a full turn. If they are several fans, the fans have nothing
-///   but the vertex in common.
+/// - the faces around each border vertex take less than a full turn; if they form several fans, the fans have only the
+///   vertex in common.
 ///
 /// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
 /// exceptions are those of `flipped_faces()`.
@@ -153,11 +152,11 @@ bool is_locally_injective(const TriangleMesh& mesh,
 ///   the holes are within the outer border and turn the other way, and borders do not touch or contain one another
 ///   otherwise.
 /// - A surface with several components meets them if and only if each component does, their borders do not touch, and
-///   none lies within another. The holes of a component may contain other components.
+///   none lies within another. A hole of a component may contain other components.
 /// - Where the border runs through a vertex several times, the fans of faces there may touch in the vertex.
 ///
 /// The third condition does not follow from the others, even on a connected surface: two sheets, one over the other,
-/// that are cut and glued crosswise have two simple borders, and points in the middle have two preimages.
+/// that are cut and glued crosswise have two simple borders, but points in the middle have two preimages.
 ///
 /// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
 /// exceptions are those of `flipped_faces()`.
@@ -181,7 +180,7 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 ///
 /// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There is
 /// no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
-/// they meet on the surface. Edges with a coordinate that is infinite or not a number are left out. Their faces are in
+/// they meet on the surface. Edges with a coordinate that is infinite or not a number are left out: their faces are in
 /// `flipped_faces()`.
 ///
 /// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise
@@ -193,7 +192,7 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 /// \param mesh, uvmap as for `flipped_faces()`.
 /// \param out receives the pairs of border halfedges, each pair once.
 ///
-/// \return `out`, behind what was written.
+/// \return `out` after the last pair.
 ///
 /// \exception std::invalid_argument if a face is not a triangle.
 template <typename TriangleMesh, typename UVMap, typename HalfedgePairOutputIterator>

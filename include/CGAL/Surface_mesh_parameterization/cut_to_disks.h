@@ -22,22 +22,22 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-cuts a surface of any topology to disks, along short seams that take no account of its shape.
+cuts a surface of any topology to disks along short seams, without regard to its shape.
 
 Borders are joined by shortest paths, in the manner of Mehlhorn's approximation of Steiner trees. Handles are cut along
 the greedy homotopy basis of Erickson and Whittlesey (2005). Key-path exchange then shortens the seams: without one path
-between two branches, the disk is an annulus, and the shortest path between its two borders makes it a disk again. A
-sphere is cut along a path between two vertices that are far from each other.
+between two branches, the disk is an annulus, and the shortest path between the two borders of the annulus makes it a
+disk again. A sphere is cut along a path between two vertices that are far from each other.
 
 The seams reach all given vertices (`vertex_is_constrained_map`), and then have no other ends inside the surface: a
-sphere with two given vertices or more is cut along a tree that joins them. Given vertices on borders and on edges that
-are seams already are reached as they are.
+sphere with two or more given vertices is cut along a tree that joins them. Given vertices on borders and on given seams
+count as reached.
 
-Edges that are seams already remain so, and count as borders. A seam of one edge on a sphere becomes longer, because a
-border of two edges is no polygon. `select_seams()` cuts so that the disks can be flattened with little stretch.
+Given seams remain seams, and count as borders. A seam of one edge on a sphere becomes longer, because a border of two
+edges is not a polygon. To get disks that can be flattened with little stretch, call `select_seams()`.
 
-For \f$n\f$ triangles and genus \f$g\f$, this takes time \f$O(n \log n)\f$, and \f$O(g\,n\log n)\f$ for the exchanges,
-whose searches visit each vertex 100 times at most.
+For \f$n\f$ triangles and genus \f$g\f$, the time is \f$O(n \log n)\f$, and \f$O(g\,n\log n)\f$ for the exchanges, whose
+searches visit each vertex at most 100 times.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
@@ -45,7 +45,7 @@ whose searches visit each vertex 100 times at most.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh, of any number of connected components
-\param seams which edges are seams; unchanged if anything is wrong
+\param seams the seams: marked edges stay seams, and new seams are marked; unchanged if anything is wrong
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -60,20 +60,20 @@ whose searches visit each vertex 100 times at most.
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs}
+    \cgalParamDescription{the cost of a seam along each edge}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{the vertices that seams must reach, such as cones}
     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key
-    type and `bool` as value type. `TriangleMesh` must then be a model of `VertexListGraph` as well.}
+    type and `bool` as value type. `TriangleMesh` must then also be a model of `VertexListGraph`.}
     \cgalParamDefault{no vertex}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the length of all seams. `Diagnosis::NO_CUT_ALLOWED` means that edges which must
-not become seams leave no way. `Diagnosis::WRONG_OPTION` means that a given vertex has no face.
+\return the length of all seams, and what is wrong, if anything. `Diagnosis::NO_CUT_ALLOWED` means that the edges that
+may become seams leave no way to cut. `Diagnosis::WRONG_OPTION` means that a given vertex has no face.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>

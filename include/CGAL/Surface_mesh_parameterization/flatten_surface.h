@@ -51,11 +51,11 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_on_bord
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-flattens the connected component of the longest border of `mesh`. If that is not possible, the report says why.
+flattens the connected component of the longest border of `mesh`. If this is not possible, the report says why.
 
-`parameterize()` requires a mesh that is neither closed nor empty. This function accepts such a mesh, and reports the
-diagnosis `Diagnosis::NO_BORDER` or `Diagnosis::EMPTY_MESH`. Everything else is as with `parameterize()`: the
-coordinates, the requirements on the surface, errors, and complexity. Finding the longest border takes linear time.
+Unlike `parameterize()`, this function accepts a closed or empty mesh, and reports the diagnosis `Diagnosis::NO_BORDER`
+or `Diagnosis::EMPTY_MESH`. Coordinates, requirements on the surface, errors and complexity are those of
+`parameterize()`. Finding the longest border takes linear time.
 
 \code{.cpp}
 const auto report = flatten_surface(mesh, uvmap);
@@ -72,7 +72,7 @@ if(report.status != Diagnosis::NOTHING_WRONG)
 \param uvmap receives the planar coordinates; on any error it is unchanged
 \param parameterizer the parameterizer, with its options
 
-\return the report of the parameterizer. `error_code()` gives the error code of its diagnosis.
+\return the report of the parameterizer. `error_code()` returns the error code of its diagnosis.
 */
 template <typename TriangleMesh, typename VertexUVMap,
           typename Parameterizer = ABF_plus_plus_parameterizer_3<TriangleMesh>>

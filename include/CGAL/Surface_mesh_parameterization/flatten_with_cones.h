@@ -27,23 +27,23 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-flattens a surface of any topology along short seams through cones, so that the plane goes on across each seam by a
-rigid motion.
+flattens a surface of any topology, cut open along short seams through cones, so that a rigid motion maps one side of
+each seam to the other.
 
-`select_cones()` chooses the cones, `cut_to_disks()` leads seams through them, and ABF++ flattens the disk that these
-leave. The planar angles around each cone sum to the angle that was chosen, and to \f$2\pi\f$ around all other vertices
-inside the surface, also on seams. Both sides of a seam have the same lengths and turns: a rotation and a translation
-take one side to the other, from one cone or branch of the seams to the next, up to the tolerance. If the angles are
-multiples of \f$\pi/2\f$ (`Cone_options::angle_multiple`), so are these rotations on a sphere, and a grid of the plane
-goes on across all seams but for a shift.
+`select_cones()` chooses the cones, `cut_to_disks()` leads seams through them, and ABF++ flattens the resulting disk.
+The planar angles around each cone sum to the chosen angle, and around all other interior vertices, also on seams, to
+\f$2\pi\f$. Both sides of a seam have the same lengths and turns: up to the tolerance, a rotation and a translation map
+one side to the other, between any two successive cones or branches of the seams. If the angles are multiples of
+\f$\pi/2\f$ (`Cone_options::angle_multiple`), so are these rotations on a sphere, and a grid of the plane continues
+across all seams, up to a shift.
 
 With `Cone_angles::FREE`, the sums at all vertices on seams are free. Lengths on both sides of a seam are still equal,
-and the map is as good as that of the surface cut open.
+and the distortion is about as small as that of the surface that was cut open.
 
 The map is locally injective, has the area of the surface and positive orientation, and its bounding box starts at the
 origin.
 
-Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameterizer_3`.
+The time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameterizer_3`.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph` whose vertex descriptors are
         ordered by `<`
@@ -56,9 +56,9 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
 \param mesh a connected triangle mesh, of any genus and with any number of borders
 \param n the number of cones (see `select_cones()`)
 \param seams receives whether each edge is a seam; unchanged if anything is wrong
-\param uv receives the coordinates: a halfedge of a face has those of its target at that face, and a border halfedge
-       those at the face on the other side of its edge. They are also at the vertices of `make_seam_mesh(mesh, seams)`.
-       It is unchanged if anything is wrong.
+\param uv receives the coordinates: a halfedge stores those of its target in its face, and a border halfedge those in
+       the face on the other side of its edge. The vertices of `make_seam_mesh(mesh, seams)` are also keys of these
+       coordinates. It is unchanged if anything is wrong.
 \param options the options
 \param np optional named parameters:
 
@@ -74,7 +74,7 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs}
+    \cgalParamDescription{the cost of a seam along each edge}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
@@ -85,7 +85,7 @@ Time is that of `select_cones()`, `cut_to_disks()` and `ABF_plus_plus_parameteri
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the reports of all three parts
+\return the reports of all three steps, and what is wrong, if anything
 
 \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
 

@@ -25,14 +25,14 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns whether the seams cut the surface into topological disks that can be flattened, and if not why and where.
+/// returns whether the seams cut the surface into topological disks that can be flattened, and if not, why and where.
 ///
 /// The surface is opened along its seams. Its parts are the sets of faces that are connected across edges that are
 /// neither seams nor border edges. Around a vertex, each sector of faces between seams or borders is a vertex of the
 /// opened surface: a vertex where a seam ends has one sector, a vertex in the middle of a seam has two, and a pinched
 /// vertex has one or more for each fan of faces. A seam may end anywhere, and may touch the border in a vertex. A
-/// marked border edge is no seam. If the result is `true`, then the parameterizers of this package accept each part of
-/// `make_seam_mesh(mesh, seams)`, provided that coordinates are finite.
+/// marked border edge is not a seam. If the result is `true`, then the parameterizers of this package accept each part
+/// of `make_seam_mesh(mesh, seams)`, provided that coordinates are finite.
 ///
 /// \code{.cpp}
 /// if(const auto report = is_disk_cut(mesh, seams); !report)

@@ -71,7 +71,7 @@ With `CGAL::TBB_support`, parts are flattened in parallel. The result does not d
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs}
+    \cgalParamDescription{the cost of a seam along each edge}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd

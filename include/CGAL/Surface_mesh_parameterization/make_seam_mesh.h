@@ -37,7 +37,7 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The seam mesh that `make_seam_mesh()` returns. Its copies share the maps of seams.
+/// The seam mesh that `make_seam_mesh()` returns. Its copies share the marks of seams.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
 template <typename TriangleMesh>
@@ -131,7 +131,7 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the `Seam_mesh` of a surface with marked seams, which the parameterizers take as it is.
+/// returns the `Seam_mesh` of a surface with marked seams, for the parameterizers.
 ///
 /// \code{.cpp}
 /// auto seam_mesh = make_seam_mesh(mesh, seams);
@@ -139,16 +139,16 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 /// parameterize(seam_mesh, ABF_plus_plus_parameterizer_3<Seam_mesh>(), border_halfedge(seam_mesh), uvmap);
 /// \endcode
 ///
-/// The coordinates belong to halfedges of `mesh`: those of the corner of a face at the target of `h` are at the key
-/// `target(h, seam_mesh)`, which converts to a halfedge of `mesh`. `uvmap` has these keys only.
+/// Coordinates belong to halfedges of `mesh`: the key `target(h, seam_mesh)`, which converts to a halfedge of `mesh`,
+/// has the coordinates of the target of `h` in the face of `h`. Only such keys of `uvmap` get coordinates.
 ///
-/// The seam mesh has its own copies of the marks, and so it does not change with `seams`. It refers to `mesh`, which
-/// has to exist as long. It knows its number of seams. The constructor of `Seam_mesh`, given edges that are already
-/// marked, takes their number for 0. Marked border edges, which `Seam_mesh` is not made for, are no seams. A pinched
+/// The seam mesh has its own copies of the marks: it does not change with `seams`. It refers to `mesh`, which must
+/// exist as long as the seam mesh. It knows its number of seams, whereas the constructor of `Seam_mesh` assumes 0 for
+/// edges that are already marked. Marked border edges, which `Seam_mesh` does not support, are not seams. A pinched
 /// vertex on the border becomes several vertices, one for each fan of faces.
 ///
-/// The header of a mesh type other than `Surface_mesh` has to be included before `make_seam_mesh.h`: this is how
-/// `Seam_mesh` finds its functions.
+/// Include the header of a mesh type other than `Surface_mesh` before `make_seam_mesh.h`: otherwise, `Seam_mesh` does
+/// not find its functions.
 ///
 /// Time and memory are linear in the size of the mesh.
 ///
@@ -159,8 +159,8 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 /// \param mesh the surface.
 /// \param seams is `true` for the edges to be cut open. They need not leave disks.
 ///
-/// \exception std::invalid_argument if a vertex is surrounded by faces, and is on a seam or border of other faces as
-///            well (`Diagnosis::NON_MANIFOLD_VERTEX`).
+/// \exception std::invalid_argument if a vertex is surrounded by faces, and is also on a seam or border of other faces
+/// (`Diagnosis::NON_MANIFOLD_VERTEX`).
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
@@ -189,8 +189,8 @@ Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh&& mesh, EdgeIsSeamMap s
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns a halfedge on the longest border of a seam mesh, as the parameterizers take it; the null halfedge if
-/// there is none. The time is linear.
+/// returns a halfedge on the longest border of a seam mesh, for the parameterizers; the null halfedge if there is no
+/// border. The time is linear.
 ///
 /// \tparam TM, SEM, SVM the arguments of any `Seam_mesh`. Points are those of `TM`.
 template <typename TM, typename SEM, typename SVM>
@@ -202,8 +202,8 @@ border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh)
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns a halfedge on the longest border of the part of `f`: the faces connected with it across edges that
-/// are not seams. The null halfedge means that the part is closed.
+/// returns a halfedge on the longest border of the part of `f`: the faces connected with `f` across edges that are not
+/// seams. It is the null halfedge if the part is closed.
 ///
 /// The time is \cgalBigO{m \log m} if the part has \f$m\f$ faces.
 template <typename TM, typename SEM, typename SVM>

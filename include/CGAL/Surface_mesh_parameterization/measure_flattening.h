@@ -32,10 +32,10 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// measures the distortion of the map from the connected component of `bhd` to the plane, and of each of its
-/// triangles. Any parameterizer may have computed the map. The time is linear, except for a sort of the vertices and
-/// \cgalBigO{b \log b} for \f$b\f$ border edges. With \tbb the function runs in parallel. The result has the same
-/// bits on any number of threads.
+/// measures the distortion of a map of the connected component of `bhd` to the plane, and of each of its triangles. The
+/// map may come from any parameterizer. The time is linear, except for a sort of the vertices and \cgalBigO{b \log b}
+/// for \f$b\f$ border edges. With \tbb, the function runs in parallel. The result has the same bits for any number of
+/// threads.
 ///
 /// None of these measures is that of `compute_L2_stretch()` in `measure_distortion.h` of the package
 /// \ref PkgSurfaceMeshParameterization. In spite of its name, that function considers only areas. For each interior
@@ -105,16 +105,16 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// measures the distortion of a map of the whole surface, such as an atlas of any program. The map may consist of any
-/// number of charts. All are measured at one scale, so that differences of texel density count;
-/// `Atlas_report::measures` takes each chart at its own scale. `Flattening_measures::border_is_simple` says whether
-/// the borders of all charts are simple and apart.
+/// number of charts. All charts are measured at one scale, so that differences of texel density count;
+/// `Atlas_report::measures`, in contrast, scales each chart by itself. `Flattening_measures::border_is_simple` says
+/// whether the borders of all charts are simple and apart.
 ///
-/// The time is as above. The map of a `Seam_mesh` may be given by vertices of that, or by halfedges of the mesh below.
+/// The time is as above. The keys of the map of a `Seam_mesh` are its vertices, or halfedges of the mesh that it cuts.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type. The key type is
-///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge of a face has
-///         the coordinates of its target at that face, as `make_atlas()` writes them; the surface is cut open along the
+///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge stores the
+///         coordinates of its target in its face, as `make_atlas()` writes them; the surface is then cut open along the
 ///         edges whose two sides have different coordinates.
 /// \tparam FaceVisitor as above
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -39,14 +39,14 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The angle sum of a cone that is free, for `ABF_plus_plus_parameterizer_3::set_angle_sums()`: a vertex in the middle
-/// of a seam without a prescribed sum has \f$2\pi\f$ otherwise.
+/// Marks a cone with a free sum of angles, for `ABF_plus_plus_parameterizer_3::set_angle_sums()`. Without this mark or
+/// a prescribed sum, a vertex in the middle of a seam gets \f$2\pi\f$.
 inline constexpr double free_cone_angle = (std::numeric_limits<double>::infinity)();
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The angles that are prescribed at some vertices, in radians, for `ABF_plus_plus_parameterizer_3::set_angle_sums()`.
-/// Copies share the angles.
+/// Prescribed angles at some vertices, in radians, for `ABF_plus_plus_parameterizer_3::set_angle_sums()`. Copies share
+/// the angles.
 ///
 /// \cgalModels{ReadablePropertyMap}
 ///
@@ -64,7 +64,7 @@ public:
   /// Category
   typedef boost::readable_property_map_tag category;
 
-  /// prescribes the angle of a vertex, or none.
+  /// prescribes the angle of a vertex, or removes it.
   void set(const key_type& v, const value_type& angle)
   {
     if(angle)
@@ -89,12 +89,12 @@ private:
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the angles of a polygon whose corners are some vertices of a border of `mesh`: at each corner the given
-/// inner angle, and \f$\pi\f$ at all other vertices of that border, so that they are on straight sides.
+/// returns the angles of a polygon with the given corners on a border of `mesh`: the given inner angle at each corner,
+/// and \f$\pi\f$ at all other vertices of this border, which are then on straight sides.
 ///
-/// The inner angles of a polygon with \f$k\f$ corners sum to \f$(k - 2)\pi\f$. This function does not check the angles:
-/// `ABF_plus_plus_parameterizer_3::parameterize()` does that, and tells what else is in the way of the polygon. The
-/// time is linear, but for a factor of \cgalBigO{\log b} for \f$b\f$ border vertices.
+/// The inner angles of a polygon with \f$k\f$ corners sum to \f$(k - 2)\pi\f$. This function does not check the angles;
+/// `ABF_plus_plus_parameterizer_3::parameterize()` checks whether the polygon is possible. The time is linear, up to a
+/// factor of \cgalBigO{\log b} for \f$b\f$ border vertices.
 ///
 /// \tparam TriangleMesh a model of `HalfedgeListGraph` whose vertex descriptors are ordered by `<`
 ///
@@ -131,8 +131,8 @@ Vertex_angles<TriangleMesh> polygon_angles(
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the angles of a rectangle whose corners are four vertices of a border of `mesh`, in any order. The ratio of
-/// its sides is what the surface makes it.
+/// returns the angles of a rectangle whose corners are four vertices of a border of `mesh`, in any order. The surface
+/// determines the ratio of its sides.
 ///
 /// Requirements, exceptions and time are those of `polygon_angles()`.
 template <typename TriangleMesh>

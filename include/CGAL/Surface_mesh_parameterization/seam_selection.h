@@ -53,10 +53,10 @@ vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 /// A selection file of \cgal has three lines: the numbers of vertices, of faces, and of edges, where an edge is a pair
 /// of vertices. This function ignores the first two lines, and reads edges from the third line to the end of the file.
 /// Vertices are numbered from 0, in the order of `vertices(mesh)`. These are the files that \cgal's demo for polyhedra
-/// writes, and that `Seam_mesh::add_seams()` reads. That function ignores edges that do not exist, a number without a
-/// partner, and everything from the first word on that is not a number. This function reports them.
+/// writes, and that `Seam_mesh::add_seams()` reads. `Seam_mesh::add_seams()` ignores edges that do not exist, an odd
+/// last number, and everything after a word that is not a number. This function reports them as errors.
 ///
-/// Parallel edges are the same pair, and are marked together. For \f$n\f$ edges of which \f$k\f$ are in the
+/// Parallel edges are given by the same pair, and are marked together. For \f$n\f$ edges of which \f$k\f$ are in the
 /// file, the time is \cgalBigO{(n + k) \log k}.
 ///
 /// \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph` and `FaceGraph`.
@@ -65,9 +65,10 @@ vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 ///
 /// \param in the file's contents.
 /// \param mesh the mesh that the numbers refer to.
-/// \param seams is set to `true` for the edges of the file, and unchanged for all others. On any error it is unchanged.
+/// \param seams is set to `true` for the edges of the file, and unchanged for all other edges. On any error, it is
+///        unchanged.
 ///
-/// \return what was read, or what is wrong in which line.
+/// \return what was read, or what is wrong, and in which line.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Seam_selection_report read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
@@ -119,8 +120,8 @@ Seam_selection_report read_seam_selection(const std::string& file_name, const Tr
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the seams to a selection file, which `read_seam_selection()` and \cgal read. The lines of vertices and
-/// faces are empty. Marked border edges are left out. The time is linear.
+/// writes the seams to a selection file, for `read_seam_selection()` and \cgal. The lines of vertices and faces are
+/// empty. Marked border edges are left out. The time is linear.
 ///
 /// \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph` and `FaceGraph`.
 /// \tparam EdgeIsSeamMap a model of `ReadablePropertyMap` with

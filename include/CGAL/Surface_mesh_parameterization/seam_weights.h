@@ -66,21 +66,20 @@ void put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Nam
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// computes edge weights that draw seams to where they are hidden: into folds and cavities, behind and below other
-/// parts.
+/// computes edge weights that draw seams to hidden places: into folds and cavities, and behind and below other parts.
 ///
-/// The visibility of a vertex is the share of the directions outward from which it is seen. Of 48 directions, spread
-/// over the sphere evenly and always the same, those in the half space of the vertex normal count. A ray in such a
-/// direction sees the vertex unless it meets the surface. The weight of an edge of length \f$l\f$ is
-/// \f$l\,(0.3 + 0.7\,v^2)\f$, where \f$v\f$ is the mean visibility of its ends. The weights of a convex surface are its
-/// lengths.
+/// The visibility of a vertex is the share of outward directions from which it is visible. There are 48 fixed
+/// directions, spread evenly over the sphere; the directions in the half space of the vertex normal count. The vertex
+/// is visible from a direction if a ray in this direction does not meet the surface. The weight of an edge of length
+/// \f$l\f$ is \f$l\,(0.3 + 0.7\,v^2)\f$, where \f$v\f$ is the mean visibility of its ends. On a convex surface, weights
+/// are lengths.
 ///
-/// The surface is seen from the side on which the vertices of faces are counterclockwise. Vertices without a normal,
-/// such as isolated ones, have visibility 1.
+/// The surface is seen from the side where the vertices of faces are counterclockwise. Vertices without a normal, such
+/// as isolated ones, have visibility 1.
 ///
-/// The function makes an `AABB_tree` of the \f$n\f$ faces, and then looks for an obstacle about 24 times for each
-/// vertex, with \tbb in parallel. In practice the time grows like \f$n \log n\f$. It is large: one thread took 1.3 s
-/// for 52,000 faces. The result has the same bits on any number of threads.
+/// The function builds an `AABB_tree` of the \f$n\f$ faces, and shoots about 24 rays for each vertex, with \tbb in
+/// parallel. In practice, the time grows like \f$n \log n\f$. It is large: one thread took 1.3 s for 52,000 faces. The
+/// result has the same bits for any number of threads.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
 /// \tparam EdgeWeightMap a model of `WritablePropertyMap` with
@@ -111,10 +110,10 @@ void compute_visibility_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
 /// computes edge weights that draw seams to creases.
 ///
 /// The weight of an edge of length \f$l\f$ is \f$l\,(0.3 + 0.7\,c^2)\f$. Here, \f$c\f$ is the cosine of the angle
-/// between the normals of the two faces, or 0 if that is negative: an edge of a flat region has its length as its
-/// weight, a bend by 30 degrees gives 0.83 of it, and one by 90 degrees or more gives 0.3. Convex and concave creases
-/// count the same. Border edges and edges of degenerate faces have their length as their weight. A rounded crease is
-/// made of small bends, and hardly counts.
+/// between the normals of the two faces, or 0 if the cosine is negative. The weight of an edge in a flat region is its
+/// length; a bend by 30 degrees gives 0.83 times the length, and a bend by 90 degrees or more gives 0.3 times the
+/// length. Convex and concave creases count the same. The weight of border edges and of edges of degenerate faces is
+/// their length. A rounded crease consists of small bends, and hardly counts.
 ///
 /// Time and memory are linear. Parameters, requirements and exceptions are those of `compute_visibility_weights()`.
 template <typename TriangleMesh, typename EdgeWeightMap,

@@ -25,26 +25,27 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-chooses cones: vertices whose planar angles need not sum to \f$2\pi\f$, so that a map with few seams need not stretch
-much.
+chooses cones: vertices whose planar angles need not sum to \f$2\pi\f$, so that a map along few seams can have little
+stretch.
 
 As for `select_seams()`, the cotangent Laplacian predicts the scale \f$e^u\f$ of a conformal map: \f$L u = -K\f$, where
-\f$K\f$ is the angle defect of a vertex, and \f$u\f$ vanishes at cones and borders. The vertex of the largest \f$|u|\f$
-becomes the next cone. The first cone of a closed surface is where the scale of the map to a surface of constant
-curvature is farthest from its mean.
+\f$K\f$ is the angle defect of a vertex, and \f$u\f$ vanishes at cones and borders. The vertex with the largest
+\f$|u|\f$ becomes the next cone. The first cone of a closed surface is the vertex where the scale of the map to a
+surface of constant curvature is farthest from its mean.
 
-The angles of the cones are those that make the predicted \f$u\f$ vanish at all of them, or those that make it vary
-least (`Cone_options::angles`). On a closed surface of genus \f$g\f$, the angles of \f$k\f$ cones sum to
-\f$2\pi(k - 2 + 2g)\f$; what rounding leaves of that goes to the largest angle. A sphere needs three cones at least.
+With the angles of the cones, the predicted \f$u\f$ vanishes at all cones, or varies as little as possible
+(`Cone_options::angles`). On a closed surface of genus \f$g\f$, the angles of \f$k\f$ cones sum to
+\f$2\pi(k - 2 + 2g)\f$; the largest angle is corrected by the rounding error of this sum. A sphere needs at least three
+cones.
 
-With `Cone_options::angle_multiple`, the angles are multiples of an angle such as \f$\pi/2\f$: on a sphere, those
-charges \f$2\pi - \theta\f$ are rounded up that leave the largest remainders; on a disk, each is rounded to the nearest
-one. Cones that become flat by that are dropped.
+With `Cone_options::angle_multiple`, the angles are multiples of an angle such as \f$\pi/2\f$. On a sphere, the values
+\f$2\pi - \theta\f$ with the largest remainders are rounded up, and the others down; on a disk, each is rounded to the
+nearest multiple. Cones whose angle becomes \f$2\pi\f$ are dropped.
 
-There are fewer cones than `n` if fewer make the scale constant, if the surface has fewer interior vertices, or if some
+There are fewer than `n` cones if fewer make the scale constant, if the surface has fewer interior vertices, or if some
 are dropped.
 
-For \f$m\f$ vertices, this takes one factorization of the Laplacian, and time \cgalBigO{m \log m} and two solutions for
+For \f$m\f$ vertices, the function factors the Laplacian once, and takes time \cgalBigO{m \log m} and two solutions for
 each cone.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph` whose vertex descriptors are
@@ -70,7 +71,7 @@ each cone.
 \cgalNamedParamsEnd
 
 \return the cones with their angles, or what is wrong. `Diagnosis::INFEASIBLE_ANGLE_SUMS` means that the angle of a cone
-would not be in \f$(0, d\pi)\f$ for a vertex with \f$d\f$ triangles: other cones, or more of them, can help.
+with \f$d\f$ triangles would not be in \f$(0, d\pi)\f$: try another number of cones.
 
 \sa `flatten_with_cones()`
 */

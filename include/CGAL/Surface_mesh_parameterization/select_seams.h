@@ -26,23 +26,23 @@ namespace Surface_mesh_parameterization {
 
 cuts a surface of any topology to disks that can be flattened with little stretch.
 
-First the surface is cut to disks as by `cut_to_disks()`. The cotangent Laplacian then predicts the scale \f$e^u\f$ of a
-conformal map: \f$L u = -K\f$, where \f$K\f$ is the angle defect of a vertex, and \f$u\f$ vanishes on seams and borders.
-The vertex of the largest \f$|u|\f$ becomes a *terminal*: the shortest path joins it to the seams. That is repeated
-until the predicted \f$L_2\f$ stretch \f$\sqrt{\overline{e^{-2u}}\;\overline{e^{2u}}}\f$, with means over the area, is
-at most `Seam_options::stretch_bound`. Key-path exchange then shortens the seams. The terminals of a sphere begin with a
-vertex where it shrinks most; there are at least two of them.
+First, the surface is cut to disks as by `cut_to_disks()`. The cotangent Laplacian then predicts the scale \f$e^u\f$ of
+a conformal map: \f$L u = -K\f$, where \f$K\f$ is the angle defect of a vertex, and \f$u\f$ vanishes on seams and
+borders. The vertex with the largest \f$|u|\f$ becomes a *terminal*: the shortest path joins it to the seams. This is
+repeated until the predicted \f$L_2\f$ stretch \f$\sqrt{\overline{e^{-2u}}\;\overline{e^{2u}}}\f$, with means over the
+area, is at most `Seam_options::stretch_bound`. Key-path exchange then shortens the seams. A sphere has at least two
+terminals; the first one is the vertex where it would shrink most.
 
-The stretch of a map by ABF++ is mostly within a few percent of the prediction. Coarse triangulations with long thin
+The stretch of a map by ABF++ is usually within a few percent of the prediction. Coarse triangulations with long thin
 triangles can stretch more: measure the map.
 
 Seams of surfaces with more than 12,000 vertices are selected on a coarser copy with 5,000 vertices, and drawn on the
-surface as shortest paths near those of the copy. Where edges that must not become seams bar the way, the shortest path
-anywhere takes their place, and the stretch is predicted again on the surface itself. It may then miss the bound. Edges
-that are seams already remain so, and count as borders.
+surface as shortest paths near those of the copy. If constrained edges bar such a path, the shortest path anywhere
+replaces it, and the stretch is predicted again on the surface itself. It may then miss the bound. Given seams remain
+seams, and count as borders.
 
-For \f$n\f$ triangles this takes time \f$O(n \log n)\f$ for the copy and the paths, and a factorization of the Laplacian
-of the copy for each terminal.
+For \f$n\f$ triangles, the copy and the paths take time \f$O(n \log n)\f$, and each terminal takes a factorization of
+the Laplacian of the copy.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
@@ -50,7 +50,7 @@ of the copy for each terminal.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh, of any number of connected components
-\param seams which edges are seams; unchanged if anything is wrong
+\param seams the seams: marked edges stay seams, and new seams are marked; unchanged if anything is wrong
 \param options the options
 \param np optional named parameters:
 
@@ -66,7 +66,7 @@ of the copy for each terminal.
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs}
+    \cgalParamDescription{the cost of a seam along each edge}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
@@ -77,8 +77,8 @@ of the copy for each terminal.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the length of all seams. `Diagnosis::NO_CUT_ALLOWED` means that edges which must
-not become seams leave no way.
+\return the length of all seams, and what is wrong, if anything. `Diagnosis::NO_CUT_ALLOWED` means that the edges that
+may become seams leave no way to cut.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -21,10 +21,10 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-shortens seams that leave disks, which they do afterwards too.
+shortens seams that leave disks. The shorter seams leave disks as well.
 
-Key-path exchange is that of `cut_to_disks()`. The ends of seams inside the surface stay where they are.
-Seams that leave anything else than disks are shortened where a path has the same border on both sides.
+The method is key-path exchange, as in `cut_to_disks()`. The ends of seams inside the surface do not move. Seams that
+leave anything else than disks are shortened where a path has the same border on both sides.
 
 Searches visit each vertex 100 times at most.
 
@@ -49,13 +49,13 @@ Searches visit each vertex 100 times at most.
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs}
+    \cgalParamDescription{the cost of a seam along each edge}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, and the length of all seams.
+\return the length of all seams, and what is wrong, if anything
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -57,22 +57,22 @@ struct Split_edge
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
   vertex_descriptor source; ///< One of its vertices.
-  vertex_descriptor target; ///< The other one.
+  vertex_descriptor target; ///< Its other vertex.
   vertex_descriptor middle; ///< The new vertex between them.
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// splits the edges of `mesh` that are in the way of a planar border with prescribed angles: those for which
-/// `ABF_plus_plus_parameterizer_3::parameterize()` has the diagnosis `Diagnosis::FLAT_CHORD`.
+/// splits the edges of `mesh` that prevent a planar border with prescribed angles: those that
+/// `ABF_plus_plus_parameterizer_3::parameterize()` reports as `Diagnosis::FLAT_CHORD`.
 ///
-/// Such an edge joins two border vertices, and the border between them is to be straight, or to turn away from the
-/// edge. The triangles between the two would have no area. The most frequent one cuts off a triangle with two border
-/// edges, whose third vertex is to be on a straight side. The edge is split in its middle, and so are the two triangles
-/// beside it: then it can bend.
+/// Such an edge joins two border vertices, and the prescribed border between them is straight, or turns away from the
+/// edge. The triangles between the edge and the border would have no area. Most such edges cut off a triangle with two
+/// border edges, whose third vertex should be on a straight side. The edge is split in its middle, together with the
+/// two triangles beside it, so that it can bend.
 ///
-/// The shape of the surface stays the same. Nothing is split if the prescribed angles are wrong in another way.
-/// The time is linear.
+/// The shape of the surface does not change. If the prescribed angles are wrong in another way, nothing is split. The
+/// time is linear.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map.
 /// \tparam VertexAngleSumMap a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_angle_sums()`.

@@ -22,25 +22,25 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-splits charts whose maps overlap themselves into pieces whose maps are injective. The coordinates stay as they are.
+splits charts whose maps overlap themselves into pieces whose maps are injective. Coordinates do not change.
 
-A chart is a connected part of the surface without its seams. Its overlapping pairs of faces are found by their bounding
-boxes and exact predicates. Pairs that are next to each other form two *sheets*, one over the other. A minimum cut of
-the dual graph, where each edge has its weight as its capacity, separates the sheets of the largest overlap (Boykov and
-Kolmogorov's algorithm, from Boost.Graph). That is repeated for each piece until no faces of it overlap. An overlap that
-winds around so far that its sheets are not apart is cut in several steps.
+A chart is a connected piece of the surface between its seams. Its overlapping pairs of faces are found by bounding
+boxes and exact predicates. Connected pairs form two *sheets*, one over the other. A minimum cut of the dual graph,
+where the capacity of each edge is its weight, separates the sheets of the largest overlap (Boykov and Kolmogorov's
+algorithm, from Boost.Graph). This is repeated for each piece until none of its faces overlap. An overlap that winds
+around so far that its sheets have common faces is cut in several steps.
 
-In the end, each piece has a map that is injective by the same exact certificate as `is_injective()`. Pieces are
-connected; if a chart is a disk, then so are its pieces. A chart whose map is injective gets no seam.
+Each piece finally has an injective map, by the exact certificate of `is_injective()`. Pieces are connected; if a chart
+is a disk, so are its pieces. A chart whose map is injective gets no seam.
 
-For \f$n\f$ faces and \f$k\f$ pairs of overlapping faces, it takes time \cgalBigO{n \log n} to see that there is none.
-Otherwise each cut takes time \cgalBigO{(n + k) \log n} and a maximum flow on a planar graph with at most \f$n\f$ nodes;
-in practice that is less than the time to flatten the chart. Memory is linear in \f$n\f$. The result does not depend on
-the number of threads.
+For \f$n\f$ faces without overlap, the time is \cgalBigO{n \log n}. With \f$k\f$ pairs of overlapping faces, each cut
+takes time \cgalBigO{(n + k) \log n} and a maximum flow on a planar graph with at most \f$n\f$ nodes; in practice, this
+is less than the time to flatten the chart. Memory is linear in \f$n\f$. The result does not depend on the number of
+threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type, of any kernel whose number
-        type is exact or has only numbers that `double` has too. The key type is
+        type is exact, or whose numbers `double` can hold. The key type is
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` or
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`.
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
@@ -50,11 +50,11 @@ the number of threads.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh, of any number of connected components
-\param uv the coordinates. A halfedge of a face has those of its target at that face: all halfedges of faces need some,
-       and around a vertex they are the same from seam to seam. Coordinates of vertices are enough where no vertex is on
-       a seam that opens its chart.
-\param seams which edges are seams; new ones are added, and none if anything is wrong. Marked border edges do no harm.
-\param charts receives the number of each face's piece, from 0 on, in the order of the first faces of the pieces;
+\param uv the coordinates: each halfedge stores those of its target in its face. Around a vertex, they must be the same
+       from seam to seam. Coordinates of vertices suffice if no vertex has several places within a chart.
+\param seams the seams: marked edges stay seams, and new seams are marked; unchanged if anything is wrong. Marked border
+       edges are ignored.
+\param charts receives the number of the piece of each face, from 0 on, in the order of the first faces of the pieces;
        unchanged if anything is wrong
 \param np optional named parameters:
 
@@ -70,13 +70,13 @@ the number of threads.
     \cgalParamDefault{no edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what a seam along each edge costs}
+    \cgalParamDescription{the cost of a seam along each edge}
     \cgalParamType{a model of `ReadablePropertyMap` with numbers of at least 0}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is wrong, if anything, the number of pieces, and the length of the seams that were added
+\return the number of pieces, the length of the added seams, and what is wrong, if anything
 
 \sa `overlapping_faces()`
 */

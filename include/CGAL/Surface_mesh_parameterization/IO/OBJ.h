@@ -143,13 +143,13 @@ namespace IO {
 
 writes a mesh with texture coordinates to a stream, in the OBJ format.
 
-Vertices and faces keep the order of the mesh. Corners at a vertex share their texture coordinates where these are
-equal. Any program may have made the coordinates.
+Vertices and faces keep the order of the mesh. Corners at a vertex share equal texture coordinates. The coordinates may
+come from any program.
 
 \tparam PolygonMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam UVMap a model of `ReadablePropertyMap` with a two-dimensional point as value type. The key type is
-        `boost::graph_traits<PolygonMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge of a face has the
-        coordinates of its target at that face, as `make_atlas()` writes them.
+        `boost::graph_traits<PolygonMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge stores the
+        coordinates of its target in its face, as `make_atlas()` writes them.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param out the stream
@@ -164,15 +164,15 @@ equal. Any program may have made the coordinates.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{the number of each face's chart. Charts do not share coordinates, also where they are equal,
-    and a face with a negative number gets none.}
+    \cgalParamDescription{the chart number of each face. Charts do not share coordinates, even if these are equal. A
+    face with a negative number gets no coordinates.}
     \cgalParamType{a model of `ReadablePropertyMap` with an integer as value type}
     \cgalParamDefault{all faces are in one chart}
   \cgalParamNEnd
   \cgalParamNBegin{stream_precision}
     \cgalParamDescription{the number of digits of coordinates}
     \cgalParamType{`int`}
-    \cgalParamDefault{`17`: numbers of type `double` are read back as they are}
+    \cgalParamDefault{`17`: reading gives back the same numbers of type `double`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
