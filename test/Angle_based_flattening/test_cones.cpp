@@ -576,12 +576,12 @@ BOOST_AUTO_TEST_CASE(what_has_no_cones)
   for(double wrong :
       {-1., 1., 7., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     check(ball, 8, with<Cone_options>(&Cone_options::angle_multiple, wrong), Diagnosis::WRONG_OPTION,
-          "2 pi is no multiple");
+          "2 pi is not a multiple");
   }
   check(ring, 8, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2), Diagnosis::WRONG_TOPOLOGY,
-        "neither a sphere nor a disk");
+        "only on a sphere or a disk");
   check(pipe, 8, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2), Diagnosis::WRONG_TOPOLOGY,
-        "neither a sphere nor a disk");
+        "only on a sphere or a disk");
   check(ball, 0, none, Diagnosis::INFEASIBLE_ANGLE_SUMS, "needs cones");
   for(std::size_t n : {1, 2})
     BOOST_TEST(
@@ -709,7 +709,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_map)
   };
   check(1, Cone_options(), CONES, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at (");
   check(8, with<Cone_options>(&Cone_options::angle_multiple, 1), CONES, Diagnosis::WRONG_OPTION,
-        "2 pi is no multiple");
+        "2 pi is not a multiple");
   check(8,
         with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI, &Cone_options::angles,
                            SMP::Cone_angles::FREE),

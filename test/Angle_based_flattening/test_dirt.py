@@ -308,7 +308,7 @@ add("ply with vertices after faces", ply_header().replace("element vertex 4\npro
     "property double z\nend_header\n") + "3 0 1 2\n3 0 2 3\n" + "".join(row(p) + "\n" for p in POINTS), faces=2)
 add("ply with vertices twice", ply(more="element vertex 1\nproperty float x\nproperty float y\nproperty float z\n")
     + "0 0 0\n", 2, "vertices twice")
-add("ply with a header twice", ply_header() + ply(), 2, "line 10: the number 'ply' of vertex 1")
+add("ply with a header twice", ply_header() + ply(), 2, "line 10: the value 'ply' of vertex 1")
 add("ply without format", ply().replace("format ascii 1.0\n", ""), 2, "no line 'format'")
 add("ply with an unknown format", ply().replace("ascii", "morse"), 2, "line 2: the format 'morse'")
 add("ply with an unknown type", ply().replace("float y", "complex y"), 2, "line 5: the type 'complex'")
@@ -361,9 +361,9 @@ add("stl with endfacet twice", stl().replace("endfacet", "endfacet\nendfacet"), 
     "line 9: the facet has fewer than three")
 add("stl without endsolid", stl().replace("endsolid sheet\n", ""), 2, "without 'endsolid', so it was cut short")
 add("stl cut short in a facet", stl().split("endloop")[0], 2, "line 7: .*cut short")
-add("stl cut short in a word", stl().split("er loop")[0], 2, "line 3: 'out' is no word")
+add("stl cut short in a word", stl().split("er loop")[0], 2, "line 3: 'out' is not a keyword")
 add("stl with no facet", stl(faces=[]), 2, "no vertices")
-add("stl with a foreign word", stl().replace("outer", "inner"), 2, "line 3: 'inner' is no word")
+add("stl with a foreign word", stl().replace("outer", "inner"), 2, "line 3: 'inner' is not a keyword")
 add("stl of the same corner thrice", stl(faces=[(0, 0, 0), (0, 1, 2)]), 2, "face 1 names vertex 1 twice",
     [("DEGENERATE_FACE", 1)], faces=2)
 

@@ -391,7 +391,7 @@ BOOST_AUTO_TEST_CASE(pinched_vertices)
   const auto refused = check(half, slit);
   BOOST_TEST(name(refused.status) == "NON_MANIFOLD_VERTEX");
   BOOST_TEST(half.target(refused.parts[0].where) == Vertex(0));
-  BOOST_TEST(refused.message == "vertex 0 is surrounded by faces, and belongs to other faces as well");
+  BOOST_TEST(refused.message == "vertex 0 is surrounded by faces, and also belongs to other faces");
   put(slit.map, half.edge(half.halfedge(Vertex(4), Vertex(5))), true);
   put(slit.map,
       *std::find_if(half.edges().begin(), half.edges().end(),

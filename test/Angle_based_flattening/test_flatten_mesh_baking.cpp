@@ -288,8 +288,7 @@ BOOST_FIXTURE_TEST_CASE(materials_are_kept, Baking)
   write("plane.off", "OFF\n4 2 0\n-1 -1 0.01\n3 -1 0.01\n3 2 0.01\n-1 2 0.01\n3 0 1 2\n3 0 2 3\n");
   bake("in/model.obj", "plane.off", "flat.obj", "--resolution 64");
   BOOST_TEST(status == 0, standard_error);
-  check_told(
-      "note: what is baked takes the place of what the input has: normals, all of its materials but names");
+  check_told("note: baking replaces parts of the input: normals, materials except names");
   Lines kept;
   for(const std::string& line : lines_of(obj())) {
     if(line.compare(0, 2, "v ") != 0 && line.compare(0, 2, "vt") != 0 && line.compare(0, 2, "vn") != 0) {
@@ -332,7 +331,7 @@ BOOST_FIXTURE_TEST_CASE(bad_rays_are_told, Baking)
   common_options = "";
   bake("coarse.off", "turned.off", "flat.obj", "--resolution 64");
   BOOST_TEST(status == 0);
-  check_told("note: 100.0 % of the rays met the wrong side of '" + file("turned.off") + "' only");
+  check_told("note: 100.0 % of the rays met only back faces of '" + file("turned.off") + "'");
   BOOST_TEST(report<int>("back_faces") == report<int>("chart_texels"));
 
   baked_surfaces::Surface open = baked_surfaces::sphere(5);
@@ -358,7 +357,7 @@ BOOST_FIXTURE_TEST_CASE(surfaces_that_are_simple_enough_stay, Baking)
 {
   common_options = "";
   run(quoted(file("coarse.off")) + " --simplify 80 --output " + quoted(file("flat.obj")));
-  check_told("note: the surface has 80 triangles: --simplify leaves it as it is");
+  check_told("note: the surface has 80 triangles: --simplify does not change it");
   run(quoted(file("coarse.off")) + " --output " + quoted(file("other.obj")));
   BOOST_TEST((obj() == content(path / "other.obj")));
 }
@@ -382,7 +381,7 @@ BOOST_FIXTURE_TEST_CASE(wrong_uses_are_refused, Baking)
         {"--bake-from", "broken.off"});
   check(input + output + " --bake-from " +
             quoted(write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")),
-        {"line.off", "no face with area"});
+        {"line.off", "no face with an area"});
   check(input + output + " --bake-from ''", {"the name after --bake-from is empty"});
   check(input + output + " --simplify 3", {"--simplify takes a number of at least 4"});
   check(input + output + " --simplify 50 --seams-from uv", {"--simplify excludes --seams-from"});

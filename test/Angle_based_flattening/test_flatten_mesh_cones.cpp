@@ -410,9 +410,9 @@ BOOST_AUTO_TEST_CASE(that_are_not_possible_are_refused)
     check_refusal({"cannot choose cones", "(vertex "});
   }
   flatten(sphere, "--cones 3 --cone-angle-multiple 180");
-  check_refusal({"cannot choose cones", "more cones are needed"});
+  check_refusal({"cannot choose cones", "take more cones"});
   flatten(write("rings.off", double_ring().text()), "--cones 8 --cone-angle-multiple 90");
-  check_refusal({"cannot choose cones", "neither a sphere nor a disk"});
+  check_refusal({"cannot choose cones", "only on a sphere or a disk"});
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage)

@@ -157,7 +157,7 @@ inline void check_angles(const Command_line& command)
   check(command.rectangle.empty() || command.rectangle == "auto" || corner_numbers(command.rectangle),
         " takes four different vertices, as in '--rectangle 1,20,300,4000', or 'auto'");
   check(command.method != "hierarchical",
-        " goes with --method direct or auto: the hierarchical method prescribes no angles");
+        " goes with --method direct or auto: the hierarchical method cannot prescribe angles");
   check((command.cut == "auto" || command.cut == "none") && !command.asks_for_stretch,
         " goes with a surface that is not cut open");
   check(command.layout != "least-squares",
@@ -192,13 +192,13 @@ inline void check_cones(const Values& values, Command_line& command)
   check(command.border_angles.empty(), "--cones and --border-angles exclude each other");
   check(!is_given(values, "cut"), "--cones and --cut exclude each other: seams lead to the cones");
   check(!is_given(values, "stretch-bound"),
-        "--cones and --stretch-bound exclude each other: more cones make the stretch less");
+        "--cones and --stretch-bound exclude each other: more cones reduce the stretch");
   check(command.equal_seams != "off",
         "--cones and --equal-seams off exclude each other: both sides of a seam are equal");
   check(command.method != "hierarchical",
-        "--cones goes with --method direct or auto: the hierarchical method prescribes no angles");
+        "--cones goes with --method direct or auto: the hierarchical method cannot prescribe angles");
   check(!command.options.injective,
-        "--cones and --injective exclude each other: one of them must give way where the map would overlap");
+        "--cones and --injective exclude each other: injective maps do not keep the angles of cones");
   check(command.layout != "least-squares",
         "--cones goes with --layout exact or auto: least squares leave gaps between both sides of a seam");
   command.options.equal_seam_lengths = true;
@@ -218,8 +218,8 @@ inline void check_equal_seams(Command_line& command)
     throw Usage_error("--equal-seams goes with --method direct or auto");
   }
   if(command.options.injective) {
-    throw Usage_error("--equal-seams and --injective exclude each other: one of them must give way where the "
-                      "map would overlap");
+    throw Usage_error(
+        "--equal-seams and --injective exclude each other: injective maps have no equal lengths");
   }
 }
 
@@ -241,7 +241,7 @@ inline void check_weld(const Values& values, const Command_line& command)
                       command.weld + "'");
   }
   if(command.weld != "off" && command.repair == "off") {
-    throw Usage_error("--weld and --repair off exclude each other: nothing is joined then");
+    throw Usage_error("--weld and --repair off exclude each other: without repairs, nothing is joined");
   }
 }
 

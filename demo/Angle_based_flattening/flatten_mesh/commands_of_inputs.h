@@ -57,7 +57,7 @@ inline void check_placeholders(const Command_line& command)
     if(!file.empty() && !has_placeholder(file) && !is_other_file(resolved(file))) {
       throw Output_error("--" + option.name + " '" + file + "' names one file for " +
                          count_text(command.inputs.size(), "input") +
-                         ": put a '%' into it, in whose place comes the name of each, as in '%." +
+                         ": put a '%' into it, which stands for the name of each input, as in '%." +
                          option.formats.front() + "'");
     }
   }

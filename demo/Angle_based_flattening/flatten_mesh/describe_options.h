@@ -43,50 +43,41 @@ inline po::options_description file_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("input", po::value(&command.inputs)->value_name("FILE"),
       ("the surface: ." + formats_text(", .", " or .") +
-       "; '-' is standard input. The word '--input' may be left out. Several files are flattened one after "
-       "the "
-       "other")
+       "; '-' is standard input. The word '--input' may be left out. Several files are flattened one "
+       "after the other")
           .c_str());
   add("format", po::value(&command.format)->value_name("NAME"),
       ("of standard input and pipes: " + formats_text(", ", " or ")).c_str());
   add("output,o", po::value(&command.output)->value_name("FILE.obj|ply|glb"),
-      "write the model with texture coordinates at each corner; faces outside the charts have none. Points "
-      "and "
-      "faces are those of the input, in their order; turned faces are turned. OBJ keeps all else, too. PLY "
-      "keeps normals and colours of points; texture coordinates are a list 'texcoord' of each face. GLB "
-      "(where "
-      "built with tinygltf) is binary glTF: triangles with normals, colours and materials; v goes down "
-      "there, "
-      "so it is 1 - v. --plain writes the repaired surface as OBJ, without groups, materials, normals and "
-      "colours");
+      "write the model with texture coordinates at each corner; faces without chart have none. Points and "
+      "faces are those of the input, in their order; faces with a wrong orientation are turned. OBJ also "
+      "keeps the rest of the model. PLY keeps normals and colours of points; texture coordinates are a "
+      "list 'texcoord' of each face. GLB (where built with tinygltf) is binary glTF: triangles with "
+      "normals, colours and materials, where v points down: 1 - v. --plain writes the repaired surface as "
+      "OBJ, without groups, materials, normals and colours");
   add("svg", po::value(&command.svg)->value_name("FILE.svg"),
       "draw the plane: each chart in a colour of its own, and both sides of a seam in the same colour. "
-      "--plain: every "
-      "triangle coloured by how much its angles change");
+      "--plain: each triangle is coloured by the change of its angles");
   add("picture", po::value(&command.picture)->value_name("FILE.png"),
       "draw the surface from six sides, with a checkerboard in the colour of each chart, and the plane "
-      "beside it: squares remain squares where shapes are preserved, and are equally large where sizes are. "
-      "--plain: from one side (where built with libpng)");
+      "beside it: squares remain squares where shapes are preserved, and are equally large where sizes are "
+      "preserved. --plain: from one side (where built with libpng)");
   add("up", name_option(command.up),
-      "x, y or z: the axis that points upwards in the picture and the report. auto: y or z, as the shape of "
-      "the surface "
-      "tells, or else the format of the file");
+      "x, y or z: the axis that points upwards in the picture and the report. auto: y or z, by the shape "
+      "of the surface, or else by the format of the file");
   add("report", po::value(&command.report)->value_name("FILE.html"),
-      "write a page for browsers, which needs no network: the surface, to be turned, beside the plane; both "
-      "with a "
-      "checkerboard, or coloured by chart or by distortion; the measures, and the worst faces. Surfaces of "
-      "more than 250,000 "
-      "triangles are thinned for display (where built with three.js)");
+      "write a page for browsers, which needs no network: the surface, which can be turned, beside the "
+      "plane, both with a checkerboard, or coloured by chart or by distortion; the measures; the worst "
+      "faces. Surfaces of more than 250,000 triangles are thinned for display (where built with three.js)");
   add("seams", po::value(&command.seams)->value_name("FILE.selection.txt"),
       "write the edges along which the surface was cut open, for --seams-from, --cut, CGAL::Seam_mesh and "
-      "CGAL's demo: "
-      "pairs of vertices of the surface in FILE.obj, from 0");
+      "CGAL's demo: pairs of vertices of the surface in FILE.obj, from 0");
   add("json", po::value(&command.json)->value_name("FILE.json"),
-      "write the report for programs. Angles are in radians; 'status' is OK or the name of what went wrong. "
-      "Also written when something is wrong, with 'status', 'message' and 'input' at least. A '-' in place "
-      "of any of these six files is standard output; the text for people is then on standard error. With "
-      "several inputs, "
-      "each of these names has a '%', in whose place comes the input's name without folder and extension");
+      "write the report for programs. Angles are in radians; 'status' is OK or says what went wrong. If "
+      "something is wrong, the file contains at least 'status', 'message' and 'input'. '-' in place of any "
+      "of these six files is standard output; the text for people is then on standard error. With several "
+      "inputs, each of these names contains a '%', which stands for the name of the input without folder "
+      "and extension");
   return options;
 }
 
@@ -95,40 +86,32 @@ inline po::options_description surface_options(Command_line& command)
   po::options_description options("What is flattened", 100, 60);
   po::options_description_easy_init add = options.add_options();
   add("component", po::value(&command.component)->value_name("N"),
-      "only this connected component, numbered from 0 by falling number of faces. --plain: 0 if it is not "
-      "given");
+      "only this connected component, numbered from 0 by falling number of faces. --plain: 0 by default");
   add("stretch-bound", number_option(command.stretch_bound, "BOUND"),
-      "seams are added until the scale stretch is at most this, where 1 is perfect and up to 1.03 times the "
-      "bound is let "
-      "pass; if it is missed all the same, a note says so. --plain: for --cut auto; if given, "
-      "surfaces with borders and without handles get such seams, too, which join all their borders");
+      "seams are added until the scale stretch of each chart is at most this bound; 1 is perfect. Up to "
+      "1.03 times the bound is accepted; otherwise, a note says that the bound is missed. --plain: for "
+      "--cut auto; if given, surfaces with borders and without handles also get such seams, which join all "
+      "their borders");
   add("area-weight", po::value(&command.options.area_weight)->value_name("THETA"),
-      ("how much a map that was made injective keeps areas: 0 not at all, 1 as isometric as possible. If it "
-       "is "
-       "not given, 0.02 for an atlas; --plain: with --injective only, " +
+      ("how much injective maps preserve areas: 0 not at all, 1 as isometric as possible. If it is not "
+       "given, 0.02 for an atlas; --plain: with --injective only, " +
        format_number("%g", command.options.area_weight) + " if it is not given")
           .c_str());
   add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
-      "on: both sides of each edge along a seam get the same length, so that the scale does not jump there. "
-      "off: their lengths are free. If it is not given, an atlas has equal ones in the charts that ABF++ "
-      "maps "
-      "directly, and --plain where the direct method maps a surface that is cut; a note tells of the map "
-      "without if that fails. --plain with on takes the direct method for large surfaces, too");
+      "on: both sides of each edge on a seam get equal lengths, so that the scale does not jump there. "
+      "off: their lengths are free. By default, lengths are equal in the charts of an atlas that ABF++ "
+      "maps directly, and with --plain where the direct method maps a surface that is cut; if that fails, "
+      "lengths are free, with a note. --plain with on takes the direct method also for large surfaces");
   add("repair", name_option(command.repair),
-      "on: vertices at the same place are merged (see --weld), faces that are oriented differently turned, "
-      "and parts that touch in a vertex separated, each with a note; for an atlas, also parts that meet in "
-      "an "
-      "edge of more than two faces. off: such surfaces are refused");
+      "on: vertices at the same place are merged (see --weld), faces with a different orientation are "
+      "turned, and parts that touch in a vertex are separated, with notes; for an atlas, also parts that "
+      "meet in an edge of more than two faces. off: such surfaces are refused");
   add("weld", po::value(&command.weld)->value_name("on|off|DISTANCE"),
-      "on: faces with vertices of their own are joined along edges at exactly the same place, as where a "
-      "file "
-      "was split along the seams of its texture. A distance, in units of the surface: also where vertices "
-      "are "
-      "at most so far apart. Closed parts that touch, and both sides of a sheet, stay separate. off: nothing "
-      "is "
-      "joined. If it is not given, an atlas takes on; so does --plain if no two faces share a vertex, and "
-      "off "
-      "otherwise");
+      "on: faces that do not share their vertices are joined along edges at exactly the same place, for "
+      "example where a file was split along the seams of its texture. A distance, in units of the surface: "
+      "faces are also joined where vertices are at most this far apart. Closed parts that touch, and both "
+      "sides of a sheet, stay separate. off: nothing is joined. By default on for an atlas; with --plain, "
+      "on if no two faces share a vertex, and otherwise off");
   return options;
 }
 
@@ -138,32 +121,29 @@ inline po::options_description atlas_options(Command_line& command)
   po::options_description options("The atlas", 100, 60);
   po::options_description_easy_init add = options.add_options();
   add("separate", po::bool_switch(&atlas.separates),
-      "where a map would overlap itself, cut the chart into several, which keep the angles, instead of "
-      "changing the map; "
-      "also cut charts at their necks, so that they are packed more densely");
+      "where a map would overlap itself, split the chart into several, which keep the angles, instead of "
+      "changing the map; also cut off branches of charts, for denser packing");
   add("seams-from", po::value(&atlas.seams_from)->value_name("FILE.selection.txt|uv"),
-      "keep these seams, and add what else is needed: those in a file that --seams or CGAL's demo wrote, or "
-      "those of the "
-      "texture coordinates in the input");
+      "keep these seams, and add more where they are needed: the seams in a file that --seams or CGAL's "
+      "demo wrote, or the seams of the texture coordinates in the input");
   add("charts-from-materials", po::bool_switch(&atlas.charts_from_materials),
       "edges between faces of different materials are seams");
   add("no-pack", po::bool_switch()->notifier([&atlas](const bool is_given) { atlas.is_packed = !is_given; }),
-      "charts have the size that they have in space, and lie in rows, in their order, not turned");
+      "charts have the same size as in space, and lie in rows, in their order, not turned");
   add("units", name_option(atlas.units),
-      "square: the atlas fills the unit square. world: it is as large as the surface; so are charts that are "
-      "not packed");
+      "square: the atlas fills the unit square. world: it is as large as the surface; charts that are not "
+      "packed always are");
   add("resolution", count_option(atlas.resolution), "number of texels along each side of the square");
   add("gutter", count_option(atlas.gutter), "number of texels that stay free between charts");
   add("rotations", count_option(atlas.rotations), "number of directions in which each large chart is tried");
   add("simplify", po::value(&atlas.simplified_triangles)->value_name("N"),
-      "first simplify the surface to N triangles, or as few as keep it valid; the output is then the "
-      "simplified surface");
+      "first simplify the surface to N triangles, or to the fewest that keep it valid; the output is then "
+      "the simplified surface");
   add("bake-from", po::value(&atlas.bake_from)->value_name("FILE"),
       "bake this fine surface, in any format that is read, into the texture of the input: its normals, its "
-      "distance, and its colours if it has some. "
-      "With --output NAME.obj, the pictures are NAME_normals.png, NAME_displacement.png and NAME_colors.png, "
-      "and NAME.mtl names them. "
-      "NAME.glb contains those of normals and colours (where built with libpng)");
+      "distance, and its colours, if any. With --output NAME.obj, the pictures are NAME_normals.png, "
+      "NAME_displacement.png and NAME_colors.png, and NAME.mtl names them. NAME.glb contains the pictures "
+      "of normals and colours (where built with libpng)");
   return options;
 }
 
@@ -172,43 +152,43 @@ inline po::options_description plain_options(Command_line& command)
   po::options_description options("One chart instead of an atlas", 100, 60);
   po::options_description_easy_init add = options.add_options();
   add("plain", po::bool_switch(&command.is_plain),
-      "flatten one component, from one border, as one chart of the size that it has in space, by ABF++ "
-      "alone. Parts of its "
-      "map may overlap");
+      "flatten one component, from one border, as one chart with its area in space, by ABF++ alone. Parts "
+      "of the map may overlap");
   add("border", po::value(&command.border)->value_name("N")->default_value(command.border),
-      "the component's outer border, numbered from 0 by falling length; all others are holes");
+      "the outer border of the component, numbered from 0 by falling length; all other borders are holes");
   add("cut", po::value(&command.cut)->value_name("NAME|FILE.selection.txt")->default_value(command.cut),
       "auto: closed surfaces and surfaces with handles are cut open along short seams that leave little "
-      "stretch; all others are flattened as they are, unless --stretch-bound is given. topology: only seams "
-      "that make the surface a disk; they also join its borders. none: nothing is cut. A file: its seams are "
-      "used, and no others; of several disks that they leave, the largest is flattened");
+      "stretch; other surfaces are flattened as they are, unless --stretch-bound is given. topology: only "
+      "seams that make the surface a disk, and join its borders. none: nothing is cut. A file: only its "
+      "seams; if they leave several disks, the largest is flattened");
   add("split-overlaps", po::bool_switch(&command.split_overlaps),
-      "where the map overlaps itself, split the chart along further seams into pieces whose maps do not. The "
-      "coordinates stay as they are, so that pieces still lie over one another: move them apart as islands "
-      "of the texture");
+      "where the map overlaps itself, split the chart along further seams into pieces whose maps do not. "
+      "Coordinates do not change, so that pieces still lie over one another: move them apart as islands of "
+      "the texture");
   add("rectangle", po::value(&command.rectangle)->value_name("V1,V2,V3,V4|auto"),
-      "the border becomes a rectangle with straight sides and these four vertices of it as corners, counted "
-      "from 1, as in OBJ files. auto: where the border comes near the corners of the smallest rectangle "
-      "around the map without this option. Edges that cut off triangles which would be flat are split in "
-      "their middle, which only OBJ output can hold");
+      "the border becomes a rectangle with straight sides, whose corners are these four vertices, counted "
+      "from 1, as in OBJ files. auto: the vertices nearest to the corners of the smallest rectangle around "
+      "the map without this option. Edges that would cut off flat triangles are split in their middle, "
+      "which only OBJ output can hold");
   add("border-angles", po::value(&command.border_angles)->value_name("FILE"),
-      "the border has these inner angles in the plane. The file has a line for each vertex that has one: its "
-      "number, from 1, and its angle in degrees, 180 on straight sides");
+      "the border gets these inner angles in the plane. The file has a line for each vertex with an angle: "
+      "its number, from 1, and its angle in degrees, 180 on straight sides");
   add("cones", po::value(&command.cones)->value_name("N"),
-      "choose N vertices as cones, whose angles need not sum to 360 degrees in the plane, cut through them, "
-      "and map such that both sides of each seam are equal up to a rigid motion. Borders stay free. There "
-      "are fewer cones if fewer suffice");
+      "choose N vertices as cones, whose angles need not sum to 360 degrees in the plane, cut through "
+      "them, and map such that both sides of each seam are equal up to a rigid motion. Borders stay free. "
+      "There are fewer cones if fewer suffice");
   add("cone-angle-multiple", po::value(&command.cone_angle_multiple)->value_name("DEGREES"),
-      "with --cones: the angles around cones are multiples of this, and so are the turns from one side of a "
-      "seam to the other: 90 makes them quarter turns. It divides 360; for spheres and disks");
+      "with --cones: the angles around cones are multiples of this angle, and so are the turns from one "
+      "side of a seam to the other; with 90, quarter turns. It divides 360; for spheres and disks");
   add("injective", po::bool_switch(&command.options.injective),
-      "a map in which no two triangles overlap, without further seams: where the map would overlap itself, "
-      "its border is kept from touching itself, and angles change more. Holes are filled meanwhile. --method "
-      "auto is hierarchical then, for any number of triangles; add --polish for less change of angles. "
-      "direct: the result of that method if it does not overlap itself, and else a polished injective map");
+      "no two triangles of the map overlap, and no seam is added: the border is kept from touching itself, "
+      "and angles change more. Holes are filled during the computation. With --method auto, the method is "
+      "then hierarchical for any number of triangles; add --polish for less change of angles. With direct, "
+      "the map of that method is kept if it does not overlap itself; otherwise, a polished injective map "
+      "replaces it");
   add("clearance", number_option(command.options.clearance, "LENGTHS"),
-      "parts of the border of an injective map that come nearer to one another than this many lengths of "
-      "their edges repel each other");
+      "the distance below which parts of the border of an injective map repel each other, in lengths of "
+      "their edges");
   add("holes", name_option(command.holes),
       "solve: holes take the shape that changes angles least. fill: soft triangles cover the holes while the "
       "surface is flattened, so that their borders stay simple. refuse: a surface with holes is an error");
@@ -222,24 +202,23 @@ inline po::options_description method_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("method", name_option(command.method),
       "direct: ABF++ on the whole chart. hierarchical: on a simplified chart, which is then refined; for "
-      "large surfaces. auto: hierarchical with --injective. Else direct for up to 200,000 triangles. For "
-      "more "
-      "it is hierarchical, with a finer coarse chart and final sweeps, if that comes close to the direct "
-      "method: energy at most 20 % higher. Else it is direct. An estimate decides");
+      "large surfaces. auto: hierarchical with --injective; otherwise direct for up to 200,000 triangles, "
+      "and for more hierarchical, with a finer coarse chart and final sweeps, if an estimate says that the "
+      "energy is at most 20 % higher than that of the direct method; otherwise direct");
   add("simplification-rate", number_option(command.hierarchical.simplification_rate, "PART"),
       "part of the vertices that the hierarchical method removes; auto: 0.85");
   add("sweeps", count_option(command.hierarchical.sweeps),
       "sweeps of relaxation on each level of the hierarchical method");
   add("angle-sweeps", count_option(command.hierarchical.angle_sweeps),
-      "sweeps of the hierarchical method that lower the energy of the direct one in the end; auto: up to 20. "
-      "--injective: 5 if none are asked for, or 3 for large charts");
+      "final sweeps of the hierarchical method that lower the energy of the direct method; auto: up to 20. "
+      "--injective: 5 by default, or 3 for large charts");
   add("polish", po::bool_switch(&command.hierarchical.polish),
-      "bring the result of the hierarchical method down to the distortion of the direct one");
+      "lower the distortion of the hierarchical method to that of the direct method");
   add("barrier", number_option(abf.barrier, "KAPPA"),
       "weight of the term that keeps angles away from zero; 0 is exactly the energy of the ABF++ paper");
   add("layout", name_option(command.layout),
-      "the way from angles to coordinates. exact: along the border, then one Laplace equation; for charts "
-      "with one border. least-squares: the way of the paper. auto: exact where it applies");
+      "how coordinates are computed from angles. exact: along the border, then one Laplace equation; for "
+      "charts with one border. least-squares: as in the paper. auto: exact where possible");
   add("tolerance", number_option(abf.tolerance, "RADIANS"), "largest violation of a constraint at a vertex");
   add("max-iterations", count_option(abf.max_iterations), "largest number of Newton steps");
   add("step", name_option(command.step),
@@ -255,11 +234,12 @@ inline po::options_description other_options(Command_line& command)
 {
   po::options_description options("Other", 100, 60);
   po::options_description_easy_init add = options.add_options();
-  add("threads", count_option(command.options.threads), "at once; 0: one on each processor");
+  add("threads", count_option(command.options.threads), "number of threads; 0: one on each processor");
   add("verbose,v", po::bool_switch(&command.verbose),
-      "tell on standard error what is done: a line for every stage, and with --plain for every Newton step");
+      "print the progress on standard error: a line for every stage, and with --plain for every Newton "
+      "step");
   add("quiet,q", po::bool_switch(&command.quiet),
-      "tell nothing but errors: no report, no notes, no progress");
+      "print nothing but errors: no report, no notes, no progress");
   add("help,h", po::bool_switch(&command.help), "print this text");
   add("version", po::bool_switch(&command.version), "print the version");
   return options;

@@ -17,28 +17,30 @@ inline std::string help_text()
 {
   Command_line defaults;
   std::ostringstream text;
-  text << "flatten_mesh: makes a texture atlas of a surface. It cuts the surface open along short seams, "
-          "flattens it angle\n"
-          "by angle (ABF++) without overlap, and packs the charts into the unit square.\n\n"
-          "usage: flatten_mesh FILE... [options]\n"
-       << internal::all_options(defaults)
-       << "\nExamples:\n"
-          "  flatten_mesh cow.off --output cow.obj --report cow.html\n"
-          "  flatten_mesh scan.ply --separate --resolution 4096 --gutter 4 --output scan.obj --svg scan.svg\n"
-          "  flatten_mesh model.obj --seams-from uv --output model_atlas.obj --json model.json\n"
-          "  flatten_mesh parts/*.stl --output 'atlas/%.obj' --json 'atlas/%.json' --quiet\n"
-          "  flatten_mesh - --format ply --output - < scan.ply > scan.obj\n"
-          "  flatten_mesh scan.ply --plain --output flat.obj --svg flat.svg\n"
-          "  flatten_mesh garment.obj --plain --component 2 --output sleeve.obj --json sleeve.json\n"
-          "  flatten_mesh mask.off --plain --barrier 0 --layout least-squares --step sqp --verbose\n"
-          "\nMessages count vertices, faces and lines from 1, as OBJ files do.\n"
-          "\nExit status: 0 when each face has a chart, no triangle is flipped, and all is written that was\n"
-          "asked for. 1 when the computation failed. 2 when the command line or the input is wrong, or an\n"
-          "output cannot be written; in these two cases neither models nor pictures nor pages are\n"
-          "written. Also 2 when parts of the surface cannot be flattened: the others are, and written.\n"
-          "3 with --plain, when there is a layout, written where asked for, but of a surface without area,\n"
-          "so that it means nothing. Of several inputs, all are tried; the status is that of the first that\n"
-          "is not 0.\n";
+  text
+      << "flatten_mesh: makes a texture atlas of a surface. It cuts the surface open along short seams,\n"
+         "flattens it without overlap by angle-based flattening (ABF++), and packs the charts into the unit\n"
+         "square.\n\n"
+         "usage: flatten_mesh FILE... [options]\n"
+      << internal::all_options(defaults)
+      << "\nExamples:\n"
+         "  flatten_mesh cow.off --output cow.obj --report cow.html\n"
+         "  flatten_mesh scan.ply --separate --resolution 4096 --gutter 4 --output scan.obj --svg scan.svg\n"
+         "  flatten_mesh model.obj --seams-from uv --output model_atlas.obj --json model.json\n"
+         "  flatten_mesh parts/*.stl --output 'atlas/%.obj' --json 'atlas/%.json' --quiet\n"
+         "  flatten_mesh - --format ply --output - < scan.ply > scan.obj\n"
+         "  flatten_mesh scan.ply --plain --output flat.obj --svg flat.svg\n"
+         "  flatten_mesh garment.obj --plain --component 2 --output sleeve.obj --json sleeve.json\n"
+         "  flatten_mesh mask.off --plain --barrier 0 --layout least-squares --step sqp --verbose\n"
+         "\nMessages count vertices, faces and lines from 1, as OBJ files do.\n"
+         "\nExit status: 0 if each face has a chart, no triangle is flipped, and all outputs are written.\n"
+         "1 if the computation failed. 2 if the command line or the input is wrong, or an output cannot be\n"
+         "written; with 1 and 2, no models, pictures or pages are written. Also 2 if parts of the surface\n"
+         "cannot be flattened: all other parts are flattened, and the outputs are written. 3 with --plain, "
+         "if\n"
+         "the surface has no area: the layout is written, but it means nothing. With several inputs, all "
+         "are\n"
+         "tried; the exit status is the first one that is not 0.\n";
   return text.str();
 }
 

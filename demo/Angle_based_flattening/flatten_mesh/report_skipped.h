@@ -60,7 +60,7 @@ inline void tell_skipped_parts(const Command_line& command, const std::vector<Sk
   }
   if(parts.size() > most) {
     std::cerr << "flatten_mesh: " << command.title << ": no chart for " << parts.size() - most
-              << " more parts; --json FILE.json names all" << std::endl;
+              << " more parts; --json FILE.json lists all" << std::endl;
   }
 }
 

@@ -69,7 +69,7 @@ inline void check_disks(const std::string& file, const Seamed_component& compone
   throw Input_error("'" + file + "': the seams do not leave disks: the part of " +
                     count_text(part.number_of_faces, "triangle") + " at " +
                     vertex_name(component.part.origins[mesh.target(part.where).idx()]) +
-                    " cannot be flattened, for " + defect_text(part) +
+                    " cannot be flattened: " + defect_text(part) +
                     "; add seams, or let --cut auto choose them");
 }
 

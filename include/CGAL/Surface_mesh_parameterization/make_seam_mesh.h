@@ -89,7 +89,7 @@ void refuse_marked_vertices_within_faces(const TriangleMesh& mesh, EdgeIsSeamMap
       ++rank;
     }
     throw std::invalid_argument("vertex " + std::to_string(rank) +
-                                " is surrounded by faces, and is on a seam or border of other faces");
+                                " is surrounded by faces, and is also on a seam or border of other faces");
   }
 }
 

@@ -47,7 +47,7 @@ inline Report_rows baking_rows(const Baking_record& record)
           {"  missed", share(report.number_of_missed_rays),
            "of the rays met nothing: there, the closest point was taken"},
           {"  back faces", share(report.number_of_back_faces),
-           "of the rays met the wrong side only: there, normals were turned around"},
+           "of the rays met only back faces: there, normals were reversed"},
           {"  distance", format_number("%.4g", report.mean_distance),
            "mean; largest " + format_number("%.4g", report.largest_distance) + "; rays reach " +
                format_number("%.4g", report.ray_length)},

@@ -79,7 +79,7 @@ Fine_surface read_fine_surface(const std::string& name, Notes& notes)
     left_out += part.faces;
   }
   if(left_out > 0) {
-    notes.add("'" + name + "': " + count_text(left_out, "face") + " are no surface, and are not baked");
+    notes.add("'" + name + "': " + count_text(left_out, "face") + " of invalid parts are not baked");
   }
   Fine_surface fine;
   fine.mesh = std::move(input.mesh);
@@ -97,11 +97,11 @@ void look_at_rays(const Baking_record& record, Notes& notes)
   if(missed >= notable_share) {
     notes.add(format_number("%.1f %%", 100 * missed) + " of the rays met nothing of '" + record.from +
               "' within " + format_number("%.4g", record.report.ray_length) +
-              ": it has holes there, or lies elsewhere. The closest points were taken");
+              ": it has holes there, or is in another place. The closest points were taken");
   }
   if(back >= notable_share) {
-    notes.add(format_number("%.1f %%", 100 * back) + " of the rays met the wrong side of '" + record.from +
-              "' only: its faces are turned, or it is not closed. Normals were turned around there");
+    notes.add(format_number("%.1f %%", 100 * back) + " of the rays met only back faces of '" + record.from +
+              "': its faces have the wrong orientation, or it is not closed. Normals were reversed there");
   }
 }
 
@@ -114,11 +114,10 @@ void tell_what_is_replaced(const Model& model, const Baking_record& baking, Note
   };
   add(!model.normals.empty(), "normals");
   add(!model.colors.empty() && baking.has_colors, "colours of points");
-  add(!model.material_names.empty(), baking.has_colors
-                                         ? "all of its materials but names and opacities"
-                                         : "all of its materials but names, opacities and colours");
+  add(!model.material_names.empty(), baking.has_colors ? "materials except names and opacities"
+                                                       : "materials except names, opacities and colours");
   if(!replaced.empty()) {
-    notes.add("what is baked takes the place of what the input has: " + replaced);
+    notes.add("baking replaces parts of the input: " + replaced);
   }
 }
 

@@ -67,7 +67,7 @@ void simplify_input(const std::size_t triangles, Atlas_input& input, Notes& note
 {
   const std::size_t before = input.mesh.number_of_faces();
   if(before <= triangles) {
-    notes.add("the surface has " + count_text(before, "triangle") + ": --simplify leaves it as it is");
+    notes.add("the surface has " + count_text(before, "triangle") + ": --simplify does not change it");
     return;
   }
   const Quick_mesh mesh = simplified(input.mesh, triangles);
@@ -75,10 +75,9 @@ void simplify_input(const std::size_t triangles, Atlas_input& input, Notes& note
   Atlas_input result = atlas_input_of(model_of(mesh, input.model.file), true, notes, {Welding::NONE, 0});
   result.set_aside.insert(result.set_aside.begin(), input.set_aside.begin(), input.set_aside.end());
   input = std::move(result);
-  notes.add(
-      "simplified from " + count_text(before, "triangle") + " to " + std::to_string(after) +
-      (after > triangles ? ", and no further, so that no face is turned over and no part gets lost" : "") +
-      ": the output is this surface, without groups, materials, normals and colours of the file");
+  notes.add("simplified from " + count_text(before, "triangle") + " to " + std::to_string(after) +
+            (after > triangles ? ", and no further, so that no face is flipped and no part is lost" : "") +
+            ": the output is this surface, without groups, materials, normals and colours of the file");
 }
 
 } // namespace flatten_mesh

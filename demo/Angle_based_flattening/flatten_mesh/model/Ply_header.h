@@ -106,7 +106,7 @@ private:
     } else if(keyword == "property") {
       read_property();
     } else if(!keyword.empty() && keyword != "comment" && keyword != "obj_info" && keyword != "end_header") {
-      m_text.refuse(quoted_word(keyword) + " is no word of headers of PLY files; export the mesh again");
+      m_text.refuse(quoted_word(keyword) + " is not a keyword of PLY headers; export the mesh again");
     }
   }
 

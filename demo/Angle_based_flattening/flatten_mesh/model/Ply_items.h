@@ -119,8 +119,8 @@ private:
     m_line = m_line == 0 ? m_text.lines.number() : m_line;
     double result = 0;
     if(!read_number(word, result)) {
-      m_text.refuse("the number " + quoted_word(word) + " of " + name() + ", property '" + property.name +
-                    "', is none; export the mesh again");
+      m_text.refuse("the value " + quoted_word(word) + " of " + name() + ", property '" + property.name +
+                    "', is not a number; export the mesh again");
     }
     return result;
   }

@@ -140,8 +140,8 @@ private:
   {
     double result = 0;
     if(!read_number(m_words[i], result)) {
-      m_text.refuse("the number " + quoted_word(m_words[i]) + " of " + vertex_name(v) +
-                    " is none; export the mesh again");
+      m_text.refuse("the value " + quoted_word(m_words[i]) + " of " + vertex_name(v) +
+                    " is not a number; export the mesh again");
     }
     return result;
   }

@@ -92,7 +92,7 @@ private:
             element, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}, {"r", "g", "b"}});
     if(points.empty() || !m_model.points.empty()) {
       refuse_header(points.empty() ? "its vertices have no properties 'x', 'y' and 'z'"
-                                   : "it has vertices twice");
+                                   : "it declares vertices twice");
     }
     for(std::size_t j = 0; j < element.count; ++j) {
       m_items.read(element, j);

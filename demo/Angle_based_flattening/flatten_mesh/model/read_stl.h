@@ -106,7 +106,7 @@ private:
       } else if(keyword == "endfacet") {
         end_facet();
       } else if(keyword != "outer" && keyword != "loop" && keyword != "endloop") {
-        m_text.refuse(quoted_word(keyword) + " is no word of STL files; export the mesh again");
+        m_text.refuse(quoted_word(keyword) + " is not a keyword of STL files; export the mesh again");
       }
     }
     if(is_open || m_model.vertices.size() > m_model.first_corners.back()) {

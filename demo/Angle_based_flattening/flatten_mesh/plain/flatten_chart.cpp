@@ -103,7 +103,7 @@ void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer& parameteri
   take_report(parameterizer.report(), flattening);
   flattening.place = place_text(mesh, chart, parameterizer);
   if(flattening.report.predicted_scale_range > 1e4 && flattening.succeeded()) {
-    flattening.note = "one border is far from the outer one, so that lengths vary by a factor of about " +
+    flattening.note = "one border is far from the outer border, so that lengths vary by a factor of about " +
                       format_number("%.1g", flattening.report.predicted_scale_range) +
                       ": a cut from border to border gives a better map";
   }
@@ -144,7 +144,7 @@ void flatten_with_equal_seams(Mesh& mesh, const Chart& chart, const Chosen_solve
   flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
   flattening.note +=
       std::string(flattening.note.empty() ? "" : "; ") +
-      "the two sides of a seam have different lengths, because the map with equal ones failed: " + message;
+      "the two sides of a seam have different lengths, because the map with equal lengths failed: " + message;
 }
 
 // Whether the energy of a hierarchical map is at most about 20 % above that of the direct method, by an estimate: sweeps until
@@ -198,7 +198,7 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
   }
   flattening.note =
       flattening.succeeded()
-          ? "the hierarchical method did not come close enough to the direct one, which replaced it"
+          ? "the direct method replaced the hierarchical one, whose result was not close enough"
           : "the direct method replaced the hierarchical one, which failed: " + flattening.report.message;
   const double seconds = flattening.parameterize_seconds;
   flatten_with_equal_seams(mesh, chart, solver, options, uv, flattening);

@@ -142,7 +142,7 @@ private:
             << position_text(m_chart, ends[1])
             << ", but the prescribed angles between them leave no room beside it";
     if(ends.size() > 2)
-      message << ", as beside " << ends.size() / 2 - 1 << " other edge(s)";
+      message << ", nor beside " << ends.size() / 2 - 1 << " other edge(s)";
     message << ": split it, for example by split_flat_chords()";
     return defect(Diagnosis::FLAT_CHORD, message, ends);
   }
@@ -173,7 +173,7 @@ private:
       return {};
     std::ostringstream message;
     message << "the prescribed angle " << m_chart.angle_sums[vertices.front()] << " at the vertex at "
-            << position_text(m_chart, vertices.front()) << " is too large: it has only " << triangles
+            << position_text(m_chart, vertices.front()) << " is too large: the vertex has only " << triangles
             << " triangle(s)";
     return defect(Diagnosis::WRONG_ANGLE_SUM, message, vertices);
   }
@@ -201,7 +201,7 @@ private:
     if(!vertices.empty())
       message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
     message << (flow.is_too_large() ? " are too large" : " are too small")
-            << " together for the triangles that are there";
+            << " together for the triangles near these vertices";
     return defect(Diagnosis::INFEASIBLE_ANGLE_SUMS, message, vertices);
   }
 

@@ -108,7 +108,8 @@ private:
       else if(!(sum > 0 && std::isfinite(sum)))
         message << " is not a positive number";
       else if(sum >= m_corners[place] * pi - least_angle_of_flow)
-        message << ", " << sum << ", is too large: it has only " << m_corners[place] << " triangle(s)";
+        message << ", " << sum << ", is too large: the vertex has only " << m_corners[place]
+                << " triangle(s)";
       else
         continue;
       return defect(Diagnosis::WRONG_ANGLE_SUM, message.str(), {v});
@@ -160,7 +161,7 @@ private:
     if(!vertices.empty())
       message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
     message << (flow.is_too_large() ? " are too large" : " are too small")
-            << " together for the triangles that are there";
+            << " together for the triangles near these vertices";
     return defect(Diagnosis::INFEASIBLE_ANGLE_SUMS, message.str(), vertices);
   }
 

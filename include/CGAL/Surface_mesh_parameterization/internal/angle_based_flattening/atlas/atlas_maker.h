@@ -223,7 +223,7 @@ private:
     text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
          << ", " << CGAL::to_double(p.z()) << ") "
          << (diagnosis == Diagnosis::NOT_TRIANGULATED
-                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() before"
+                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
                  : "has a vertex whose coordinates are not all finite");
     return text.str();
   }

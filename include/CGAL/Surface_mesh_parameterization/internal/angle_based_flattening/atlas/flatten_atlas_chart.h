@@ -154,7 +154,7 @@ private:
     Chart_map map;
     map.is_hopeless = true;
     map.status = Diagnosis::OVERLAPPING;
-    map.message = "the map overlaps itself, and the border is too winding for an injective one";
+    map.message = "the map overlaps itself, and its border has too many bends for an injective map";
     return map;
   }
 

@@ -93,7 +93,7 @@ private:
     if(m_options.threads < 0)
       return fail(Diagnosis::WRONG_OPTION, "the number of threads must not be negative");
     if(m_options.ray_length && !(*m_options.ray_length > 0 && std::isfinite(*m_options.ray_length)))
-      return fail(Diagnosis::WRONG_OPTION, "the largest distance must be finite and above 0");
+      return fail(Diagnosis::WRONG_OPTION, "the ray length must be finite and above 0");
     return true;
   }
 
@@ -159,7 +159,7 @@ private:
     }
     remove_triangles_without_area();
     if(m_fine.vertex.empty())
-      return fail(Diagnosis::EMPTY_FINE_MESH, "the fine surface has no face with area");
+      return fail(Diagnosis::EMPTY_FINE_MESH, "the fine surface has no face with an area");
     if constexpr(!parameters::is_default_parameter<FineNamedParameters,
                                                    internal_np::vertex_color_map_t>::value) {
       const auto colors = parameters::get_parameter(m_fine_np, internal_np::vertex_color_map);

@@ -85,7 +85,7 @@ inline std::string describe_touching_edges(const Chart& chart, const std::vector
 {
   const std::vector<std::pair<int, int>> pairs = border_crossings(chart, uv);
   if(pairs.empty())
-    return "borders that are not inside one another as they should";
+    return "holes that are not inside the outer border, or borders inside one another";
   return std::to_string(pairs.size()) + " pair(s) of border edges that touch, one at the vertex at " +
          position_text(chart, chart.edge_source(pairs.front().first));
 }

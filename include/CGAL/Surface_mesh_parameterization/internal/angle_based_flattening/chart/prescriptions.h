@@ -86,7 +86,7 @@ struct Prescriptions
     if(!angle_sums.of_surface || wants_equal_seams())
       return {};
     return {Diagnosis::WRONG_OPTION,
-            "angle sums of the surface before it is cut need equal lengths of seams",
+            "angle sums of the surface before the cut need seams of equal lengths",
             {},
             {}};
   }
@@ -98,7 +98,7 @@ inline Chart_defect find_wrong_seam(const Chart& chart)
   for(int c = 0; c < chart.number_of_corners(); ++c)
     if(const int across = chart.seam[c]; across >= 0 && (across == c || chart.seam[across] != c))
       return {Diagnosis::WRONG_OPTION,
-              "the sides of a seam do not belong to one another at the vertex at " +
+              "a halfedge is not the other side of its other side, at the vertex at " +
                   position_text(chart, chart.edge_source(c)),
               {chart.edge_source(c), chart.edge_target(c)},
               {}};
@@ -112,10 +112,11 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   for(int k = 0; k < chart.number_of_holes(); ++k)
     for(int c : chart.hole(k))
       if(all_of_them && !chart.seam.empty() && chart.seam[c] >= 0)
-        return {Diagnosis::WRONG_OPTION,
-                "equal lengths of seams need all seams on the outer border, but one is on a hole",
-                {chart.edge_source(c)},
-                {}};
+        return {
+            Diagnosis::WRONG_OPTION,
+            "seams of equal lengths must have both sides on the outer border, but one has a side at a hole",
+            {chart.edge_source(c)},
+            {}};
   equalize_outer_seams(chart);
   return {};
 }

@@ -57,10 +57,10 @@ inline int quanta_of_turn(double quantum)
 inline std::string wrong_option(std::size_t number_of_cones, const Cone_options& options)
 {
   if(number_of_cones > largest_number_of_cones)
-    return std::to_string(number_of_cones) + " cones are wanted, and there may be at most " +
+    return std::to_string(number_of_cones) + " cones are too many: the limit is " +
            std::to_string(largest_number_of_cones);
   if(options.angle_multiple != 0 && quanta_of_turn(options.angle_multiple) == 0)
-    return "2 pi is no multiple of the angle " + std::to_string(options.angle_multiple);
+    return "2 pi is not a multiple of the angle " + std::to_string(options.angle_multiple);
   if(options.angle_multiple != 0 && options.angles == Cone_angles::FREE)
     return "free angles of cones cannot be multiples of an angle";
   return "";

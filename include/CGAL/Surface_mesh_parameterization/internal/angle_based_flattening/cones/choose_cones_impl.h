@@ -48,9 +48,9 @@ public:
     m_cones = m_solution.cones();
     m_charges.assign(m_solution.charges().begin(), m_solution.charges().end());
     if(m_options.angle_multiple > 0 && !round())
-      return failure(Diagnosis::INFEASIBLE_ANGLE_SUMS,
-                     "no multiples of the angle " + std::to_string(m_options.angle_multiple) +
-                         " are possible at these cones: more cones are needed");
+      return failure(Diagnosis::INFEASIBLE_ANGLE_SUMS, "no multiples of the angle " +
+                                                           std::to_string(m_options.angle_multiple) +
+                                                           " are possible at these cones: take more cones");
     Chosen_cones result;
     result.vertices = m_cones;
     for(double charge : m_charges)
@@ -137,7 +137,7 @@ private:
       if(result.offending_vertices.empty())
         message << "the cone at " << position_text(m_surface, v) << " would have the angle "
                 << result.angles[i] << ", which must be above 0 and below " << triangles
-                << " pi: other cones are needed, or more of them";
+                << " pi: try another number of cones";
       result.offending_vertices.push_back(v);
     }
     result.message = message.str();

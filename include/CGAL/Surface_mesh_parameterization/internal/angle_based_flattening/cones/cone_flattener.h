@@ -148,7 +148,7 @@ private:
   {
     std::string message = wrong_option(m_options);
     if(message.empty() && !are_free() && !m_options.equal_seam_lengths.value_or(true))
-      message = "the angles of cones need equal lengths of seams";
+      message = "cones with given angles need seams of equal lengths";
     if(message.empty())
       return {};
     return {Diagnosis::WRONG_OPTION, message, {}, {}};

@@ -93,12 +93,13 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
   const auto vertices = vertices_of_surface(mesh, reader);
   if(const int pinched = find_pinched_vertex(surface, vertices); pinched >= 0) {
     selection.offending_vertices = {vertices[pinched]};
-    return fail(Diagnosis::NON_MANIFOLD_VERTEX, "the vertex at " + position_text(surface, pinched) +
-                                                    " is surrounded by faces, and belongs to others as well");
+    return fail(Diagnosis::NON_MANIFOLD_VERTEX,
+                "the vertex at " + position_text(surface, pinched) +
+                    " is surrounded by faces, and also belongs to other faces");
   }
   if(options.angle_multiple > 0 && !is_sphere_or_disk(surface))
     return fail(Diagnosis::WRONG_TOPOLOGY,
-                "the surface is neither a sphere nor a disk, for which angles can be multiples of one");
+                "the angles of cones can be multiples of an angle only on a sphere or a disk");
 
   const Chosen_cones chosen = choose_cones(
       surface, n, options,

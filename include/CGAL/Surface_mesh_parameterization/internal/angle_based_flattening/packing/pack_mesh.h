@@ -229,12 +229,12 @@ private:
   {
     if(packing.status == Packing::DEGENERATE_CHART)
       fail(Diagnosis::DEGENERATE_CHART,
-           chart_text(packing.chart) + " has no area in the plane, or one that is too large to be computed");
+           chart_text(packing.chart) + " has no area in the plane, or its area is too large to be computed");
     else if(packing.status == Packing::NON_FINITE)
       fail(Diagnosis::NON_FINITE_COORDINATE,
            chart_text(packing.chart) + " has coordinates that are too large");
     else if(packing.status == Packing::NO_AREA)
-      fail(Diagnosis::NO_AREA, "no face has area in space and a weight that is not 0");
+      fail(Diagnosis::NO_AREA, "no face has both an area in space and a weight above 0");
     else
       fail(Diagnosis::TOO_MANY_CHARTS, std::to_string(m_numbers.size()) + " charts with " +
                                            std::to_string(m_options.gutter) +

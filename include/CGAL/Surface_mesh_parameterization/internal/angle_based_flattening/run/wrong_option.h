@@ -78,7 +78,7 @@ inline std::string wrong_option(const Hierarchical_options& options)
   if(!(options.energy_tolerance >= 0 && options.energy_tolerance < 1))
     return "the energy tolerance must be at least 0 and below 1";
   if(options.polish_options.equal_seam_lengths.value_or(false))
-    return "equal lengths of seams are for the direct method";
+    return "polishing does not support seams of equal lengths: only the direct method does";
   const std::string wrong = wrong_option(static_cast<const Flattening_options&>(options));
   return wrong.empty() && options.polish ? wrong_option(options.polish_options) : wrong;
 }

@@ -207,7 +207,7 @@ std::string message(const typename Disk_cut_report<TriangleMesh>::Part& part, co
     return "face " + rank_text(faces(mesh), face(part.where, mesh)) + " is not a triangle";
   case Diagnosis::NON_MANIFOLD_VERTEX:
     return "vertex " + rank_text(vertices(mesh), target(part.where, mesh)) +
-           " is surrounded by faces, and belongs to other faces as well";
+           " is surrounded by faces, and also belongs to other faces";
   case Diagnosis::NO_BORDER:
     return name + " is closed: it has neither a border nor a seam";
   case Diagnosis::NONZERO_GENUS:
