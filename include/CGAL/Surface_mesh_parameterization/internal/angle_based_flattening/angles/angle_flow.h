@@ -51,8 +51,8 @@ public:
 
   bool is_feasible() const { return m_missing <= least_angle_of_flow / 2; }
 
-  // If it is not: whether the sums at some prescribed vertices are too large, or else too small; and whether a vertex
-  // is one of them
+  // If the sums are not possible: whether those of some vertices in conflict are too large, or else too small; and
+  // whether a vertex is in conflict
   bool is_too_large() const { return !m_has_others || is_reached(m_others); }
   bool is_in_conflict(int v) const { return is_reached(m_node[v]) != is_too_large(); }
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tells whether prescribed angles along the outer border are possible, so that Newton's method is not asked for what
-// cannot be. Called by `set_angle_sums()`. Circle packings show that the test suffices (Thurston 1978, Chow and Luo
+// Checks whether prescribed angles along the outer border are possible, so that Newton's method is not asked for the
+// impossible. Called by `set_angle_sums()`. Circle packings show that the test suffices (Thurston 1978, Chow and Luo
 // 2003).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
@@ -26,12 +26,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Prescribed angles may miss their total by this much, which is then put onto the largest one.
+// Prescribed angles may miss their total by this much; the largest one is then corrected.
 inline constexpr double largest_rounding_of_angles = 1e-6;
 
-// Whether planar angles with prescribed sums at vertices of the outer border exist. If each triangle has pi to give to
-// its corners, and no corner gets nothing, then there are also edges that fit together: a packing of circles that touch
-// one another has such angles. (Thurston 1978, Chapter 13; Chow and Luo 2003.)
+// Whether planar angles with prescribed sums at vertices of the outer border exist. If each triangle can distribute pi
+// over its corners, and each corner gets a positive part, then edges exist that fit together: a packing of touching
+// circles has such angles. (Thurston 1978, Chapter 13; Chow and Luo 2003.)
 class Angle_sum_check
 {
 public:
@@ -60,7 +60,7 @@ public:
     return find_misplaced_angles();
   }
 
-  // By how much the sum of all angles of a border that is wholly prescribed is too small
+  // If all border angles are prescribed: by how much their sum is too small
   double missing_angle() const { return m_turning.back() - 2 * pi; }
 
 private:
@@ -147,8 +147,8 @@ private:
     return defect(Diagnosis::FLAT_CHORD, message, ends);
   }
 
-  // Whether the vertices between two of ranks i < j, or the others, are all prescribed and do not turn to the left
-  // together
+  // Whether all vertices between those of ranks i < j, or all others, are prescribed and do not turn to the left in
+  // total
   bool is_flat(int i, int j, bool others) const
   {
     const auto sum = [&](const auto& sums) {
@@ -178,7 +178,7 @@ private:
     return defect(Diagnosis::WRONG_ANGLE_SUM, message, vertices);
   }
 
-  // Where no angle is above pi, only chords can be in the way.
+  // Without angles above pi, only chords can make the angles impossible.
   Chart_defect find_misplaced_angles() const
   {
     bool is_convex = true;

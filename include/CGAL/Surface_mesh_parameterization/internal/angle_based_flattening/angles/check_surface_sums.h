@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tells whether prescribed angles at vertices of the surface before the cut, such as cones, are possible. Called by
+// Checks whether prescribed angles at vertices of the surface before the cut, such as cones, are possible. Called by
 // `set_angle_sums()` for charts with seams of equal sides; `check_angle_sums.h` is its counterpart for other borders.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_SURFACE_SUMS_H
@@ -26,8 +26,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Whether planar angles with prescribed sums at the vertices of the surface before the cut exist, as `Angle_sum_check`
-// does for those of a border.
+// Whether planar angles with prescribed sums at the vertices of the surface before the cut exist. `Angle_sum_check` is
+// the counterpart for a border.
 class Surface_sum_check
 {
 public:
@@ -61,7 +61,7 @@ public:
     return find_misplaced_sums();
   }
 
-  // By how much the total is too small, if it is wholly prescribed
+  // If all sums are prescribed: by how much their total is too small
   double missing_angle() const { return m_free.empty() ? m_left : 0; }
 
 private:
@@ -73,7 +73,7 @@ private:
 
   bool is_given(int v) const { return !std::isnan(m_chart.surface_sums[v]); }
 
-  // What is left for the vertices of the outer border without a prescribed sum
+  // The rest of the total, for the vertices of the outer border without a prescribed sum
   void find_total()
   {
     m_left = pi * m_chart.number_of_triangles() - 2 * pi * m_chart.number_of_interior_vertices;

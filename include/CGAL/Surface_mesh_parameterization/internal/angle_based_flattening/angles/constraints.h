@@ -27,9 +27,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The constraints of free node number i are numbers 2i (planarity) and 2i + 1 (reconstruction). With n free nodes and h
-// holes, those of hole number k are 2 (n + k) (rotation), the next one (scale), 2 (n + h + k) and the next one
-// (translation). Those of the triangles (Eq. 2) hold at the start and are kept by every step.
+// Free node i has the constraints 2i (planarity) and 2i + 1 (reconstruction). With n free nodes and h holes, hole k has
+// the constraints 2 (n + k) (rotation), 2 (n + k) + 1 (scale), 2 (n + h + k) and 2 (n + h + k) + 1 (translation). The
+// constraints of triangles (Eq. 2) hold at the start, and every step keeps them.
 typedef Eigen::VectorXd Constraint_vector;
 
 inline int number_of_constraints(const Chart& chart)
@@ -37,7 +37,7 @@ inline int number_of_constraints(const Chart& chart)
   return 2 * (chart.number_of_free_nodes() + 2 * chart.number_of_holes());
 }
 
-// Replaces what bound nodes have by the equations of their holes.
+// Replaces the residuals of bound nodes by the equations of their holes.
 inline void set_hole_residuals(const Chart& chart, const std::vector<double>& alpha,
                                Constraint_vector& residual)
 {
@@ -52,7 +52,7 @@ inline void set_hole_residuals(const Chart& chart, const std::vector<double>& al
   }
 }
 
-// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi, those at any other node to what it says.
+// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi, and the angles at any other node to its target.
 // Reconstruction (Eq. 4), as the logarithm of the ratio of its two products:
 //   sum ln sin alpha_{k+1} - sum ln sin alpha_{k-1} = 0
 // It has the same solutions, cannot underflow, and its second derivative is diagonal.
@@ -89,8 +89,8 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
   return residual;
 }
 
-// The largest violation of a constraint. The gaps of holes count tenfold, so that a layout which closes them bends
-// little even where the tolerance is large.
+// The largest violation of a constraint. The gaps of holes count tenfold: a layout that closes them then changes angles
+// little, even if the tolerance is large.
 inline double largest_violation(const Chart& chart, const Constraint_vector& residual)
 {
   const Eigen::Index gaps = 2 * chart.number_of_holes(), others = residual.size() - gaps;

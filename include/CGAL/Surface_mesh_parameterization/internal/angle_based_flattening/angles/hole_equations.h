@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The four equations that close the surface around a hole: rotation, scale and translation. The paper flattens disks
-// and has none. `constraints.h` puts them in place of those of the hole's vertices, and the exact layout walks around
+// and has none. In `constraints.h` they replace the equations of the hole's vertices, and the exact layout walks around
 // holes with them.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_HOLE_EQUATIONS_H
@@ -24,8 +24,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The four equations of a hole. Those of the interior vertices (Eqs. 3 and 4) close the fan of triangles around each of
-// them; that the surface also closes around a hole of m vertices is not among them:
+// The four equations of a hole. The equations of interior vertices (Eqs. 3 and 4) close the triangles around each
+// vertex, but not around a hole. Around a hole of m vertices, these equations hold:
 //   rotation: the angles around the hole sum to (m + 2) pi
 //   scale: the logarithms of the ratios of its edges' lengths sum to 0
 //   translation, in both coordinates: its edges sum to 0
@@ -66,9 +66,9 @@ inline Hole_edges hole_edges(const Chart& chart, const std::vector<int>& hole)
   return edges;
 }
 
-// Walks around a hole, over edges that make up for the defects of rotation and scale: each of them is turned and scaled
-// by as much as belongs to its part of the way. These edges belong to a closed hole at the same angles as the others
-// do, but their gap is closer to linear: without the defects, it says how the hole moves apart.
+// Walks around a hole, over edges that compensate the defects of rotation and scale: each edge is turned and scaled in
+// proportion to its part of the way. If the hole closes, these edges are the same as the others, but their gap is
+// closer to linear: without the defects, it shows only how the hole moves apart.
 inline Border_walk walk_around_hole(const Chart& chart, const std::vector<double>& alpha,
                                     const std::vector<int>& hole, const Hole_edges& surface,
                                     Hole_equations& equations, const Planar_edge& first_edge = {})

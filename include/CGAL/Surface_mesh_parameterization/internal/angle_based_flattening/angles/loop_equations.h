@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Eq. 4 along loops through seams, so that both sides of a seam get equal lengths around handles, too.
-// `constraints.h` adds their residuals, and `newton_step.h` their rows and columns to Eq. 16.
+// Eq. 4 along loops through seams, so that both sides of a seam also get equal lengths around handles. `constraints.h`
+// adds their residuals, and `newton_step.h` their rows and columns to Eq. 16.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_LOOP_EQUATIONS_H
@@ -27,8 +27,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Along a loop through seams, each triangle changes the length from the edge where the loop enters to the one where it
-// leaves. Back at the first edge it must be what it was:
+// Along a loop through seams, each triangle changes the length from the edge where the loop enters to the edge where it
+// leaves. Back at the first edge, the length must be the same:
 //   sum ln sin alpha_out - sum ln sin alpha_in = 0
 // That is Eq. 4 for the triangles of a loop instead of those around a vertex.
 inline void add_loop_residuals(const Chart& chart, const std::vector<double>& log_sines,
@@ -38,8 +38,8 @@ inline void add_loop_residuals(const Chart& chart, const std::vector<double>& lo
     residual[2 * chart.node_of_loop(crossing.loop) + 1] += log_sines[crossing.out] - log_sines[crossing.in];
 }
 
-// The largest difference of the logarithms of the lengths of both sides of an edge on a seam. What vertices and loops
-// are off by adds up along a seam.
+// The largest difference of the logarithms of the lengths of both sides of a seam edge. The residuals of vertices and
+// loops add up along a seam.
 inline double largest_seam_difference(const Chart& chart, const std::vector<double>& alpha)
 {
   if(!chart.has_equal_seams)

@@ -65,8 +65,8 @@ public:
         m_incomplete_nodes.push_back(i);
   }
 
-  // Computes the step, if iteratively then with `accuracy`, from angles `alpha` and `multipliers`, where the
-  // constraints are off by `residual`. Returns `false` if the linear solver fails.
+  // Computes the step from angles `alpha` and `multipliers`, where the constraints are violated by `residual`.
+  // `accuracy` is for the iterative solver. Returns `false` if the linear solver fails.
   bool compute(const std::vector<double>& alpha, const Constraint_vector& multipliers,
                const Constraint_vector& residual, Newton_step& step,
                const Iterative_accuracy& accuracy = Iterative_accuracy())
@@ -108,7 +108,7 @@ public:
 private:
   typedef Small_matrix<6, 2> Plane_jacobian;
 
-  // All that the assembly and the substitution need of a triangle
+  // The data of a triangle for assembly and substitution
   struct Local_system
   {
     Vector_3 cotangents;
@@ -161,7 +161,7 @@ private:
     return right_hand_side;
   }
 
-  // B T: rows 2k and 2k + 1 are those of the node of corner k, also where there is none, which nobody asks for.
+  // B T: rows 2k and 2k + 1 belong to the node of corner k. Rows without a node are unused.
   Plane_jacobian plane_jacobian(int t, const Vector_3& cotangents) const
   {
     const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();
@@ -190,7 +190,7 @@ private:
       }
   }
 
-  // The rows and columns of constraints that are not there are zero. A one on the diagonal makes their multipliers 0.
+  // The rows and columns of missing constraints are zero. A one on the diagonal makes their multipliers 0.
   void complete_diagonal()
   {
     for(int i : m_incomplete_nodes) {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Angles of triangles in the plane, whichever way these are oriented. The certificate, the measures of distortion, and
-// the stages that move vertices in the plane get the angles of a map from here.
+// Angles of triangles in the plane, of any orientation. The certificate, the measures of distortion, and the stages
+// that move vertices in the plane take the angles of a map from here.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
@@ -31,7 +31,7 @@ bool is_in_upper_half(const Point& p, const Point& origin)
 }
 
 // The angles of a triangle in the plane, from twice its area, which is positive, and the dot products of the edges at
-// its corners. The largest one, which is what the others leave of pi, needs no arc tangent.
+// its corners. The largest one is the rest of pi, and needs no arc tangent.
 inline std::array<double, 3> planar_angles(double twice_area, const std::array<double, 3>& dots)
 {
   const int k = static_cast<int>(std::min_element(dots.begin(), dots.end()) - dots.begin());

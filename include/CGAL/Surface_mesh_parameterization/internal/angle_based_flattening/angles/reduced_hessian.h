@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Both matrix splits of ABF++ (Eqs. 7 to 17) for one triangle: they leave a matrix of two rows, which is inverted here.
-// `newton_step.h` and `loop_equations.h` sum up what comes out. Where the Hessian is not definite, it is lifted.
+// `newton_step.h` and `loop_equations.h` sum up the results. A Hessian that is not definite is lifted.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H

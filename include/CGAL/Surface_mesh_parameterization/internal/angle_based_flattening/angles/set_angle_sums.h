@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Takes prescribed angles into a chart: checks that they are possible, and gives what rounding left of the total to the
-// largest one. `cone_flattener.h`, `polygon_angles.h` and `all_strategies.h` include it. To other programs,
-// `prescriptions.h` has but a null pointer.
+// Takes prescribed angles into a chart: checks that they are possible, and corrects the largest one by the rounding
+// error of the total. `cone_flattener.h`, `polygon_angles.h` and `all_strategies.h` include it. For programs without
+// these, `prescriptions.h` has a null pointer.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SET_ANGLE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SET_ANGLE_SUMS_H
@@ -40,8 +40,8 @@ inline void add_to_largest(double angle, const Seam_places& places, std::vector<
       sums[v] += angle;
 }
 
-// Sets the prescribed angles of a chart, if there are some that can be met. What rounding left of a total goes onto the
-// largest angle: the equations cannot be met otherwise.
+// Sets the prescribed angles of a chart if they are possible. The largest angle is corrected by the rounding error of
+// the total; otherwise, the equations could not be satisfied.
 inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
 {
   const Seam_places places(chart);

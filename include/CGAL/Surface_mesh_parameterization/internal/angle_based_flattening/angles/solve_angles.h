@@ -40,7 +40,7 @@ class Step_lengths
   static constexpr double least_excess = 0.4;      // below, the next step is as good without it
 
 public:
-  // 1, or more. The constraints are off by `residual` at most.
+  // 1, or more. The constraints are violated by at most `residual`.
   double next(const std::vector<double>& beta, const Newton_step& step, double residual) const
   {
     if(!m_last_was_full || residual > largest_residual)
@@ -53,7 +53,7 @@ public:
     return -product > least_excess * square ? 1 - product / square : 1;
   }
 
-  // Remembers a step, of which a part was taken, and leaves other memory in exchange.
+  // Remembers a step, of which a part was taken, and returns other memory in exchange.
   void remember(Newton_step& step, double length)
   {
     m_last_angles.swap(step.angles);
@@ -65,7 +65,7 @@ private:
   bool m_last_was_full = false;
 };
 
-// Where the solver stands: angles, multipliers, and what they are worth.
+// The state of the solver: angles and multipliers, with their residuals and energy
 struct Angle_iterate
 {
   std::vector<double> alpha;
@@ -78,7 +78,7 @@ struct Angle_iterate
   {
     residual = constraint_residuals(chart, alpha);
     energy = angle_energy.value(alpha, beta, chart.weight);
-    // What the layout closes comes on top of the difference of lengths.
+    // The gap that the layout closes adds to the difference of lengths.
     largest_residual =
         (std::max)(largest_violation(chart, residual), 2 * largest_seam_difference(chart, alpha));
   }
@@ -107,8 +107,8 @@ inline double sufficient_penalty(const Angle_iterate& iterate, const Newton_step
                                      : 0;
 }
 
-// Goes `length` times the step, or less and less far until the merit function decreases in proportion. Returns the part
-// of the step that was taken, or 0 if none would do.
+// Goes `length` times the step, or halves this length until the merit function decreases in proportion. Returns the
+// part of the step that was taken, or 0 if there is none.
 inline double take_step(const Chart& chart, const Angle_energy& energy, const std::vector<double>& beta,
                         const Newton_step& step, double length, double penalty, Angle_iterate& iterate)
 {
@@ -164,7 +164,7 @@ public:
     return accuracy;
   }
 
-  // Asks for more exact steps from now on; returns `false` if they could not be any more exact to any effect.
+  // Asks for more exact steps from now on; returns `false` if more exact steps would have no effect.
   bool tighten()
   {
     m_caution /= 10;
@@ -185,7 +185,7 @@ inline bool has_converged(const ABF_plus_plus_options& options, const Angle_iter
          predicted_decrease <= options.energy_tolerance * iterate.energy + rounding;
 }
 
-// What the solver found, and how.
+// The result of the solver
 struct Angle_solution
 {
   std::vector<double> alpha;

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Target angles of a chart: the surface's own, scaled around each node to the sum that the plane demands (the beta of
-// Eq. 1). Where the direct method, `measure_chart.h`, the layout and the ranks of collapses start.
+// Eq. 1). The direct method, `measure_chart.h`, the layout and the costs of collapses use them.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_TARGET_ANGLES_H

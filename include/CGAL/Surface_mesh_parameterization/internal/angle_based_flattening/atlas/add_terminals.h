@@ -23,14 +23,14 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// By what vertices are chosen where a map stretches too much
+// How vertices are chosen where a map stretches too much
 enum class Stretch_criterion
 {
   LOG_SCALE, // finds tips, however small their triangles are
   AREA       // finds what large triangles hide
 };
 
-// Joins vertices where a map stretches most to the seams of a disk, which stays one.
+// Joins vertices where a map stretches most to the seams of a disk, which remains a disk.
 class Terminal_adder
 {
 public:
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  // The worst ones that are worse than all their neighbours
+  // The worst vertices among those that are worse than all their neighbours
   std::vector<int> worst_vertices(const std::vector<double>& badness, std::size_t count) const
   {
     const auto is_worse = [&](int v, int w) {

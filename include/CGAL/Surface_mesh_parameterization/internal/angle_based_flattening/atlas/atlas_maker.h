@@ -44,8 +44,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Reads a mesh for `make_atlas()`, and writes what comes out.
-// Maps of seams and charts may be null pointers.
+// Reads a mesh for `make_atlas()`, and writes the results. Maps of seams and charts may be null pointers.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename NamedParameters>
 class Atlas_maker
@@ -62,7 +61,7 @@ class Atlas_maker
   static constexpr bool has_polygons =
       !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
-  // Faces that cannot be flattened because of one of them
+  // A component that cannot be flattened, because of one of its faces
   struct Bad_component
   {
     std::size_t component;

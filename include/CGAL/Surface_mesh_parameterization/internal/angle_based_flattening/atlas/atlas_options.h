@@ -25,12 +25,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The options of `make_atlas()`, and what it sets for some parts.
+// The options of `make_atlas()`, and settings that it changes for some parts.
 struct Atlas_settings : Atlas_options
 {
   double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
-  bool is_isometric = false;   // maps that would overlap keep areas: conformal ones were bad
-  bool keeps_distance = false; // all maps are injective ones, between whose borders there is some clearance
+  bool is_isometric = false;   // injective maps preserve areas, because conformal maps were bad
+  bool keeps_distance = false; // all maps are injective, with some clearance between parts of their borders
 };
 
 // The weight of areas for maps that are as isometric as possible

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Adds up the progress of parts that are made in parallel, tells it to one visitor, and stops all of them if that
+// Adds up the progress of parts that are made in parallel, reports it to one visitor, and stops all parts if it
 // cancels. `build_atlas_impl.h` makes it, and the makers of parts report to it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_PROGRESS_H
@@ -26,11 +26,11 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Tells a visitor how much of the charts is done, from several threads, and them whether it stops all that.
+// Reports progress from several threads to a visitor, which may cancel.
 class Atlas_progress
 {
 public:
-  // `work` is how much there is to do for each part of the surface, in any unit.
+  // `work` is the work for each part of the surface, in any unit.
   Atlas_progress(Atlas_visitor* visitor, std::vector<double> work)
       : m_visitor(visitor), m_work(std::move(work)), m_share(m_work.size(), 0.),
         m_all(std::accumulate(m_work.begin(), m_work.end(), 0.)), m_unfinished(m_work.size())
@@ -63,14 +63,14 @@ private:
   std::mutex m_mutex;
 };
 
-// The progress of one part. As a visitor of the parameterizers, it turns what they tell into shares of the stage that
-// is set.
+// The progress of one part. As a visitor of the parameterizers, it translates their reports into shares of the current
+// stage.
 class Part_progress : public Flattening_visitor
 {
 public:
   Part_progress(Atlas_progress& all, std::size_t part) : m_all(all), m_part(part) {}
 
-  // What follows takes the part from one share of its work to another.
+  // The next computation takes the part from one share of its work to another.
   void set_stage(double begin, double end)
   {
     m_begin = begin;

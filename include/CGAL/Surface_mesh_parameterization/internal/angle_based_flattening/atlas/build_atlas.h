@@ -29,10 +29,10 @@ struct Atlas
 {
   std::vector<Part_atlas> parts;
   std::vector<std::size_t> first_chart; // of each part: the number of its first chart
-  Atlas_report report;                  // without the lengths of seams, and what the caller measures
+  Atlas_report report;                  // without the lengths of seams and the measures of the caller
 };
 
-// Makes the atlas of a surface. `weight` is that of the lengths of each triangle in the plane; empty if all are 1. A
+// Makes the atlas of a surface. `weight` multiplies the lengths of each triangle in the plane; empty if all are 1. A
 // part that cannot be flattened is skipped. If something else is wrong, the report says so.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
                                                      const std::vector<double>& weight,

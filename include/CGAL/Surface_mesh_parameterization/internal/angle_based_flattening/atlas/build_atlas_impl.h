@@ -67,10 +67,10 @@ public:
   }
 
 private:
-  // A chart so many times as long as the square root of the area of all would leave most of the page empty.
+  // A chart that is longer than this times the square root of the total area would leave most of the page empty.
   static constexpr double largest_aspect = 4;
 
-  // Charts are packed and certified again without those that are not certified, which visitors are not told.
+  // Charts may be packed and certified several times. Visitors hear of each stage only once.
   Atlas_visitor* visitor_of(Atlas_visitor::Stage stage)
   {
     const bool is_new = stage > m_stage;
@@ -78,7 +78,7 @@ private:
     return is_new ? m_options.visitor : nullptr;
   }
 
-  // Parts are made side by side, the largest ones first.
+  // Parts are made in parallel, the largest ones first.
   void make_charts()
   {
     const Stage stage(visitor_of(Atlas_visitor::CHARTS), Atlas_visitor::CHARTS,
@@ -134,7 +134,7 @@ private:
     return static_cast<int>(m_atlas.report.charts.size());
   }
 
-  // Returns whether there are charts, and they have a place.
+  // Returns whether there are charts, and all have places.
   bool place_charts()
   {
     const int charts = number_charts();
@@ -171,7 +171,7 @@ private:
     m_atlas.report.number_of_mended_polygons = std::accumulate(mended.begin(), mended.end(), std::size_t(0));
   }
 
-  // Maps that are placed once more are not rounded twice.
+  // Maps that are placed again start from coordinates that are not rounded.
   void take_maps_as_made()
   {
     m_uv_as_made.resize(m_parts.size());
@@ -182,8 +182,8 @@ private:
         m_atlas.parts[i].uv = m_uv_as_made[i];
   }
 
-  // Gives each chart the area of its surface, with the lower left corner at the origin. That of a whole part is so
-  // already.
+  // Gives each chart the area of its surface, with the lower left corner at the origin. A chart that is a whole part is
+  // already so.
   void scale_charts()
   {
     for(Part_atlas& part : m_atlas.parts)
@@ -277,9 +277,8 @@ private:
     }
   }
 
-  // Returns whether all charts are injective with their final coordinates. Parts for which these have too few digits
-  // get maps whose borders keep a distance, then several charts, and are skipped if the digits are too few for these as
-  // well.
+  // Returns whether all charts are injective with their final coordinates. Parts with other charts first get maps whose
+  // borders keep a distance, then several charts, and are finally skipped.
   bool certify()
   {
     const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,

@@ -118,8 +118,7 @@ private:
       }
   }
 
-  // The best ones come first. A border with many vertices is looked at in places that are as far apart as those of one
-  // with few.
+  // The best chords come first. On a border with many vertices, only some places are tried, at even distances.
   std::vector<Chord> good_chords(const Border& border) const
   {
     std::vector<Chord> chords;

@@ -26,9 +26,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Divides a connected surface that cannot be flattened well into regions that can be: the triangles that are nearer to
-// one of some triangles, far apart, than to the others. Distances run from triangle to triangle. The surface stays
-// whole across edges that must not become seams.
+// Divides a connected surface that cannot be flattened well into regions that can: some triangles, far apart, are
+// seeds, and a region contains the triangles that are nearest to its seed. Distances run from triangle to triangle.
+// Edges that must not become seams do not separate regions.
 class Surface_division
 {
 public:
@@ -64,7 +64,7 @@ private:
                : std::sqrt(CGAL::squared_distance(m_center[c / 3], m_center[m_surface.opposite[c] / 3]));
   }
 
-  // Gives the region all triangles that are nearer to the seed than to all before.
+  // Gives the region all triangles that are nearer to its seed than to all earlier seeds.
   void spread(int seed, int region)
   {
     typedef std::pair<double, int> Entry; // distance, triangle
@@ -90,7 +90,8 @@ private:
     }
   }
 
-  // From all seeds; -1 if no other triangle with area is left. Those without cannot be flattened alone.
+  // The triangle farthest from all seeds; -1 if no other triangle has an area. A triangle without area cannot be
+  // flattened alone.
   int farthest_triangle() const
   {
     int farthest = -1;
@@ -100,7 +101,7 @@ private:
     return farthest;
   }
 
-  // Equal distances could divide what hangs together.
+  // Equal distances could divide connected triangles.
   void unite_blocks()
   {
     const auto is_block = [this](int c) { return std::isinf(m_cost[c]); };

@@ -77,7 +77,7 @@ inline Part_atlas joined_atlas(const Chart& surface, const std::vector<double>& 
 class Divided_part_atlas
 {
 public:
-  // What should become of a piece of an atlas
+  // How a piece of an atlas should be divided
   struct Division
   {
     int number_of_regions = 8; // 1 if it is good
@@ -130,7 +130,7 @@ public:
   }
 
 private:
-  static constexpr int size_of_region = 50000; // at most so many triangles where there is no map of the whole
+  static constexpr int size_of_region = 50000; // at most so many triangles, if there is no map of the whole
 
   std::vector<Division> wanted_divisions(const Part_atlas& atlas) const
   {
@@ -148,7 +148,7 @@ private:
     return result;
   }
 
-  // Good pieces stay as they are, and those that cannot be divided.
+  // Good pieces, and pieces that cannot be divided, stay as they are.
   Part_atlas with_divided_pieces(const Part_atlas& atlas, const std::vector<Division>& divisions) const
   {
     Part_atlas result = joined(triangles_of_regions(atlas.piece), [&](int piece, const Dual_patch& region) {
@@ -177,8 +177,8 @@ private:
     return result;
   }
 
-  // The atlases that `make(number, region)` gives of all regions, side by side, as one of the surface. If one has
-  // failed, that.
+  // Calls `make(number, region)` for all regions in parallel, and joins their atlases. If one has failed, returns its
+  // failure.
   template <typename Make>
   Part_atlas joined(const std::vector<std::vector<int>>& triangles, const Make& make) const
   {

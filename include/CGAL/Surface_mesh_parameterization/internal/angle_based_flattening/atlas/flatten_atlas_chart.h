@@ -52,12 +52,12 @@ struct Chart_map
   bool is_valid() const { return !uv.empty(); }
 };
 
-// Around handles, equal lengths can cost much. A map has them if its energy is so many times that of free lengths at
-// most.
+// Around handles, equal lengths can cost much. A map keeps them if its energy is at most this many times that of free
+// lengths.
 inline constexpr double largest_price_of_equal_seams = 1.1;
 
-// Around more handles, equal lengths take most of the time. A map that overlaps itself without them hardly ever stops
-// doing so with them.
+// Around more handles, equal lengths take most of the time. If the map with free lengths overlaps itself, the map with
+// equal lengths nearly always does too.
 inline constexpr int many_loops = 32;
 
 // Flattens disks in the way that is best for an atlas.
@@ -72,8 +72,8 @@ public:
       : m_options(options), m_solvers(solvers), m_visitor(visitor)
   {}
 
-  // ABF++'s own map if that does not overlap itself, and else an injective one. If there is none, the map overlaps
-  // itself.
+  // The map of ABF++ if it does not overlap itself, and otherwise an injective map. If there is no injective map, the
+  // overlapping one.
   Chart_map run(const Chart& chart) const
   {
     if(m_options.keeps_distance)
@@ -95,8 +95,8 @@ public:
     return map.is_valid() ? map : injective;
   }
 
-  // If the map may not overlap, a large chart is given up as soon as that of its coarse chart does: the fine one rarely
-  // differs.
+  // If the map must not overlap, a large chart is given up as soon as the map of its coarse chart overlaps: the fine
+  // one rarely differs.
   Chart_map abf_plus_plus(const Chart& chart, bool may_overlap) const
   {
     if(chart.number_of_triangles() > largest_direct_chart)
@@ -118,7 +118,7 @@ public:
   bool keeps_areas() const { return m_options.is_isometric || m_options.area_weight >= isometric_weight; }
 
 private:
-  // Several charts take less time than a larger one with so many bends in its border, and fill a page better.
+  // Several charts take less time than a larger one whose border has so many bends, and fill a page better.
   static constexpr int largest_isometric_chart = 100000;
 
   Chart_map injective_map(const Chart& chart, double area_weight) const
@@ -132,8 +132,8 @@ private:
                   Atlas_report::INJECTIVE, other_lengths());
   }
 
-  // Whether the injective map of a coarse copy of a large chart is bad already. The borders of surfaces with many
-  // handles lock everywhere.
+  // Whether the injective map of a coarse copy of a large chart is already bad. On surfaces with many handles, the
+  // border gets stuck everywhere.
   bool is_hopeless(const Chart& chart) const
   {
     const int least_triangles = 20000, vertices_of_copy = chart.number_of_vertices() / 15;
@@ -158,7 +158,7 @@ private:
     return map;
   }
 
-  // Without them if they cannot be reached
+  // Without equal lengths if they cannot be reached
   Chart_map direct_map_with_equal_seams(const Chart& chart) const
   {
     Chart equal = chart;

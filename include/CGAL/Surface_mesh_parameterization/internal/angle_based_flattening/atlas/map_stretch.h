@@ -35,10 +35,10 @@ struct Map_stretch
   int crushed_triangles = 0;
   double length = 0; // of the diagonal of its box, in the units of the surface
 
-  // Whether nobody would call it good. An infinite bound takes any stretch.
+  // Whether the chart is not good. An infinite bound accepts any stretch.
   bool is_bad(double bound) const { return exceeds(l2, bound); }
 
-  // Whether another map might be better: needles stretch alike in all.
+  // Whether another map might be better. Needles stretch alike in all maps.
   bool is_mendable(double bound) const { return exceeds(ordinary_l2, bound); }
 
 private:
@@ -109,12 +109,12 @@ struct Vertex_scale
   double area = 0;      // of the triangles around it, on the surface
   double log_scale = 0; // logarithm of the factor of lengths, relative to the mean
 
-  // How much less the stretch would be at this vertex without it. It is large where large triangles hide a moderate
-  // scale.
+  // How much this vertex adds to the stretch. It is large where large triangles have a moderate scale.
   double stretch_by_area() const { return area * (std::cosh(2 * log_scale) - 1); }
 };
 
-// Of each vertex of the surface that was cut open to the chart; `origin` tells whose copies those of the chart are.
+// The scale at each vertex of the surface that was cut open to the chart; `origin` is the vertex of the surface for
+// each vertex of the chart.
 inline std::vector<Vertex_scale> vertex_scales(const Chart& chart, const std::vector<Chart::Point_2>& uv,
                                                const std::vector<int>& origin, int number_of_vertices)
 {

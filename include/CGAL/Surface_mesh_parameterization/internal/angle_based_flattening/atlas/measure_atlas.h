@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fills the report of an atlas: the distortion of each chart relative to its own scale, that of all of them, and seams.
+// Fills the report of an atlas: the distortion of each chart, relative to its own scale, and of all charts, and seams.
 // The last stage of `build_atlas_impl.h`, after the final coordinates were certified.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MEASURE_ATLAS_H

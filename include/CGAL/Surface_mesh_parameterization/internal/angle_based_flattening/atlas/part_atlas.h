@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the stages of an atlas hand on: a part of the surface opened along its seams, its map, and how each of its
-// charts was made. `part_atlas_maker.h` and `divided_part_atlas.h` make it; the builder, the certificate and the
+// The data that the stages of an atlas pass on: a part of the surface, opened along its seams, its map, and how each of
+// its charts was made. `part_atlas_maker.h` and `divided_part_atlas.h` make it; the builder, the certificate and the
 // measures read it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_H
@@ -48,8 +48,8 @@ struct Part_atlas
   bool succeeded() const { return status == Diagnosis::NOTHING_WRONG; }
 };
 
-// Numbers the pieces anew after the chart was opened along further seams. Each is made as the one that it was cut out
-// of.
+// Numbers the pieces anew after the chart was opened along further seams. Each new piece inherits how its old piece was
+// made.
 inline void renumber_pieces(Part_atlas& atlas)
 {
   const std::vector<int> before =
@@ -70,8 +70,7 @@ inline std::vector<Stretch_sums> stretch_of_pieces(const Part_atlas& atlas)
   return sums;
 }
 
-// How much more than the bound of `select_seams()` a map may stretch, as that predicts for another surface: the smooth
-// one
+// A map may exceed the bound of `select_seams()` by this factor, because the prediction is for a smooth surface.
 inline constexpr double stretch_tolerance = 1.03;
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

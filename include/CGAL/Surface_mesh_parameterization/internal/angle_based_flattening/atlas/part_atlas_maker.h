@@ -52,8 +52,8 @@ inline bool is_failure_of_computation(Diagnosis diagnosis)
   }
 }
 
-// Cuts a connected surface open and flattens it, with more seams as long as it stretches too much. If there is no map,
-// or one that nobody would call good, areas get a larger weight.
+// Cuts a connected surface open and flattens it, with more seams as long as the map stretches too much. If there is no
+// map, or the chart is not good, areas get a larger weight.
 class Part_atlas_maker
 {
 public:
@@ -130,7 +130,7 @@ private:
       attempt.stretch = map_stretch(attempt.patch.chart, attempt.map.uv);
   }
 
-  // Where nothing else is good, areas count as much as angles. Pieces of maps of ABF++ keep their angles.
+  // If no other map is good, areas count as much as angles. Pieces of maps of ABF++ keep their angles.
   void keep_areas()
   {
     const bool has_map = m_best.map.is_valid();
@@ -167,7 +167,7 @@ private:
         improve(criterion, count);
   }
 
-  // Takes the map with more seams if that stretches less.
+  // Takes the map with more seams if it stretches less.
   void improve(Stretch_criterion criterion, std::size_t count)
   {
     const std::size_t most = static_cast<std::size_t>(m_options.maximum_number_of_terminals);
@@ -187,8 +187,8 @@ private:
     m_terminals += static_cast<std::size_t>(added);
   }
 
-  // Injective maps whose branches get stuck between one another shrink them, where that of ABF++ does not. It is
-  // separated then.
+  // In an injective map, branches that get stuck between others shrink. If the map of ABF++ shrinks nothing, it is
+  // separated instead.
   void avoid_stretch()
   {
     const double bound = m_options.stretch_bound;

@@ -34,7 +34,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What is known of the distances of some texels
+// Statistics of some texels
 struct Distance_statistics
 {
   std::size_t texels = 0, back_faces = 0, missed = 0;
@@ -165,7 +165,7 @@ private:
       place[k] = static_cast<float>(value[k]);
   }
 
-  // The normal of the fine surface, turned around where it looks to the other side
+  // The normal of the fine surface, reversed if it points to the other side
   Space_vector normal_at(const Fine_point& found, const Space_vector& direction,
                          Baked_textures::Texel kind) const
   {

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tells which point of the simple surface belongs to each texel, in bands of rows that threads take one by one.
+// Finds the point of the simple surface that belongs to each texel, in bands of rows that threads take one by one.
 // `bake_impl.h` starts its rays from these points.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_BAKING_CHART_TEXELS_H
@@ -41,7 +41,7 @@ public:
       : m_corners(corners), m_number(number), m_area(cross(corners[1] - corners[0], corners[2] - corners[0]))
   {}
 
-  // Is taken if it is closer than what is known.
+  // Replaces the known point if this one is closer.
   void offer(const Planar_point& centre, Texel_source& source) const
   {
     if(source.distance == 0)

@@ -22,8 +22,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Gives the texels around charts the values of the nearest texel of a chart, at most `gutter` rows and columns away. Of
-// several that are equally near, it is one in the nearest column, before one on the right the one on the left, and
-// before one below the one above.
+// several texels at the same distance, it takes one in the nearest column, left before right, and above before below.
 class Gutter_filler
 {
 public:
@@ -101,7 +100,7 @@ private:
     return true;
   }
 
-  // Texels of charts are not written meanwhile.
+  // Meanwhile, no texel of a chart is written.
   void copy(std::size_t from, std::size_t to)
   {
     m_textures.texels[to] = Baked_textures::GUTTER;

@@ -67,8 +67,9 @@ struct Fine_point
   bool is_found() const { return triangle >= 0; }
 };
 
-// What a ray to both sides meets: the nearest triangle that looks along it, and the nearest that looks against it. Rays
-// through common edges of triangles meet at least one of these, because both compute the same numbers for the edge.
+// What a ray to both sides meets: the nearest triangle with a normal along the ray, and the nearest with a normal
+// against it. A ray through a common edge of two triangles meets at least one of them, because both compute the same
+// numbers for the edge.
 class Ray_search
 {
 public:

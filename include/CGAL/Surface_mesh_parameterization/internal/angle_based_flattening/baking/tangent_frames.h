@@ -48,7 +48,8 @@ inline std::array<Space_vector, 3> corners_of(const Shaded_surface& surface, int
   return {surface.points[v[0]], surface.points[v[1]], surface.points[v[2]]};
 }
 
-// Gives each vertex the mean of the normals around it, weighted by angles. What has no area gets the direction of z.
+// Gives each vertex the mean of the normals around it, weighted by angles. Vertices without area around them get the
+// direction of z.
 inline void add_vertex_normals(Shaded_surface& surface)
 {
   surface.normals.assign(surface.points.size(), Space_vector::Zero());
@@ -62,8 +63,8 @@ inline void add_vertex_normals(Shaded_surface& surface)
     normal = direction_of(normal, Space_vector::UnitZ());
 }
 
-// Computes the tangents of the corners of a surface. Corners at a vertex share theirs if they are at the same place of
-// the same chart, and their triangles are not mirrored to one another.
+// Computes the tangents of the corners of a surface. Corners at a vertex share a tangent if they are at the same place
+// of the same chart, and their triangles have the same orientation.
 class Tangent_maker
 {
 public:

@@ -39,8 +39,8 @@ std::vector<Indexed_box> edge_boxes(const std::vector<Border_edge>& edges, const
   return boxes;
 }
 
-// The pairs of border edges that touch, as sorted pairs of their indices in `edges`. It takes `O(b log b)` time to see
-// that there is none; else the pairs of edges whose bounding boxes intersect are looked at.
+// The pairs of border edges that touch, as sorted pairs of their indices in `edges`. Without such pairs, the time is
+// `O(b log b)`; otherwise, all pairs of edges whose bounding boxes intersect are tested.
 template <typename Point>
 std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>& edges,
                                                 const std::vector<Point>& uv)
@@ -70,8 +70,8 @@ inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
   return pairs;
 }
 
-// Whether the borders are simple polygons that do not touch one another, the holes are within the outer one and beside
-// one another, and turn the other way. With no flipped triangle, the map is then injective: see
+// Whether the borders are simple polygons that do not touch one another, and the holes are within the outer border,
+// beside one another, and turn the other way. Without flipped triangles, the map is then injective: see
 // `Planar_map::is_injective()`.
 inline bool is_border_simple(const Chart& chart, const std::vector<Exact_point_2>& uv)
 {

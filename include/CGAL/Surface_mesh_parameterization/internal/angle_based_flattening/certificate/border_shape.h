@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How well a map keeps what was prescribed for its border: angles, straight sides, and equal lengths on both sides of
-// seams. The methods of `strategies/` and `measure_atlas.h` put it into their reports.
+// How well a map satisfies what was prescribed for its border: angles, straight sides, and equal lengths on both sides
+// of seams. The methods of `strategies/` and `measure_atlas.h` put it into their reports.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SHAPE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SHAPE_H
@@ -40,8 +40,8 @@ inline int number_of_prescribed_angles(const std::vector<double>& prescribed, co
   return static_cast<int>(std::count(has_angle.begin(), has_angle.end(), true));
 }
 
-// The largest difference of a prescribed angle from that of the map. `sums` are those of all copies of a vertex, as
-// `place` names them.
+// The largest difference between a prescribed angle and the angle in the map. `sums` belong to all copies of a vertex
+// together, as `place` identifies them.
 inline double largest_angle_error(const std::vector<double>& prescribed, const std::vector<double>& sums,
                                   const std::vector<int>& place)
 {
@@ -107,8 +107,8 @@ inline double largest_seam_jump(const Chart& chart, const std::vector<Chart::Poi
   return largest;
 }
 
-// The largest difference from a full turn of the angles at vertices in the middle of a seam that are no cones: so much
-// does what is on one side of a seam turn on the other side, from one edge to the next.
+// The largest difference between a full turn and the sum of angles at a vertex in the middle of a seam that is not a
+// cone. By this angle, the two sides of the seam turn differently from one edge to the next.
 inline double largest_seam_turn(const Chart& chart, const Seam_places& places,
                                 const std::vector<double>& sums)
 {
@@ -122,7 +122,7 @@ inline double largest_seam_turn(const Chart& chart, const Seam_places& places,
   return largest;
 }
 
-// Sets what a report tells of seams.
+// Fills the part of a report that is about seams.
 inline void report_seams(const Chart& chart, const std::vector<Chart::Point_2>& uv,
                          ABF_plus_plus_report& report)
 {
@@ -134,7 +134,7 @@ inline void report_seams(const Chart& chart, const std::vector<Chart::Point_2>& 
       largest_seam_turn(chart, places, planar_angle_sums(chart, uv, places.of_vertices()));
 }
 
-// The same of prescribed angles: those of the border are of each copy of a vertex by itself.
+// Fills the part about prescribed angles. Angles of the border belong to each copy of a vertex by itself.
 inline void report_prescribed_angles(const Chart& chart, const std::vector<Chart::Point_2>& uv,
                                      ABF_plus_plus_report& report)
 {

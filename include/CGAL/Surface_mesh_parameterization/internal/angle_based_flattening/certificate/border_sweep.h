@@ -27,7 +27,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Whether two border edges have a point in common, other than a vertex of both. Their points are finite. An edge
-// without length touches those beside it.
+// without length touches its neighbours.
 template <typename Point>
 bool touch(const Border_edge& e, const Border_edge& f, const std::vector<Point>& uv)
 {
@@ -57,7 +57,7 @@ class Border_sweep
 {
   static_assert(std::is_same<typename Exact_point<Point>::type, Point>::value, "predicates must be exact");
 
-  // The order along the sweep line of edges that do not touch. Whatever is collinear does touch.
+  // The order along the sweep line of edges that do not touch. Collinear edges count as touching.
   struct Is_below
   {
     Border_sweep* sweep;

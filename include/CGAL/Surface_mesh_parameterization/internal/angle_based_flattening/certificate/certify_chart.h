@@ -26,8 +26,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What is looked at in the end, whichever way the coordinates came: orientations, by exact predicates, the border, and
-// how large triangles are.
+// The final check of coordinates from any method: orientations, by exact predicates, the border, and the sizes of
+// triangles
 struct Certificate
 {
   std::vector<int> invalid; // the triangles that make the map invalid

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The certificate for any mesh with coordinates, whoever flattened it, with the proof that its tests suffice.
-// Included by `certify_flattening.h`, the public function for maps of all methods.
+// The certificate for any mesh with coordinates, from any method, with the proof that its tests suffice. Included by
+// `certify_flattening.h`, the public function for maps of all methods.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_PLANAR_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_PLANAR_MAP_H

@@ -21,7 +21,7 @@
 #include <limits>
 #include <vector>
 
-// Functions of flat arrays that the compiled library has
+// Functions of flat arrays that the compiled library contains
 #ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
 #define CGAL_ANGLE_BASED_FLATTENING_INLINE
 #else
@@ -45,10 +45,10 @@ inline int previous_corner(int c)
 inline constexpr double pi = CGAL_PI;
 
 // A vertex with equations of the planar angles, or several vertices whose equations are added up: one for the sum of
-// the angles (Eq. 3), one for the lengths of the edges around (Eq. 4). What is not there has the multiplier 0.
+// the angles (Eq. 3), one for the lengths of the edges around (Eq. 4). A missing equation has the multiplier 0.
 struct Constraint_node
 {
-  double angle_sum = 2 * pi; // 0 if there is none; target angles have it also where the equation is not there
+  double angle_sum = 2 * pi; // 0 if there is none; target angles have this sum even without the equation
   bool has_planarity = true;
   bool has_reconstruction = true;
 
@@ -64,8 +64,8 @@ struct Loop_crossing
   int triangle() const { return in / 3; }
 };
 
-// A connected triangulated surface with border, as a corner table: all that the stages behind `read_chart()`
-// know of a mesh. Corner `c` faces the edge from `vertex[next_corner(c)]` to `vertex[previous_corner(c)]`.
+// A connected triangulated surface with border, as a corner table: all that the stages after `read_chart()` know of a
+// mesh. Corner `c` faces the edge from `vertex[next_corner(c)]` to `vertex[previous_corner(c)]`.
 struct Chart
 {
   typedef CGAL::Simple_cartesian<double> Kernel; // the certificate takes exact predicates
@@ -87,18 +87,21 @@ struct Chart
   // Of each corner that faces an edge of a seam: the one across the seam; -1 elsewhere. Empty without seams.
   std::vector<int> seam;
   bool has_equal_seams = false; // both sides of a seam get the same lengths
-  // With equal seams, of vertices of the outer border: prescribed sums of all planar angles at the vertex of the
-  // surface before the cut. NaN where there is none: such vertices in the middle of a seam have 2 pi. Infinite where
-  // the sum is free.
+  // With equal seams, for vertices of the outer border: the prescribed sum of all planar angles at the vertex of the
+  // surface before the cut. It is NaN if nothing is prescribed, and infinite if the sum is free. Seam vertices with NaN
+  // get 2 pi.
   std::vector<double> surface_sums;
-  // Loops through seams, along which lengths must come back to what they were; sorted by triangles. Empty without equal
+  // Loops through seams, along which lengths must return to their first value; sorted by triangles. Empty without equal
   // seams.
   std::vector<Loop_crossing> crossings;
   int number_of_loops = 0;
   std::vector<int> node; // of each vertex: the one with its equations, or -1
-  // All interior vertices, unless someone wants others; those of seams of equal sides, each one for all places of a
-  // vertex of the surface before the cut; vertices of the outer border that have prescribed angles; one for each loop,
-  // without a vertex; and at the end all vertices of holes, in the order of `borders`.
+  // In this order:
+  // - one for each interior vertex
+  // - with equal seams, one for each place on the outer border (see `Seam_places`) that has equations, then one for
+  //   each loop
+  // - without them, one for each vertex of the outer border with a prescribed angle
+  // - one for each vertex of a hole, in the order of `borders`
   std::vector<Constraint_node> nodes;
   int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
 
@@ -115,7 +118,7 @@ struct Chart
   bool has_prescribed_angles() const { return has_prescribed_border() || !surface_sums.empty(); }
   bool has_border_nodes() const { return has_prescribed_border() || has_equal_seams; }
 
-  // Filled holes have vertices that nobody prescribed anything for.
+  // Nothing is prescribed for the vertices of filled holes.
   bool is_angle_prescribed(int v) const
   {
     return v < static_cast<int>(angle_sums.size()) && !std::isnan(angle_sums[v]);

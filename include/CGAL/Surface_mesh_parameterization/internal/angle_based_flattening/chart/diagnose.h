@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Names what makes a chart impossible to flatten: points that are not finite, vertices that are not manifold, the wrong
+// Finds what makes a chart impossible to flatten: points that are not finite, vertices that are not manifold, the wrong
 // topology. `read_chart.h` and `read_surface.h` call `diagnose()`; stages that can fail return the type `Chart_defect`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H
@@ -36,7 +36,7 @@ inline void fail(Flattening_report& report, Diagnosis diagnosis, const std::stri
   report.message = message;
 }
 
-// A report that has what a chart tells
+// A report with a defect of a chart
 template <typename Report>
 Report report_of(const Chart& chart)
 {

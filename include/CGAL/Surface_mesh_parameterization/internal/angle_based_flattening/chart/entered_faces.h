@@ -32,7 +32,7 @@ class Entered_faces
 public:
   explicit Entered_faces(const TriangleMesh& mesh) : m_mesh(mesh) {}
 
-  // Begins a search, of as many faces as the mesh has at most. Returns their number.
+  // Begins a search. Returns the largest possible number of faces: that of the mesh.
   std::size_t begin()
   {
     std::size_t number = 0;

@@ -105,8 +105,8 @@ inline Chart_defect find_wrong_seam(const Chart& chart)
   return {};
 }
 
-// Makes the sides of seams equal, if there are seams. Those with a side on a hole are an error if they are all to be
-// so, and are left as they are otherwise.
+// Makes the sides of seams equal, if there are seams. A seam with a side at a hole is an error if `all_of_them`, and
+// otherwise keeps different lengths.
 inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
 {
   for(int k = 0; k < chart.number_of_holes(); ++k)
@@ -121,8 +121,8 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   return {};
 }
 
-// Sets the prescribed angles of a chart, if there are some that can be met. Null in programs that do not prescribe
-// angles: the check needs a maximum flow.
+// Sets the prescribed angles of a chart if they are possible. Null in programs that do not prescribe angles, because
+// the check needs a maximum flow.
 inline Chart_defect (*optional_angle_sums)(std::vector<double> sums, Chart& chart) = nullptr;
 
 // Reads the prescribed angles of a mesh whose chart knows its seams of equal sides.
@@ -137,11 +137,11 @@ read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::ve
   bool has_some = false;
   for(std::size_t v = 0; v < vertices.size(); ++v)
     if(const std::optional<double> sum = angle_sums.sum_of(vertices[v], mesh)) {
-      // Not a number stands for none, and must not be taken for that.
+      // NaN means that no angle is prescribed. A prescribed NaN must not be taken for that.
       sums[v] = std::isnan(*sum) ? -1 : *sum;
       has_some = true;
     }
-  // On the surface before the cut, vertices of seams have 2 pi if nothing else is said.
+  // On the surface before the cut, seam vertices missing from the map get 2 pi.
   if(!has_some && !chart.has_equal_seams)
     return {};
   if(optional_angle_sums == nullptr)

@@ -34,8 +34,8 @@ class Seam_mesh;
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What a `Seam_mesh` knows of its seams. `across()` returns the halfedge on the other side of a seam, of an inner one
-// at the border; the null halfedge where there is no seam.
+// The seams of a `Seam_mesh`. `across()` returns the halfedge on the other side of a seam for an inner halfedge at the
+// border; the null halfedge if there is no seam.
 template <typename TriangleMesh>
 struct Seam_sides
 {
@@ -134,7 +134,7 @@ public:
   }
 
   // Sets which corners are across a seam. `across` maps an inner halfedge at the border to that on the other side, or
-  // to the null halfedge. Of a seam between two components there is no other side here.
+  // to the null halfedge. A seam between two components has no other side here.
   template <typename Across>
   void link_seams(const Across& across)
   {

@@ -75,8 +75,8 @@ private:
     }
   }
 
-  // Of a closed surface, one equation for lengths follows from all others. So does one for angles if all are there,
-  // since those of the triangles give their total.
+  // On a closed surface, one equation for lengths follows from all others. So does one equation for angles if none is
+  // missing, because the equations of triangles give their total.
   void drop_implied_equations()
   {
     if(m_places.is_closed())
@@ -85,9 +85,9 @@ private:
       m_chart.nodes[m_first].has_planarity = false;
   }
 
-  // With the equations around vertices, what lengths change by across a seam obeys Kirchhoff's law at the vertices
-  // inside. If it vanishes on the edges that a spanning tree leaves over, it vanishes on all. All borders are one
-  // vertex of the tree.
+  // With the equations around vertices, the change of lengths across seams obeys Kirchhoff's law at interior vertices.
+  // If it vanishes on all edges outside of a spanning tree, it vanishes on all edges. All borders are one vertex of the
+  // tree.
   void add_loops()
   {
     const int border = m_chart.number_of_vertices();

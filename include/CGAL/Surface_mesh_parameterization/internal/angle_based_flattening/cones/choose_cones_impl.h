@@ -115,7 +115,7 @@ private:
     return true;
   }
 
-  // What rounding left of the total of a closed surface goes to the largest angle.
+  // On a closed surface, the largest angle is corrected by the rounding error of the total.
   void complete_total(std::vector<double>& angles) const
   {
     if(!is_closed() || angles.empty())

@@ -57,11 +57,11 @@ private:
   Eigen::MatrixXd m_factor; // its lower triangle
 };
 
-// Where the log scale varies no more than that, no vertex is better than another one.
+// If the log scale varies less than this, no vertex is better than another one.
 inline constexpr double least_log_scale = 1e-9;
 
-// Chooses cones, each where the scale that the others leave is farthest from 1, and their charges. The charge of a cone
-// is what it lacks of a full turn.
+// Chooses cones, each where the scale with the earlier cones is farthest from 1, and their charges. The charge of a
+// cone is a full turn minus its angle.
 class Cone_charges
 {
 public:
@@ -75,7 +75,7 @@ public:
   const std::vector<int>& cones() const { return m_cones; }
   const Eigen::VectorXd& charges() const { return m_charges; }
 
-  // That of all cones, if the surface is closed
+  // The charge of all cones together, if the surface is closed
   double total() const { return m_total; }
 
   // Returns `false` if the linear solver fails, as the other functions do.
@@ -143,7 +143,7 @@ private:
   int number_of_cones() const { return static_cast<int>(m_cones.size()); }
   bool is_closed() const { return m_surface.borders.empty(); }
 
-  // The scale that the cones have with their charges, but for a constant on a closed surface
+  // The scale with these cones and charges, up to a constant on a closed surface
   std::optional<Eigen::VectorXd> scale()
   {
     Eigen::VectorXd sources = -m_curvature;
@@ -160,7 +160,7 @@ private:
     return m_surface.interior[v] >= 0 && std::find(m_cones.begin(), m_cones.end(), v) == m_cones.end();
   }
 
-  // That of a closed surface to one of constant curvature, away from its mean
+  // The scale of the map from a closed surface to one of constant curvature, relative to its mean
   std::optional<Eigen::VectorXd> scale_without_cones()
   {
     if(!(m_log_scale.total_area() > 0))
@@ -172,8 +172,8 @@ private:
     return u;
   }
 
-  // Adds a cone, and finds the charges that make u vanish at all cones. The first one of a closed surface takes what
-  // the others leave of the total.
+  // Adds a cone, and finds the charges that make u vanish at all cones. The first one of a closed surface takes the
+  // rest of the total.
   bool add(int cone)
   {
     const std::optional<Eigen::VectorXd> green = green_function(cone);

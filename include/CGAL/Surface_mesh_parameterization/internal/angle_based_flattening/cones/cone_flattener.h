@@ -45,7 +45,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Chooses cones, leads seams through them, and flattens what these leave. Writes seams and coordinates if all that
+// Chooses cones, leads seams through them, and flattens the resulting disk. Writes seams and coordinates if all of this
 // succeeds.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename NamedParameters>
 class Cone_flattener

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Rounds the charges of cones to whole quanta, with a given total on closed surfaces.
-// `choose_cones_impl.h` calls it for patterns that must come back to themselves after a quarter turn, say.
+// Rounds the charges of cones to whole quanta, with a given total on closed surfaces. `choose_cones_impl.h` calls it,
+// for example for patterns that a quarter turn does not change.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_ROUND_CHARGES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CONES_ROUND_CHARGES_H
@@ -21,15 +21,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What a cone lacks of a full turn, in quanta, and between which bounds that may be
+// The charge of a cone, in quanta: a full turn minus its angle, with its bounds
 struct Quantized_charge
 {
   double wanted;
   int least, largest;
 };
 
-// Rounds to whole numbers between the bounds: each to the nearest, or, given their total, those up that leave the
-// largest remainders. Returns nothing if there is no way.
+// Rounds charges to whole numbers between the bounds: each to the nearest, or, given their total, those with the
+// largest remainders up. Returns nothing if this is not possible.
 inline std::optional<std::vector<int>> round_charges(const std::vector<Quantized_charge>& charges,
                                                      const std::optional<int>& total)
 {

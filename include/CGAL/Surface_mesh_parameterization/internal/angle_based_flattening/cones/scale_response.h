@@ -27,7 +27,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // How the log scale of a conformal map responds to curvature at vertices: L u = q, with u = 0 at the border, for any
-// number of q by one factorization. On a closed surface, u = 0 at one vertex, which takes what the sum of all q leaves.
+// number of q by one factorization. On a closed surface, u = 0 at one vertex, whose q makes the sum of all q vanish.
 class Scale_response
 {
 public:
@@ -44,7 +44,7 @@ public:
         m_unknowns == 0 || m_solver->set_matrix(log_scale.laplacian(m_unknown, m_unknowns).matrix());
   }
 
-  // Of all vertices, from what is at all vertices; nothing if the linear solver fails
+  // The response of all vertices to sources at all vertices; nothing if the linear solver fails
   std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& sources)
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(sources.size());

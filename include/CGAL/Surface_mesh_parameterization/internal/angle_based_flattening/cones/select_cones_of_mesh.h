@@ -41,7 +41,7 @@ vertices_of_surface(const TriangleMesh& mesh, const Reader& reader)
   return result;
 }
 
-// A vertex of the mesh that is several ones of the surface, not all of them on the border; or -1
+// A vertex of the mesh that is several vertices of the surface, not all of them on the border; or -1
 template <typename VertexDescriptor>
 int find_pinched_vertex(const Chart& surface, const std::vector<VertexDescriptor>& vertices)
 {

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a disk of a chart with holes: covers these with triangles of a chosen weight in Eq. 1. Called by
+// Makes a disk of a chart with holes: covers the holes with triangles of a chosen weight in Eq. 1. Called by
 // `hole_strategies.h` and `flatten_chart_hierarchically.h`, by way of `all_strategies.h`. Patches come from `patch.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
@@ -27,7 +27,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The targets of patches are at least this large where the surface leaves them nothing of the full turn.
+// The targets of patches are at least this large, even if the surface leaves no rest of the full turn.
 inline constexpr double least_patch_angle = 0.02;
 
 // Makes a disk of a chart with holes, by patches over all borders but the first one.
@@ -169,8 +169,8 @@ private:
     m_filled.opposite[d] = c;
   }
 
-  // The targets of the surface are those that it has with its holes. Those of the patches share what is left of the
-  // full turn: by their angles in space, and in fans, which have no shape of their own, equally.
+  // The targets of the surface do not depend on the filling. The targets of patches share the rest of the full turn: in
+  // proportion to their angles in space, or equally in fans, which have no shape of their own.
   void set_targets()
   {
     std::vector<double>& beta = m_filled.targets;

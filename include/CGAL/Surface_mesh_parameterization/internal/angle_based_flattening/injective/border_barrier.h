@@ -5,7 +5,7 @@
 
 // The barrier of Smith and Schaefer (2015), which repels parts of the border that come near one another through the
 // outside. `injective_descent.h` adds it to the energy of the whole map, `border_keeper.h` to that of one vertex. It
-// shapes the map; what keeps the border simple are the exact tests of `planar_border.h`.
+// shapes the map; the exact tests of `planar_border.h` keep the border simple.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
@@ -39,7 +39,7 @@ struct Barrier_function
   }
 };
 
-// A border vertex and a border edge without it, and the distance from which on they repel each other
+// A border vertex, a border edge without this vertex, and the distance below which they repel each other
 struct Border_pair
 {
   int vertex, edge;
@@ -88,8 +88,8 @@ inline void add_pairs_of_vertex(const Planar_border& border, int i, double clear
   });
 }
 
-// The gap of a pair if it is nearer than its range and leads through the outside: what is inside is kept apart by
-// triangles. `at(i)` is the position of border vertex i.
+// The gap of a pair if it is shorter than its range and leads through the outside: inside, triangles keep parts apart.
+// `at(i)` is the position of border vertex i.
 template <typename Positions, typename Visitor>
 void visit_gap(const Planar_border& border, const Border_pair& pair, const Positions& at,
                const Visitor& visit)
@@ -106,7 +106,7 @@ void visit_gap(const Planar_border& border, const Border_pair& pair, const Posit
 class Vertex_barrier
 {
 public:
-  // What is farther away than `reach` is not looked at.
+  // Ignores parts of the border that are farther away than `reach`.
   void gather(const Planar_border& border, int i, double clearance, double reach)
   {
     m_border = &border;

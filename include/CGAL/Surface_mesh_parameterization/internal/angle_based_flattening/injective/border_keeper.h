@@ -49,7 +49,7 @@ public:
   int rejections() const { return m_rejections; }
   Border_contact contact() const { return measure_contact(*m_border, m_clearance); }
 
-  // Takes the border vertices that are there now, and all positions.
+  // Takes the current border vertices, and all positions.
   void take(const Coarsening& coarsening, const std::vector<Planar_point>& uv)
   {
     m_border.emplace(coarsening.borders(), uv);

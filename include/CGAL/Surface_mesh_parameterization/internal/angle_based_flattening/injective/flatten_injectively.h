@@ -49,8 +49,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Flattens a disk coarse to fine, with a map that is injective all the time: it starts from Tutte's map of a coarse
-// chart.
+// Flattens a disk from coarse to fine, starting from Tutte's map of a coarse chart. The map is always injective.
 class Injective_flattening
 {
 public:
@@ -92,7 +91,7 @@ private:
 
   bool succeeded() const { return m_report.status == Diagnosis::NOTHING_WRONG; }
 
-  // Then areas count as much as angles, and sweeps on the energy of the angles alone would undo that.
+  // From this weight on, areas count as much as angles, and sweeps on the energy of angles alone would undo this.
   bool is_isometric() const { return m_options.area_weight > 0.1; }
 
   void coarsen(int size)
@@ -169,8 +168,8 @@ private:
     return descent.has_converged();
   }
 
-  // Relaxes all that is there as a whole. A map to be polished comes near to the least energy of the angles on the last
-  // of these levels, while that is cheap.
+  // Relaxes the whole current chart. A map to be polished comes near to the least energy of the angles on the last of
+  // these levels, while that is cheap.
   void descend_on_level()
   {
     const Coarse_chart coarse = coarse_chart();
@@ -211,7 +210,7 @@ private:
     return is_refined;
   }
 
-  // On large charts, areas matter as little for a single vertex as the work with them matters for the time.
+  // On large charts, areas hardly matter for a single vertex, but take time.
   void relax()
   {
     const bool is_large = m_coarsening.number_of_vertices() > m_most_newton_vertices;
@@ -282,8 +281,8 @@ private:
     return result;
   }
 
-  // Small triangles have little energy where areas count, and can be crushed between large ones. Energies of angles do
-  // not know sizes.
+  // If areas count, small triangles have little energy, and large ones may crush them. Energies of angles do not depend
+  // on sizes.
   void widen_crushed_triangles()
   {
     const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
@@ -314,8 +313,8 @@ private:
   Relaxation<Border_keeper> m_relaxation;
 };
 
-// Flattens a disk that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a map
-// was found, which is not certified yet.
+// Flattens a disk that `diagnose()` found flawless. Its connectivity changes meanwhile, and is restored if a map was
+// found. The map is not certified yet.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
 {

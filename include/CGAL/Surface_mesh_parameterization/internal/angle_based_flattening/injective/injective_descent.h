@@ -35,8 +35,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// When to stop: after a step from which a smaller decrease is expected than this fraction of what distortion adds to
-// the energy, or after this many steps.
+// When to stop: after a step whose expected decrease is less than this fraction of the energy of distortion, or after
+// this many steps.
 struct Descent_limits
 {
   double tolerance = 1e-4;
@@ -74,7 +74,7 @@ public:
   {
     m_has_converged = false;
     for(int step = 0; step < limits.steps; ++step) {
-      // Ranges are those of the border at the start of a step, so that the energy is a function while it lasts.
+      // Ranges are fixed at the start of a step, so that the energy does not change its definition during the step.
       Planar_border border(m_cycles, uv);
       const double before = energy(uv, border);
       if(!std::isfinite(before))
@@ -177,8 +177,8 @@ private:
     return done;
   }
 
-  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns `false` if it
-  // stays.
+  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns `false` if the
+  // map does not move.
   bool search(Positions& uv, Planar_border& border, double before)
   {
     const int most_halvings = 30;

@@ -41,8 +41,8 @@ inline Planar_edge next_edge(const Planar_edge& edge, const std::vector<double>&
           edge.log_length + std::log(std::sin(alpha[next_corner(c)]) / std::sin(alpha[c]))};
 }
 
-// The first edge of each hole, if the first edge of the outer border has direction and log length 0: what the angles
-// say along the shortest way from triangle to triangle. (Other ways differ by no more than the angles violate their
+// The first edge of each hole, if the first edge of the outer border has direction and log length 0. The angles along
+// the shortest way from triangle to triangle determine it. (Other ways differ only as far as the angles violate their
 // constraints.)
 inline std::vector<Planar_edge> first_edges_of_holes(const Chart& chart, const std::vector<double>& alpha)
 {
@@ -66,7 +66,7 @@ inline std::vector<Planar_edge> first_edges_of_holes(const Chart& chart, const s
   return first_edges;
 }
 
-// Planar coordinates of each vertex, and by how much they had to be bent.
+// Planar coordinates of each vertex, and how much closing the borders changed them.
 struct Layout
 {
   std::vector<Chart::Point_2> uv;
@@ -125,7 +125,7 @@ inline double lay_out_prescribed_border(const Chart& chart, const Border_walk& w
   return planar.relative_gap();
 }
 
-// Lays out the outer border, and each hole in its direction and size, but anywhere.
+// Lays out the outer border, and each hole with its direction and size, but without its position.
 inline void lay_out_borders(const Chart& chart, const std::vector<double>& alpha, Layout& layout)
 {
   const std::vector<int>& outer = chart.borders.front();
@@ -213,8 +213,8 @@ inline Two_vectors boundary_right_hand_side(const Chart& chart, const std::vecto
 
 // Sets the coordinates of the interior vertices, and puts the holes into place: the cotangent Laplacian with the planar
 // angles' own cotangents vanishes on the planar triangulation that has these angles, so that one solve reproduces it.
-// At a hole's vertices its natural boundary values do not vanish, but as they are half the edges around, turned by a
-// right angle, their sum does.
+// At the vertices of a hole, its natural boundary values do not vanish, but their sum does: they are half the edges of
+// the hole, turned by a right angle.
 inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha,
                              const Linear_solvers& solvers, std::unique_ptr<Linear_solver> scalar_solver,
                              Layout& layout)

@@ -31,8 +31,8 @@ struct Scale_prediction
   int far_border = 0;   // the one with the smallest scale
 };
 
-// What the angles lack, to be flat, at each unknown of the scale: 2 pi less the angles at an interior vertex; for a
-// hole of m vertices the angles around it less (m + 2) pi.
+// The curvature at each unknown of the scale: 2 pi minus the angles at an interior vertex; for a hole of m vertices,
+// the angles around it minus (m + 2) pi.
 inline Eigen::VectorXd curvatures(const Chart& chart, const std::vector<double>& angles,
                                   const std::vector<int>& unknown, int n)
 {
@@ -46,8 +46,8 @@ inline Eigen::VectorXd curvatures(const Chart& chart, const std::vector<double>&
 }
 
 // The logarithm u of the scale solves the Poisson equation with the curvature as its source: L u = -K for the cotangent
-// Laplacian L, whose weights are half the ones here, with u = 0 at the outer border. A hole of much the same scale all
-// around is one unknown. A tube of a length of t circumferences has the range exp(2 pi t).
+// Laplacian L, whose weights are half the ones here, with u = 0 at the outer border. The scale is about constant around
+// a hole, which is therefore one unknown. A tube whose length is t circumferences has the range exp(2 pi t).
 inline std::optional<Scale_prediction> predict_scale(const Chart& chart, const Linear_solvers& solvers)
 {
   const std::vector<int> unknown = unknown_translations(chart);

@@ -22,8 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Walks along the outer border, and turns by exactly as much as is prescribed, so that straight sides are straight
-// whatever the tolerance is. What the angles of the other vertices then lack to a full turn, they share.
+// Walks along the outer border, and turns by exactly the prescribed angles, so that sides are straight for any
+// tolerance. The other vertices share the rest of the full turn.
 inline Border_walk walk_along_prescribed_border(const Chart& chart, const std::vector<double>& alpha)
 {
   const std::vector<int>& border = chart.borders.front();
@@ -45,8 +45,8 @@ inline Border_walk walk_along_prescribed_border(const Chart& chart, const std::v
   return walk;
 }
 
-// Closes a polygon by changing the lengths of its edges, and not their directions: the least relative changes, in
-// the sense of least squares with the lengths as weights.
+// Closes a polygon by changing the lengths of its edges, but not their directions. Relative changes are least in the
+// sense of least squares, with the lengths as weights.
 inline void close_by_lengths(const Chart::Kernel::Vector_2& gap, std::vector<Chart::Kernel::Vector_2>& edges)
 {
   Matrix_2 matrix = Matrix_2::zero();

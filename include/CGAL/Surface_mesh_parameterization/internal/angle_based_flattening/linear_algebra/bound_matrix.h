@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Replaces the unknowns of the vertices of holes in Eq. 16 by four for each hole: these have but four equations.
-// `newton_step.h` binds the matrix of a chart with holes with it, and expands the solution.
+// Replaces the unknowns of the vertices of holes in Eq. 16 by four for each hole, because a hole has only four
+// equations. `newton_step.h` binds the matrix of a chart with holes with it, and expands the solution.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BOUND_MATRIX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_BOUND_MATRIX_H

@@ -54,7 +54,8 @@ inline double relative_coupling(const Block_matrix<2>& matrix, int j)
   return (std::max)(first, second) / std::sqrt(diagonal(0, 0) * diagonal(1, 1));
 }
 
-// The blocks with strong couplings, with their neighbours: only those with the strongest if they were too many.
+// The blocks with strong couplings, and their neighbours; if these are too many, only the blocks with the strongest
+// couplings.
 inline std::vector<char> strongly_coupled_blocks(const Block_matrix<2>& matrix)
 {
   constexpr double strong = 1;       // at 0.7 or 2 it takes longer, on charts with slivers and steep noise

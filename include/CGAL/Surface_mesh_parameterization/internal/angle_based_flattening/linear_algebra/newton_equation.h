@@ -44,7 +44,7 @@ public:
   Newton_equation(const Newton_equation&) = delete; // one preconditioner refers to the other
   Newton_equation& operator=(const Newton_equation&) = delete;
 
-  // Does what the first solution can do before there are values: then it takes less time.
+  // Prepares the first solution as far as possible without values, to save time.
   void analyze_pattern(const Block_matrix<2>& matrix)
   {
     if(m_iteratively && !m_preconditioner && matrix.size() > 0) {

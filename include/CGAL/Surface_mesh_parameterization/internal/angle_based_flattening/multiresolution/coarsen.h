@@ -28,9 +28,9 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Makes a chart coarser level by level.
 //
-// The vertices of coarse levels would lie all over the memory. So when half of the vertices are gone, the others are
-// copied into a chart of their own, which has numbers of its own: the next stage. All numbers of vertices here are
-// those of the last stage.
+// The vertices of coarse levels would be scattered over the memory. Each time half of the vertices are gone, the others
+// are therefore copied into a chart of their own, with numbers of its own: the next stage. All numbers of vertices here
+// are those of the last stage.
 class Coarsening
 {
 public:

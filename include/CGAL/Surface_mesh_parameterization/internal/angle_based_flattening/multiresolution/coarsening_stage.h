@@ -58,8 +58,8 @@ public:
 
   // Removes up to `quota` vertices. See `Collapse_cost` for `extreme_angle`.
   //
-  // Blocks of vertices that are close in memory take turns, with the cheapest collapses of a block first: going for the
-  // cheapest ones of all would take most of the time, for jumps in memory.
+  // Blocks of vertices that are close in memory take turns, with the cheapest collapses of a block first: jumping in
+  // memory to the cheapest collapses of all would take most of the time.
   void add_level(int quota, double extreme_angle)
   {
     const std::vector<Collapse_candidate> candidates = cheapest_collapses(extreme_angle);

@@ -77,7 +77,7 @@ private:
   double m_pp = 0, m_pq = 0, m_qq = -1; // negative before the first triangle
 };
 
-// What all kinds of stars know about their ring.
+// The ring of a star of any kind
 struct Planar_star_base
 {
   bool on_border = false;

@@ -31,7 +31,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What the separation of a chart comes to
+// The result of the separation of a chart
 struct Separation
 {
   enum Status
@@ -203,7 +203,7 @@ private:
     return m_result;
   }
 
-  // More pairs than that are found, and not stored; those that are missing are found once the others are apart.
+  // More pairs than this are not stored. Missing pairs are found once the others are separated.
   static constexpr std::size_t pairs_per_triangle = 64;
 
   const Chart& m_chart;

@@ -27,7 +27,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Draws chart after chart, and looks whether each is far enough from those before.
+// Draws chart after chart, and tests whether each is far enough from all earlier charts.
 class Packing_certifier
 {
 public:
@@ -36,7 +36,7 @@ public:
         m_taken(resolution + 2 * gutter, resolution + 2 * gutter)
   {}
 
-  // The first triangle that is not where it may be, or -1
+  // The first triangle that is outside of the square, or -1
   int triangle_outside() const
   {
     for(int t = 0; t < static_cast<int>(m_corners.size()) / 3; ++t)
@@ -47,7 +47,7 @@ public:
     return -1;
   }
 
-  // The first triangle of a chart that is too near to charts before, or -1
+  // The first triangle of a chart that is too near to earlier charts, or -1
   int add(const int* begin, const int* end)
   {
     Planar_point lower(m_resolution, m_resolution), upper(0, 0);

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What packing keeps of a chart: edges of the outline, hull, area, and the directions in which the bounding box is
-// smallest. `read_outlines.h` fills it, and `chart_shape.h` draws it, at cost of the outline instead of all triangles.
+// The data of a chart for packing: edges of the outline, hull, area, and the directions with the smallest bounding box.
+// `read_outlines.h` fills it, and `chart_shape.h` draws it, at the cost of the outline instead of all triangles.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CHART_OUTLINE_H
@@ -80,7 +80,8 @@ struct Segment_less
   }
 };
 
-// Takes the edges of triangles of which no other one has the opposite. All triangles are taken counterclockwise.
+// Takes the edges of triangles that no other triangle has in the opposite direction. All triangles count as
+// counterclockwise.
 class Outline_edges
 {
 public:

@@ -21,8 +21,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale. `corners`
-// are three for each triangle, `chart` is that of each triangle, `area` what the triangle should have in proportion: a
-// chart is scaled to the sum of its areas.
+// are three points for each triangle, `chart` is the chart of each triangle, and `area` is its relative area: a chart
+// is scaled to the sum of its areas.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>& corners,
                                                 const std::vector<int>& chart,
                                                 const std::vector<double>& area, int number_of_charts,

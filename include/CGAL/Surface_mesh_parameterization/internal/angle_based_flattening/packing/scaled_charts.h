@@ -60,8 +60,8 @@ public:
   const std::vector<double>& directions(int c) const { return m_angles[c]; }
   const Packing_options& options() const { return m_options; }
 
-  // Charts are placed by cells of so many texels along a side: by large ones first. Where there are many texels, the
-  // last ones have several of them, too.
+  // Charts are placed by cells of this many texels along a side, first by large cells. If there are many texels, even
+  // the last cells have several.
   const std::vector<int>& texels_of_cells() const { return m_cells; }
 
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
@@ -125,8 +125,7 @@ public:
       m_shapes[c].resize(charts.directions(c).size());
   }
 
-  // Makes the shapes that are not there yet: of the largest chart those in the directions that are wanted, of others
-  // all.
+  // Makes missing shapes: of the largest chart in the wanted directions, of other charts in all directions.
   void make_shapes(const std::vector<char>& is_wanted)
   {
     std::vector<std::pair<int, int>> missing;

@@ -24,8 +24,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Searches the largest scale with places for all charts. That is not monotone: the largest of those that were tried
-// counts.
+// Searches the largest scale with places for all charts. Smaller scales need not fit: the largest scale that was tried
+// and fits counts.
 class Scale_search
 {
 public:
@@ -190,7 +190,7 @@ private:
     return is_wanted;
   }
 
-  // The scale of which the charts need about that share of the texels; near to 0 if they always need more
+  // The scale at which charts need about this share of the texels; near 0 if they always need more
   double scale_of_needed_share(double share) const
   {
     double lower = 0, upper = m_resolution;

@@ -189,8 +189,8 @@ private:
     return result;
   }
 
-  // Moves a vertex if that leaves fewer bad corners, and more in no polygon, and half of the area of each triangle at
-  // first.
+  // Moves a vertex if this lowers the number of bad corners, raises it in no polygon, and leaves each triangle half of
+  // its first area.
   bool move(int v, const Point& point)
   {
     const std::vector<int> corners = star(v);

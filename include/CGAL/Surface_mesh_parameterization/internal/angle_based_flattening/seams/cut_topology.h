@@ -78,7 +78,7 @@ struct Topology
 
   bool is_disk() const { return handles == 0 && borders == 1; }
 
-  // A border of two edges, along a seam of one edge, is no polygon.
+  // A border of two edges, along a seam of one edge, is not a polygon.
   bool can_be_flattened() const { return is_disk() && border_edges >= 3; }
 
   int handles, borders = 0, border_edges = 0;

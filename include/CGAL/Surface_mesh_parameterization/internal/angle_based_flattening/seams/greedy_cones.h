@@ -30,7 +30,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // time. Genus 133 took over 200 s without a limit.
 inline constexpr int most_visits = 100;
 
-// So many times at most, terminals are added after seams were shortened.
+// Terminals are added at most this many times after seams were shortened.
 inline constexpr int most_rounds = 5;
 
 // Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose
@@ -52,7 +52,7 @@ public:
   {
     if(const Status status = open(); status != Seams::DONE)
       return status;
-    // Shortening changes the stretch, mostly a little. The last prediction is that of the seams as they are.
+    // Shortening usually changes the stretch a little. The last prediction is for the final seams.
     for(int round = 0;; ++round) {
       const std::size_t before = m_terminals.size();
       if(const Status status = add_terminals(); status != Seams::DONE)

@@ -49,8 +49,8 @@ public:
       m_total_area += a;
   }
 
-  // Of each vertex. If the surface is closed, and but one vertex is fixed, the defects may be made to sum to 0: then
-  // the solution does not depend on that vertex, but for a constant.
+  // The log scale of each vertex. If the surface is closed and only one vertex is fixed, the defects may be made to sum
+  // to 0: the solution then depends on this vertex only up to a constant.
   std::optional<std::vector<double>> solve(const std::vector<char>& is_fixed, bool is_balanced = false) const
   {
     const int n = m_surface.number_of_vertices();
@@ -109,8 +109,8 @@ public:
   double total_area() const { return m_total_area; }
 
 private:
-  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite. Those near 0
-  // are raised to the least target angle, and the largest is what the others leave of pi.
+  // Angles that sum to pi in each triangle, so that its part of the Laplacian is positive semidefinite. Angles near 0
+  // are raised to the least target angle, and the largest one is the rest of pi.
   static std::vector<double> proper_angles(const Chart& surface)
   {
     std::vector<double> angles(surface.vertex.size());

@@ -23,8 +23,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Makes a disk of a connected surface whose seams do almost that: takes away what divides it, and what leads nowhere,
-// and adds what is missing.
+// Makes a disk of a connected surface whose seams nearly do so: removes seams that divide it or lead nowhere, and adds
+// missing ones.
 class Cut_repair
 {
 public:
@@ -72,7 +72,7 @@ private:
       }
   }
 
-  // Takes away ends of seams inside the surface that are no terminals.
+  // Removes ends of seams inside the surface that are not terminals.
   void prune()
   {
     for(int seam : seams())

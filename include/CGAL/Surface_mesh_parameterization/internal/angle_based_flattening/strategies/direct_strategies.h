@@ -91,8 +91,8 @@ protected:
     return result;
   }
 
-  // A high barrier keeps angles away from zero on the way. If all goes well it is lowered again, else the angles with
-  // the high one are what there is.
+  // A high barrier keeps angles away from zero. It is then lowered again; if that fails, the angles with the high
+  // barrier remain.
   Direct_flattening raise_barrier()
   {
     ABF_plus_plus_options raised = m_options;
@@ -107,7 +107,7 @@ protected:
     return result;
   }
 
-  // What is left when all else has failed
+  // The last strategy
   Direct_flattening start_from_embedding(Direct_flattening failed)
   {
     if(optional_strategies.embed_progressively == nullptr) {

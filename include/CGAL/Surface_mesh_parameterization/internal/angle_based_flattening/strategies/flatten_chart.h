@@ -26,9 +26,9 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
               Rounding round);
 
-// The same by way of a coarser chart; `solvers` solve the linear systems of polishing. The connectivity of the chart is
-// changed on the way, and is as before if a valid map was found.
-// Programs without the compiled library include the header of that name to have it.
+// The same by way of a coarser chart; `solvers` solve the linear systems of polishing. The connectivity of the chart
+// changes meanwhile, and is restored if a valid map was found. Programs without the compiled library must include the
+// header of the same name.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,

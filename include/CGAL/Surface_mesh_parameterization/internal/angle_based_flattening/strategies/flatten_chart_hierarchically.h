@@ -105,7 +105,7 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
   return result;
 }
 
-// The same with the holes filled meanwhile
+// The same, with filled holes
 inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
                                                              const Hierarchical_options& options,
                                                              const Coarse_flattening& flatten_coarse,
@@ -128,7 +128,7 @@ inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
   return result;
 }
 
-// Whether so many holes would be left of the coarse chart that little else is
+// Whether the coarse chart would consist of little but holes
 inline bool has_many_holes(const Chart& chart, const Hierarchical_options& options)
 {
   const double coarse_vertices = options.coarse_triangles > 0

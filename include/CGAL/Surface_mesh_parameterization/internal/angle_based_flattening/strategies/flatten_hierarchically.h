@@ -82,7 +82,7 @@ private:
   {
     const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
     bool is_refined = is_solved && undo_all_levels();
-    // A refinement that fails leaves a finer chart behind than the one before, that is made coarser in another way.
+    // A refinement that fails leaves a finer chart than before, which is made coarser in another way.
     for(int attempt = 0; !is_refined && attempt < 3; ++attempt)
       is_refined = start_without_solver() && undo_all_levels();
     return is_refined;
@@ -143,8 +143,8 @@ private:
     }
   }
 
-  // Collapses all that is there to one triangle, which has a valid map without any solver: what is put back from there
-  // is a progressive embedding.
+  // Collapses the chart to one triangle, which has a valid map without any solver. Inserting the vertices again makes a
+  // progressive embedding.
   bool start_without_solver()
   {
     m_coarsening.coarsen(3, 0, m_options.visitor);
@@ -184,8 +184,8 @@ private:
   std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
 };
 
-// Flattens a chart that `diagnose()` found flawless. Its connectivity is changed on the way, and is as before if a
-// valid map was found, which is not certified yet.
+// Flattens a chart that `diagnose()` found flawless. Its connectivity changes meanwhile, and is restored if a valid map
+// was found. The map is not certified yet.
 inline Flattening<Hierarchical_report>
 flatten_hierarchically(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
 {

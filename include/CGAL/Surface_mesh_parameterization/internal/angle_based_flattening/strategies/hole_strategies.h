@@ -43,7 +43,8 @@ public:
       : Direct_strategies(filled, chart, options, solvers, round), m_filled(filled)
   {}
 
-  // The holes as they are; if that fails, from the angles of the filled chart, and else filled.
+  // Solves the holes; if that fails, solves them from the angles of the filled chart; if that fails too, keeps the
+  // filled chart.
   Flattening<Report> solve()
   {
     Direct_flattening result = solve_from(starting_angles(targets(m_part)), Report::FROM_TARGET_ANGLES);
@@ -115,7 +116,7 @@ private:
     return result;
   }
 
-  // `result` if it is valid, and what other strategies find on the filled chart if not
+  // `result` if it is valid, and otherwise the result of other strategies on the filled chart
   Direct_flattening rescued(Direct_flattening result)
   {
     if(!can_fallbacks_help(result))

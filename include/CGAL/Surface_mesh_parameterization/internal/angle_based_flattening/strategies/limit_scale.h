@@ -24,7 +24,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Doubles hold larger ranges, but nothing that could be done with such a map.
+// Doubles hold larger ranges, but such a map is of no use.
 inline constexpr double largest_scale_range = 1e10;
 
 // Predicts the range of scale of a chart with several borders. If it is too large, the report says so, and the

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The option `injective` of the direct method: keeps its own map if that is injective, and otherwise takes the
-// injective method's. `all_strategies.h` enters it, and `flatten_chart_directly.h` calls it through
+// The option `injective` of the direct method: keeps its own map if it is injective, and otherwise takes the map of the
+// injective method. `all_strategies.h` enters it, and `flatten_chart_directly.h` calls it through
 // `optional_strategies.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
@@ -34,7 +34,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What the direct method wants of an injective map
+// The options of the injective map for the direct method
 inline Hierarchical_options injective_options(const ABF_plus_plus_options& options)
 {
   Hierarchical_options result;

@@ -38,9 +38,9 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers);
 
-// What the methods call only where their options ask for it, or where their own map is not valid. Programs that do not
-// need it do not compile it: <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h> enters the functions here.
-// The compiled library has all of them.
+// Functions that the methods call only if their options ask for it, or if their own map is not valid. Programs that
+// need none of them do not compile them: <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h> enters them
+// here. The compiled library contains all of them.
 struct Optional_strategies
 {
   decltype(&ABF::fill_holes) fill_holes = nullptr;

@@ -37,7 +37,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What a run of a parameterizer tells, in terms of the caller's mesh.
+// The outcome of a run of a parameterizer, in terms of the caller's mesh.
 template <typename TriangleMesh, typename Report>
 struct Outcome
 {
@@ -45,7 +45,7 @@ struct Outcome
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> offending_vertices;
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> offending_faces;
 
-  // That of a run which an exception ends
+  // The outcome if an exception ended the run
   static Outcome interrupted()
   {
     Outcome outcome;
@@ -64,7 +64,7 @@ struct Outcome
 };
 
 // The outcome of a parameterizer's last run. As functions of CGAL take parameterizers by value, a copy passes its
-// outcome on to what it was copied from. Several copies may do so at once.
+// outcome on to its original. Several copies may do so at once.
 template <typename Outcome>
 class Last_outcome
 {
@@ -201,7 +201,7 @@ private:
   Outcome<TriangleMesh, Report> m_outcome;
 };
 
-// `flatten` is called with a chart and what rounds its coordinates, and returns a `Flattening<Report>`.
+// `flatten` is called with a chart and a function that rounds its coordinates, and returns a `Flattening<Report>`.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Options, typename Flatten>
 Outcome<TriangleMesh, Report>
