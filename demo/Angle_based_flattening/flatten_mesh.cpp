@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a texture atlas of the surface in a file: `flatten_mesh scan.ply --output atlas.obj --picture atlas.png`. See `--help`.
+// Makes a texture atlas of the surface in a file: `flatten_mesh scan.ply --output atlas.obj --picture atlas.png`. See
+// `--help`.
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"

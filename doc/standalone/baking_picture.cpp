@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the figure of the manual's part on baking: a fine surface, a simple one, and the simple one with the normals of the fine one.
+// Draws the figure of the manual's part on baking: a fine surface, a simple one, and the simple one with the normals of
+// the fine one.
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws files with texture coordinates, as `flatten_mesh` writes them: each surface from one side, and its atlas. Prints a line of
-// JSON for each, with the topology of the repaired surface. `scripts/gallery` calls it.
+// Draws files with texture coordinates, as `flatten_mesh` writes them: each surface from one side, and its atlas.
+// Prints a line of JSON for each, with the topology of the repaired surface. `scripts/gallery` calls it.
 
 #include "draw_tile.h"
 

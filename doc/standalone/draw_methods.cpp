@@ -244,7 +244,8 @@ Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
   return atlas;
 }
 
-// Cut first, with equal lengths along seams, and with rigid transitions, side by side. The last one is also a picture of its own.
+// Cut first, with equal lengths along seams, and with rigid transitions, side by side. The last one is also a picture
+// of its own.
 void draw_cones(const std::string& demo, const Pictures& pictures)
 {
   const Mesh mesh = read_mesh(demo + "/homer.off");

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes the pictures of the manual from the meshes of the examples and of CGAL's demo, and prints the manual's tables of measures:
-// `pictures DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER`.
+// Makes the pictures of the manual from the meshes of the examples and of CGAL's demo, and prints the manual's tables
+// of measures: `pictures DATA_FOLDER DEMO_FOLDER PICTURE_FOLDER`.
 
 #include "draw_mesh.h"
 

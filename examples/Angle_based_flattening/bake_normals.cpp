@@ -76,7 +76,8 @@ bool write_mtl(const SMP::Baked_textures& textures)
   return bool(out);
 }
 
-// Each corner is a vertex of its own: 12 numbers, 48 bytes. In glTF, v goes down, and numbers are little endian, as on most machines.
+// Each corner is a vertex of its own: 12 numbers, 48 bytes. In glTF, v goes down, and numbers are little endian, as on
+// most machines.
 bool write_gltf(const Surface& surface, const UV_map& uv, const Frame_map& frames)
 {
   std::vector<float> numbers;

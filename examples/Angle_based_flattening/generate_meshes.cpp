@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes the meshes in `data/`: a dinosaur cut open along its underside, an egg with the seam of an orange
-// peel, and a mask with three holes: `generate_meshes [FOLDER]`, by default `data`. Nothing is random, but the meshes can depend on the version
-// of CGAL; those in `data/` are of 5.5.
+// Makes the meshes in `data/`: a dinosaur cut open along its underside, an egg with the seam of an orange peel, and a
+// mask with three holes: `generate_meshes [FOLDER]`, by default `data`. Nothing is random, but the meshes can depend on
+// the version of CGAL; those in `data/` are of 5.5.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>

@@ -46,8 +46,8 @@ struct Conjugate_gradient_traits
   }
 };
 
-// A solver of one's own that factors, in double or single precision. Each factorization is a new object, which copies of the
-// solver share and never change.
+// A solver of one's own that factors, in double or single precision. Each factorization is a new object, which copies
+// of the solver share and never change.
 template <typename FT>
 class Cholesky_traits
 {

@@ -19,8 +19,8 @@
 
 namespace flatten_mesh {
 
-// What a progress bar shows: the stage, the share of it that is done, and how long the rest may take. The share is negative
-// if it is unknown.
+// What a progress bar shows: the stage, the share of it that is done, and how long the rest may take. The share is
+// negative if it is unknown.
 inline std::string progress_line(const std::string& stage, const double share, const double seconds)
 {
   const std::size_t width = 30;
@@ -36,8 +36,8 @@ inline std::string progress_line(const std::string& stage, const double share, c
   return line;
 }
 
-// Shows on standard error, a terminal, what the program is doing, from a second after the start on. A thread keeps the line
-// up to date. Nobody else may write on the terminal until the bar is cleared.
+// Shows on standard error, a terminal, what the program is doing, from a second after the start on. A thread keeps the
+// line up to date. Nobody else may write on the terminal until the bar is cleared.
 class Progress_bar
 {
 public:

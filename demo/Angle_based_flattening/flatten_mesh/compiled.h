@@ -6,8 +6,8 @@
 #ifndef FLATTEN_MESH_COMPILED_H
 #define FLATTEN_MESH_COMPILED_H
 
-// Parts of the program that several others use are compiled once, in files of their own. Tests and tools of the documentation use
-// their headers alone.
+// Parts of the program that several others use are compiled once, in files of their own. Tests and tools of the
+// documentation use their headers alone.
 #ifdef FLATTEN_MESH_COMPILED
 #define FLATTEN_MESH_INLINE
 #else

@@ -20,8 +20,8 @@
 
 namespace flatten_mesh {
 
-// Tells on standard error what is being done: in a progress bar if that is a terminal, or with `--verbose` in a line for every
-// stage when it is over.
+// Tells on standard error what is being done: in a progress bar if that is a terminal, or with `--verbose` in a line
+// for every stage when it is over.
 class Atlas_progress : public SMP::Atlas_visitor
 {
 public:

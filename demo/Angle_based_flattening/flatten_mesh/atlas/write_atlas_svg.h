@@ -52,8 +52,8 @@ inline std::string chart_paths(const Textured_surface& surface, const Svg_frame&
 
 } // namespace internal
 
-// A picture of the charts in the plane, with the outline of a box. Both sides of a seam have the same colour; borders of the surface are
-// dark.
+// A picture of the charts in the plane, with the outline of a box. Both sides of a seam have the same colour; borders
+// of the surface are dark.
 inline void write_atlas_svg(Output_file& file, const Textured_surface& surface, const CGAL::Bbox_2& box,
                             const std::string& title)
 {

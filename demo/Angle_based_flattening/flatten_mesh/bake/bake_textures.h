@@ -25,7 +25,8 @@ struct Baked_surface
   Baking_record record;
 };
 
-// Bakes the surface in the file that the user names. Throws an `Input_error` if it cannot be read or baked. Notes say where many rays fail, and what of the model is replaced.
+// Bakes the surface in the file that the user names. Throws an `Input_error` if it cannot be read or baked. Notes say
+// where many rays fail, and what of the model is replaced.
 Baked_surface bake_textures(const Command_line& command, Atlas_input& input, const Atlas& atlas,
                             Notes& notes);
 

@@ -13,7 +13,8 @@
 
 namespace flatten_mesh {
 
-// Simplifies a surface to this many triangles, or as few as keep it valid: the model becomes the simplified surface, without what was set aside. Notes say what becomes of it.
+// Simplifies a surface to this many triangles, or as few as keep it valid: the model becomes the simplified surface,
+// without what was set aside. Notes say what becomes of it.
 void simplify_input(std::size_t triangles, Atlas_input& input, Notes& notes);
 
 } // namespace flatten_mesh

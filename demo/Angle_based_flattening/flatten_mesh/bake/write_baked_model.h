@@ -70,7 +70,8 @@ inline void check_material_file(const std::string& material_file, const Model& m
   }
 }
 
-// All materials keep their names, so that what is said about faces remains true; their file is the one that is written with the pictures.
+// All materials keep their names, so that what is said about faces remains true; their file is the one that is written
+// with the pictures.
 inline void replace_materials(const std::string& material_file, Model& model)
 {
   auto& statements = model.statements;

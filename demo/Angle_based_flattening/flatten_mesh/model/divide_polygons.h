@@ -76,8 +76,8 @@ private:
 
 } // namespace internal
 
-// Of each polygon: whether its triangles differ, at a corner or in their charts. An atlas whose seams run along diagonals of
-// polygons does that. For `uv` and `chart` see `model_texture()`.
+// Of each polygon: whether its triangles differ, at a corner or in their charts. An atlas whose seams run along
+// diagonals of polygons does that. For `uv` and `chart` see `model_texture()`.
 template <class Uv, class Chart_number>
 std::vector<bool> torn_polygons(const Model& model, const Mesh& mesh, const Corner_origins& origins,
                                 const Uv& uv, const Chart_number& chart)

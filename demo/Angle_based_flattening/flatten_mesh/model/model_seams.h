@@ -13,8 +13,8 @@
 
 namespace flatten_mesh {
 
-// Of each edge: whether the texture coordinates in the file differ on its two sides. Borders and diagonals of polygons are
-// none.
+// Of each edge: whether the texture coordinates in the file differ on its two sides. Borders and diagonals of polygons
+// are none.
 inline std::vector<bool> texture_seams(const Model& model, const Mesh& mesh, const Corner_origins& origins)
 {
   const auto is_same = [&model](const Index c, const Index d) {

@@ -112,9 +112,9 @@ Polygon_triangles divide_quadrangle(const Flat_polygon& polygon, const Is_taken&
 
 } // namespace internal
 
-// Divides a polygon into triangles between its corners: any polygon, also one that is not planar, crosses itself, or has
-// corners at the same place. With n corners there are n - 2. In planar polygons that do not cross themselves all are
-// inside, and as those of Delaunay. Diagonals for which `is_taken(i, j)` is true are not used; if no way without is
+// Divides a polygon into triangles between its corners: any polygon, also one that is not planar, crosses itself, or
+// has corners at the same place. With n corners there are n - 2. In planar polygons that do not cross themselves all
+// are inside, and as those of Delaunay. Diagonals for which `is_taken(i, j)` is true are not used; if no way without is
 // found, the result is empty.
 template <class Is_taken>
 Polygon_triangles triangulate_polygon(std::vector<Kernel::Point_3> points, const Is_taken& is_taken)

@@ -28,8 +28,8 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// The triangles of a model whose corners have the same attributes, as glTF wants them: corners of the same point are one
-// vertex only if all is equal.
+// The triangles of a model whose corners have the same attributes, as glTF wants them: corners of the same point are
+// one vertex only if all is equal.
 class Glb_part
 {
 public:
@@ -131,8 +131,9 @@ inline std::size_t pictured_material(std::vector<Glb_material>& materials, const
 
 } // namespace internal
 
-// The triangles of a model as a binary glTF file. Each material has at most four primitives: of polygons with and without
-// texture coordinates, with and without normals. Throws an `Output_error` if the file would be too large for the format.
+// The triangles of a model as a binary glTF file. Each material has at most four primitives: of polygons with and
+// without texture coordinates, with and without normals. Throws an `Output_error` if the file would be too large for
+// the format.
 inline void write_model_glb(Output_file& file, const std::string& name, const Model& model,
                             const Model_texture& texture)
 {

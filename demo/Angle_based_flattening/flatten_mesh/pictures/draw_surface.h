@@ -23,8 +23,8 @@
 
 namespace flatten_mesh {
 
-// A picture of the chart with a checkerboard, as a PNG file. Seams are dark lines. The square root of the surface's area is about
-// `squares` squares long.
+// A picture of the chart with a checkerboard, as a PNG file. Seams are dark lines. The square root of the surface's
+// area is about `squares` squares long.
 template <class UV_map>
 std::string checkerboard_picture(const Command_line& command, const Mesh& mesh, const Chart& chart,
                                  const UV_map& uv)

@@ -13,7 +13,8 @@
 
 namespace flatten_mesh {
 
-// Traits of one of several solvers, which is known only at run time: the parameterizers are compiled once for all of them.
+// Traits of one of several solvers, which is known only at run time: the parameterizers are compiled once for all of
+// them.
 struct Chosen_solver
 {
   using Source = CGAL::Surface_mesh_parameterization::internal::ABF::Solver_source;

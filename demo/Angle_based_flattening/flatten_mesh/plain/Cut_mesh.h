@@ -17,8 +17,8 @@
 
 namespace flatten_mesh {
 
-// Some faces of a mesh, cut open along its seams, as a mesh of its own. Its faces have the order of those it is made of;
-// its vertices, too, and the further copies of vertices on seams come last.
+// Some faces of a mesh, cut open along its seams, as a mesh of its own. Its faces have the order of those it is made
+// of; its vertices, too, and the further copies of vertices on seams come last.
 struct Cut_mesh
 {
   Mesh mesh;

@@ -51,8 +51,8 @@ inline std::size_t nearest_vertex(const Corner_points& border, const Corner_kern
 
 } // namespace internal
 
-// The vertices of a planar border, of at least four, that are nearest to the corners of the smallest rectangle around it: where a
-// rectangle changes the map the least, roughly
+// The vertices of a planar border, of at least four, that are nearest to the corners of the smallest rectangle around
+// it: where a rectangle changes the map the least, roughly
 template <typename Vertex, typename UV_map>
 std::array<Vertex, 4> choose_corners(const std::vector<Vertex>& border, const UV_map& uv)
 {

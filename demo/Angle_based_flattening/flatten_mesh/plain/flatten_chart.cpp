@@ -147,9 +147,9 @@ void flatten_with_equal_seams(Mesh& mesh, const Chart& chart, const Chosen_solve
       "the two sides of a seam have different lengths, because the map with equal lengths failed: " + message;
 }
 
-// Whether the energy of a hierarchical map is at most about 20 % above that of the direct method, by an estimate: sweeps until
-// they gain little leave up to 15 %, and errors on the scale of the coarse chart were at most 1.6 % of its energy (per
-// triangle) on all terrains that were measured.
+// Whether the energy of a hierarchical map is at most about 20 % above that of the direct method, by an estimate:
+// sweeps until they gain little leave up to 15 %, and errors on the scale of the coarse chart were at most 1.6 % of its
+// energy (per triangle) on all terrains that were measured.
 bool is_close_to_direct(const SMP::Hierarchical_report& report, const SMP::ABF_plus_plus_report& coarse,
                         const SMP::Hierarchical_options& options)
 {

@@ -48,8 +48,8 @@ ABF::Divided_polygons divided_polygons(const Mesh& mesh, const Chart& chart, con
 
 } // namespace internal
 
-// Moves vertices a little so that polygons become convex in the plane, and returns of how many that is true. The measures
-// have to be taken again.
+// Moves vertices a little so that polygons become convex in the plane, and returns of how many that is true. The
+// measures have to be taken again.
 template <class Is_diagonal>
 std::size_t mend_polygons(const Mesh& mesh, const Chart& chart, const Is_diagonal& is_diagonal,
                           const UV_map& uv)

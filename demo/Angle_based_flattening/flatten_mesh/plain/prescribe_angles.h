@@ -37,8 +37,8 @@ inline bool prescribes_angles(const Command_line& command)
 
 namespace internal {
 
-// The corners that are asked for. A map without prescribed angles tells where to put them otherwise; if there is none, returns
-// nothing, and why in `attempt`.
+// The corners that are asked for. A map without prescribed angles tells where to put them otherwise; if there is none,
+// returns nothing, and why in `attempt`.
 inline std::optional<std::array<Vertex, 4>> corners(Mesh& mesh, const Chart& chart, Command_line command,
                                                     Progress& progress, std::optional<Flattening>& attempt)
 {
@@ -81,8 +81,8 @@ inline void split_edges(Mesh& mesh, Chart& chart)
 
 } // namespace internal
 
-// Sets the angles of a chart that are asked for, and splits edges that would make triangles flat. Returns why that is not possible, or
-// nothing.
+// Sets the angles of a chart that are asked for, and splits edges that would make triangles flat. Returns why that is
+// not possible, or nothing.
 inline std::optional<Flattening> prescribe_angles(Mesh& mesh, Chart& chart, const Command_line& command,
                                                   Progress& progress)
 {
@@ -104,8 +104,8 @@ inline std::optional<Flattening> prescribe_angles(Mesh& mesh, Chart& chart, cons
   return std::nullopt;
 }
 
-// The polygons of the faces, after edges were split. The parts of a triangle lie side by side at the halves of its sides, and one of
-// them has its number.
+// The polygons of the faces, after edges were split. The parts of a triangle lie side by side at the halves of its
+// sides, and one of them has its number.
 inline std::vector<Index> polygons_of_parts(std::vector<Index> polygons, const Mesh& mesh, const Chart& chart)
 {
   CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets triangles(mesh.number_of_faces());

@@ -56,7 +56,8 @@ struct Vertex_scale
   double log_scale = 0; // logarithm of the factor of lengths, relative to the mean
 };
 
-// Of each vertex of the mesh before it was cut; 0 for vertices off the chart. `number_of_vertices` is that of this mesh.
+// Of each vertex of the mesh before it was cut; 0 for vertices off the chart. `number_of_vertices` is that of this
+// mesh.
 inline std::vector<Vertex_scale> vertex_scales(const Mesh& mesh, const Chart& chart, const UV_map& uv,
                                                const std::vector<Vertex>& origins,
                                                const std::size_t number_of_vertices)

@@ -24,8 +24,8 @@ struct Split_chart
   std::vector<Edge> new_seams; // in the mesh before
 };
 
-// Splits a chart into pieces whose maps are injective. `is_forbidden(e)` tells which edges must not become seams. Without
-// overlap, nothing is split, and the result is empty.
+// Splits a chart into pieces whose maps are injective. `is_forbidden(e)` tells which edges must not become seams.
+// Without overlap, nothing is split, and the result is empty.
 Split_chart split_chart(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
                         const std::function<bool(Edge)>& is_forbidden, Split_record& record);
 

@@ -69,7 +69,8 @@ inline Wedge_mesh part_of_mesh(const Wedge_mesh& mesh, const std::vector<std::si
   return part;
 }
 
-// The means over all that became part of each remaining triangle, by area on the surface. The triangles `kept` have their own values.
+// The means over all that became part of each remaining triangle, by area on the surface. The triangles `kept` have
+// their own values.
 inline std::vector<double> merged_values(const std::vector<double>& values, const std::vector<double>& areas,
                                          const std::vector<std::size_t>& heirs,
                                          const std::vector<std::size_t>& kept,
@@ -100,7 +101,8 @@ inline Displayed_surface whole_surface(const Wedge_mesh& mesh, const Triangle_me
   return {mesh, measures, origins};
 }
 
-// At most that many triangles, if borders do not have too many vertices for that. The triangles `kept` are among them, unchanged.
+// At most that many triangles, if borders do not have too many vertices for that. The triangles `kept` are among them,
+// unchanged.
 inline Displayed_surface thinned_surface(const Wedge_mesh& mesh, const Triangle_measures& measures,
                                          const std::vector<std::size_t>& kept, const std::size_t most)
 {

@@ -67,9 +67,10 @@ inline Fan_chart fan_chart(const Wedge_mesh& mesh)
   return result;
 }
 
-// Removes vertices of a surface until few enough triangles are left for display. Each is merged into a neighbour, as the package
-// does to solve large charts: CGAL's simplification takes about ten times as long. Wedges on the borders of charts stay, and
-// so both sides of seams do. What is left keeps its places on the surface and in the plane. No triangle turns over in the plane.
+// Removes vertices of a surface until few enough triangles are left for display. Each is merged into a neighbour, as
+// the package does to solve large charts: CGAL's simplification takes about ten times as long. Wedges on the borders of
+// charts stay, and so both sides of seams do. What is left keeps its places on the surface and in the plane. No
+// triangle turns over in the plane.
 class Thinning
 {
 public:
@@ -218,7 +219,8 @@ private:
     return is_kept;
   }
 
-  // The cheapest first, in powers of two, and else in the order of the vertices, which lie close together in memory then
+  // The cheapest first, in powers of two, and else in the order of the vertices, which lie close together in memory
+  // then
   static std::vector<std::size_t> ranked(const std::vector<abf::Collapse_candidate>& candidates)
   {
     std::map<int, std::vector<std::size_t>> of_exponent;

@@ -16,8 +16,8 @@
 
 namespace flatten_mesh {
 
-// A surface with one vertex, a wedge, for all corners at a point that have the same coordinates in the same chart. Only points of
-// triangles are there.
+// A surface with one vertex, a wedge, for all corners at a point that have the same coordinates in the same chart. Only
+// points of triangles are there.
 struct Wedge_mesh
 {
   using Index = Textured_surface::Index;

@@ -54,7 +54,8 @@ inline Textured_surface surface_of_chart(const Mesh& input, const Mesh& mesh, co
 
 } // namespace internal
 
-// `mesh` is the input, or what was cut out of it: that of the chart. `polygons` are those of the faces of the input, in the file.
+// `mesh` is the input, or what was cut out of it: that of the chart. `polygons` are those of the faces of the input, in
+// the file.
 inline Report_contents contents_of_chart(const Command_line& command, const Mesh& input,
                                          const std::vector<Index>& polygons, const Mesh& mesh,
                                          const Chart& chart, const Run_record& record)

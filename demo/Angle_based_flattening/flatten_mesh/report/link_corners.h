@@ -17,8 +17,8 @@ namespace flatten_mesh {
 
 namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 
-// Finds the opposite corners of a chart that has its triangles only. What lies on the sides of an edge of more than two triangles, or
-// of two that have it in the same direction, stays apart.
+// Finds the opposite corners of a chart that has its triangles only. What lies on the sides of an edge of more than two
+// triangles, or of two that have it in the same direction, stays apart.
 inline void link_corners(abf::Chart& chart)
 {
   struct Side

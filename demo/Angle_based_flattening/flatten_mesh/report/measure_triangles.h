@@ -26,7 +26,8 @@ namespace flatten_mesh {
 
 namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 
-// Measures of the distortion of each triangle: NaN without chart, and those that are made from derivatives also without area
+// Measures of the distortion of each triangle: NaN without chart, and those that are made from derivatives also without
+// area
 struct Triangle_measures
 {
   std::vector<double>
@@ -38,7 +39,8 @@ struct Triangle_measures
   double scale = 1;                  // of lengths, from the surface to the plane; 1 for surfaces without area
 };
 
-// The triangles of a mesh of wedges as a chart of the package, whose vertices are the wedges. Only points, vertices and scale are set.
+// The triangles of a mesh of wedges as a chart of the package, whose vertices are the wedges. Only points, vertices and
+// scale are set.
 inline abf::Chart chart_of_wedges(const Wedge_mesh& mesh)
 {
   CGAL::Bbox_3 box;

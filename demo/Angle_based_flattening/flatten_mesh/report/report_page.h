@@ -12,8 +12,8 @@
 
 namespace flatten_mesh {
 
-// The report as a page for browsers that refers to nothing outside of it. The same contents give the same page, with whatever
-// number of threads. Surfaces of many triangles are thinned for display.
+// The report as a page for browsers that refers to nothing outside of it. The same contents give the same page, with
+// whatever number of threads. Surfaces of many triangles are thinned for display.
 std::string report_page(const Report_contents& contents, int threads);
 
 } // namespace flatten_mesh
