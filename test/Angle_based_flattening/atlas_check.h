@@ -343,8 +343,8 @@ inline void check_disks(const Atlas_run& run, const std::vector<int>& vertex)
                2);
 }
 
-// No two triangles of the same chart, or of all charts if they are packed, have a point in common that is not a common vertex or on a common
-// edge, by exact predicates on all pairs. No triangle is flipped.
+// No two triangles of the same chart, or of all charts if they are packed, have a point in common that is not a common
+// vertex or on a common edge, by exact predicates on all pairs. No triangle is flipped.
 inline void check_overlaps(const Atlas_run& run, const std::vector<int>& vertex, bool packs)
 {
   std::vector<std::size_t> charted;
@@ -379,7 +379,8 @@ inline void check_overlaps(const Atlas_run& run, const std::vector<int>& vertex,
       }
 }
 
-// Marks the texels, closed squares, that each chart touches, by exact predicates. Two charts have the gutter between them in a row or column.
+// Marks the texels, closed squares, that each chart touches, by exact predicates. Two charts have the gutter between
+// them in a row or column.
 inline void check_texels(const Atlas_run& run, int resolution, int gutter)
 {
   typedef Kernel::Triangle_2 Triangle;

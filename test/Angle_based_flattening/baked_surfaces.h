@@ -180,7 +180,8 @@ inline Vector normal_at(const Surface& surface, const Frame_map& frames, const P
       .normalized();
 }
 
-// What a viewer reads at a place of a texture, whose pixels have three channels: interpolated between the centres of texels, or that of the texel
+// What a viewer reads at a place of a texture, whose pixels have three channels: interpolated between the centres of
+// texels, or that of the texel
 template <typename Channel>
 Vector read_texture(const std::vector<Channel>& pixels, int resolution, const Plane_point& uv,
                     bool interpolates)

@@ -70,8 +70,8 @@ inline std::vector<int> vertices_around(const Chart& chart, int center, int ring
   return found;
 }
 
-// Removes the vertices within `rings` rings of random ones, up to `holes` times, where that makes a hole apart from the border
-// and from all others.
+// Removes the vertices within `rings` rings of random ones, up to `holes` times, where that makes a hole apart from the
+// border and from all others.
 inline Chart punched(const Chart& chart, int holes, int rings, std::mt19937& random)
 {
   std::vector<char> is_removed(chart.points.size(), false);
@@ -92,8 +92,8 @@ inline Chart punched(const Chart& chart, int holes, int rings, std::mt19937& ran
   return part_of_chart(chart, is_removed);
 }
 
-// A surface of revolution whose radius changes from `inner` to `outer` over `height`: a ring without height, or a tube. Its outer border is
-// the second one's.
+// A surface of revolution whose radius changes from `inner` to `outer` over `height`: a ring without height, or a tube.
+// Its outer border is the second one's.
 inline Chart tube(int columns, int rows, double inner, double outer, double height)
 {
   std::vector<Point_3> points;

@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-// Closed surfaces of genus 0 that are cut open along trees of edges, so that they become disks. Their free-border maps often
-// overlap themselves. All random numbers come from `random`.
+// Closed surfaces of genus 0 that are cut open along trees of edges, so that they become disks. Their free-border maps
+// often overlap themselves. All random numbers come from `random`.
 namespace test_charts {
 
 // A closed surface, on which a tree grows branch by branch.
@@ -110,7 +110,8 @@ private:
   std::set<std::pair<int, int>> m_cut;
 };
 
-// A sphere with `number` bumps at random places, as high as `height` radii and as wide as a sphere divided by `sharpness`.
+// A sphere with `number` bumps at random places, as high as `height` radii and as wide as a sphere divided by
+// `sharpness`.
 inline std::vector<Point_3> with_bumps(std::vector<Point_3> points, int number, double height,
                                        double sharpness, std::mt19937& random)
 {
@@ -171,7 +172,8 @@ inline Chart sphere_without_triangle(int subdivisions, double stretch = 1)
   return make_chart(points, triangles);
 }
 
-// Such spheres in a chain, all at the same place, each joined to the next one by no more than an edge: a map has to shrink most of them.
+// Such spheres in a chain, all at the same place, each joined to the next one by no more than an edge: a map has to
+// shrink most of them.
 inline Chart chain_of_bulbs(int bulbs, int subdivisions)
 {
   auto [points, triangles] = sphere(subdivisions); // those of the bulb at hand

@@ -146,7 +146,8 @@ inline void append_numbers(std::string& text, const char* keyword, const double*
   }
 }
 
-// The same in different ways: numbers counted from the end, comments, continued lines, and ends of lines as on other systems.
+// The same in different ways: numbers counted from the end, comments, continued lines, and ends of lines as on other
+// systems.
 inline std::string obj_text(const Model& model, const unsigned seed)
 {
   Random random(seed);

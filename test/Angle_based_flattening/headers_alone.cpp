@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A program without the compiled library that includes only the direct method: it flattens, and refuses what other headers are for.
+// A program without the compiled library that includes only the direct method: it flattens, and refuses what other
+// headers are for.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -100,8 +100,8 @@ private:
   std::set<std::pair<int, int>> m_edges;
 };
 
-// A disk that grows over the plane, triangle by triangle: outward from a border edge, or between two of them. All triangles
-// are positively oriented, but they may overlap, touch, and go around a vertex more than once.
+// A disk that grows over the plane, triangle by triangle: outward from a border edge, or between two of them. All
+// triangles are positively oriented, but they may overlap, touch, and go around a vertex more than once.
 class Random_disk
 {
 public:
@@ -168,9 +168,9 @@ private:
   std::set<std::pair<int, int>> m_edges;
 };
 
-// Two sheets, the smaller one over the larger one, cut from (-1, 0) to (1, 0) and glued crosswise: a ring whose borders are
-// simple, do not touch, and both turn left. At each end of the cut triangles go around twice or, if the border of the smaller
-// sheet runs through it, more than once.
+// Two sheets, the smaller one over the larger one, cut from (-1, 0) to (1, 0) and glued crosswise: a ring whose borders
+// are simple, do not touch, and both turn left. At each end of the cut triangles go around twice or, if the border of
+// the smaller sheet runs through it, more than once.
 class Crosswise_sheets
 {
 public:

@@ -38,8 +38,8 @@ inline bool is_overlapping(const Chart& chart, const std::vector<Point_2>& uv, i
   return !Overlaps(points, triangles).is_injective();
 }
 
-// All pairs are looked at, and by exact predicates unless their bounding boxes are apart. A triangle that is not positive is a pair
-// with itself.
+// All pairs are looked at, and by exact predicates unless their bounding boxes are apart. A triangle that is not
+// positive is a pair with itself.
 inline std::vector<std::pair<int, int>> overlapping_pairs_by_brute_force(const Chart& chart,
                                                                          const std::vector<Point_2>& uv)
 {
@@ -79,7 +79,8 @@ inline std::pair<double, double> least_border_distances(const Chart& chart, cons
   return least;
 }
 
-// The mean of |J|^2 + |J^-1|^2 over the surface, for the differential J of the map, scaled so that areas are equal; 4 at best.
+// The mean of |J|^2 + |J^-1|^2 over the surface, for the differential J of the map, scaled so that areas are equal; 4
+// at best.
 inline double symmetric_dirichlet_energy(const Chart& chart, const std::vector<Point_2>& uv)
 {
   double all_surface = 0, all_plane = 0, stretching = 0, shrinking = 0;

@@ -16,13 +16,13 @@
 #include <random>
 #include <vector>
 
-// Disks that wind in the plane, or that overlap themselves when they are unrolled. What counts are their lengths: in space,
-// too, some of them pass through themselves.
+// Disks that wind in the plane, or that overlap themselves when they are unrolled. What counts are their lengths: in
+// space, too, some of them pass through themselves.
 namespace test_charts {
 
-// A strip of unit squares, each of `cells` by `cells` quadrangles: one square, and then one for each of `turns`. These lead
-// through the left side (1), the far side (0) or the right side (-1) of the square before. Squares that come to lie at the same
-// place stay apart.
+// A strip of unit squares, each of `cells` by `cells` quadrangles: one square, and then one for each of `turns`. These
+// lead through the left side (1), the far side (0) or the right side (-1) of the square before. Squares that come to
+// lie at the same place stay apart.
 class Strip_of_squares
 {
 public:
@@ -103,8 +103,8 @@ private:
   Triangles m_triangles;
 };
 
-// Draws a Hilbert curve: A -> +BF-AFA-FB+ and B -> -AF+BFB+FA-. Every F is two squares long, so that the strip leaves gaps as wide
-// as itself.
+// Draws a Hilbert curve: A -> +BF-AFA-FB+ and B -> -AF+BFB+FA-. Every F is two squares long, so that the strip leaves
+// gaps as wide as itself.
 inline void add_hilbert_turns(int order, int sign, int& turn, std::vector<int>& turns)
 {
   if(order == 0)
@@ -175,8 +175,8 @@ inline Chart square_spiral(int rounds, int cells)
   return Strip_of_squares(turns, cells).chart();
 }
 
-// A sector of a ring that takes `turns` full turns, as a spiral staircase with steps of height `rise`, or flat. Its radius grows by
-// `growth` in each turn.
+// A sector of a ring that takes `turns` full turns, as a spiral staircase with steps of height `rise`, or flat. Its
+// radius grows by `growth` in each turn.
 inline Chart staircase(int columns, int rows, double turns, double rise, double growth = 0)
 {
   return patch(columns, rows, [=](int i, int j) {
@@ -186,8 +186,8 @@ inline Chart staircase(int columns, int rows, double turns, double rise, double 
   });
 }
 
-// The same on a logarithmic spiral: all of it becomes smaller by `factor` in each turn. Its width is that of a turn times `width`, so
-// that it overlaps itself above 1.
+// The same on a logarithmic spiral: all of it becomes smaller by `factor` in each turn. Its width is that of a turn
+// times `width`, so that it overlaps itself above 1.
 inline Chart logarithmic_spiral(int columns, int rows, double turns, double factor, double width)
 {
   return patch(columns, rows, [=](int i, int j) {
@@ -197,8 +197,8 @@ inline Chart logarithmic_spiral(int columns, int rows, double turns, double fact
   });
 }
 
-// A tube with one open and one closed end. Its conformal map enlarges the open end about exp(length / radius) times as much as the
-// closed one.
+// A tube with one open and one closed end. Its conformal map enlarges the open end about exp(length / radius) times as
+// much as the closed one.
 inline Chart finger(int columns, int rows, double length)
 {
   std::vector<Point_3> points{Point_3(0, 0, 0)};

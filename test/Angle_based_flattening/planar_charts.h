@@ -138,8 +138,8 @@ inline Planar_charts random_charts(int number, std::mt19937& random)
   return charts;
 }
 
-// Asks exact predicates for each texel near to a triangle whether the triangle touches it. The resolution is a power of two: the corners of
-// texels are numbers of `double`.
+// Asks exact predicates for each texel near to a triangle whether the triangle touches it. The resolution is a power of
+// two: the corners of texels are numbers of `double`.
 class Texel_oracle
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;

@@ -87,8 +87,8 @@ inline std::vector<Point> polygon(const Kind kind, Random& random)
   return points;
 }
 
-// The surface of an animal of cubes, whose vertices are moved: quadrangles that are not planar, and on its back a polygon around a
-// corner
+// The surface of an animal of cubes, whose vertices are moved: quadrangles that are not planar, and on its back a
+// polygon around a corner
 class Animal
 {
 public:

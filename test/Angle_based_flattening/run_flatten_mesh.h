@@ -291,8 +291,8 @@ inline std::string terrain(const double noise)
   return off(grid.vertices(), points.str(), grid.faces());
 }
 
-// The surface of a block of unit cubes, without some of them: a closed surface of quadrangles. The columns of cubes in `holes`
-// make handles.
+// The surface of a block of unit cubes, without some of them: a closed surface of quadrangles. The columns of cubes in
+// `holes` make handles.
 struct Block
 {
   int length = 1, width = 1, height = 1;

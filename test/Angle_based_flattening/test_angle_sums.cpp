@@ -112,7 +112,8 @@ struct Prescribed
   }
 };
 
-// The angles that a map has, and the largest distance of a vertex from its side, looked at in another way than the report does
+// The angles that a map has, and the largest distance of a vertex from its side, looked at in another way than the
+// report does
 void check_angles(const Prescribed& map, const Angles& angles)
 {
   BOOST_TEST(map.report.status == SMP::Diagnosis::NOTHING_WRONG, map.report.message);

@@ -104,8 +104,8 @@ Chart bump_with_other_nodes()
   return chart;
 }
 
-// A chart whose border is one seam: each edge is glued to the one half a border further, which makes a closed surface with a handle for
-// every four edges.
+// A chart whose border is one seam: each edge is glued to the one half a border further, which makes a closed surface
+// with a handle for every four edges.
 Chart bump_with_handles(int n)
 {
   Chart chart = bump(n, 7);

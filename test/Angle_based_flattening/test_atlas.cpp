@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Atlases of surfaces of several components, some of which cannot be flattened: every face has a chart or a reason, nothing overlaps,
-// and what the report says is true.
+// Atlases of surfaces of several components, some of which cannot be flattened: every face has a chart or a reason,
+// nothing overlaps, and what the report says is true.
 
 #include <boost/test/unit_test.hpp>
 

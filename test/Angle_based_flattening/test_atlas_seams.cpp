@@ -66,7 +66,8 @@ std::size_t count(const Atlas_run& run, Atlas_report::Seam_lengths lengths)
                     [&](const Atlas_report::Chart& chart) { return chart.seam_lengths == lengths; }));
 }
 
-// The largest jump at the seams with `is_meant(corner)` whose sides are in the same chart, from the coordinates; -1 without such seams
+// The largest jump at the seams with `is_meant(corner)` whose sides are in the same chart, from the coordinates; -1
+// without such seams
 template <typename IsMeant>
 double largest_jump(const Atlas_run& run, const IsMeant& is_meant)
 {

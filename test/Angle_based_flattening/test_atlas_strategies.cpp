@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces whose usual atlas nobody would call good: noise, hyperbolic disks, ribbons, rolls, spikes. Areas get a larger weight there, or
-// the surface several charts; and if nothing helps, the report says so.
+// Surfaces whose usual atlas nobody would call good: noise, hyperbolic disks, ribbons, rolls, spikes. Areas get a
+// larger weight there, or the surface several charts; and if nothing helps, the report says so.
 
 #include <boost/test/unit_test.hpp>
 

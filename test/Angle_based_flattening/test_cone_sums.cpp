@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prescribed angle sums at the vertices of a surface before it is cut: cones, and transitions across seams that are rigid motions.
+// Prescribed angle sums at the vertices of a surface before it is cut: cones, and transitions across seams that are
+// rigid motions.
 
 #include <boost/test/unit_test.hpp>
 
@@ -265,7 +266,8 @@ BOOST_AUTO_TEST_CASE(of_disks_are_met)
   angles.set(at(6, 6), SMP::free_cone_angle);
   check_map(mesh, seams, angles, flatten(mesh, seams, angles));
 
-  // Corners of a triangle at (0, 0), (n, 0) and (0, n): with the cone, the border turns by three quarters of a full turn.
+  // Corners of a triangle at (0, 0), (n, 0) and (0, n): with the cone, the border turns by three quarters of a full
+  // turn.
   for(int i = 0; i <= n; ++i)
     for(Vertex v : {at(i, 0), at(n, i), at(i, n), at(0, i)})
       angles.set(v, pi);

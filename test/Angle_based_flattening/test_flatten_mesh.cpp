@@ -217,7 +217,8 @@ BOOST_AUTO_TEST_CASE(holes)
   BOOST_TEST(json().get<std::string>("status") == "SEVERAL_BORDERS");
 }
 
-// Tubes of a circumference of 12: scale varies by exp(2 pi height / 12), at which the corners of a 12-gon gnaw a little.
+// Tubes of a circumference of 12: scale varies by exp(2 pi height / 12), at which the corners of a 12-gon gnaw a
+// little.
 BOOST_AUTO_TEST_CASE(far_borders)
 {
   const auto tube = [](const int rows) {

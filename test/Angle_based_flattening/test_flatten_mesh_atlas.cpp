@@ -244,7 +244,8 @@ BOOST_AUTO_TEST_CASE(figures_and_lines_of_the_reports)
   BOOST_TEST((standard_output.find("all charts") == std::string::npos));
 }
 
-// The lengths of both sides of seams, from the OBJ file: of an edge in two faces, the points and texture coordinates of its ends
+// The lengths of both sides of seams, from the OBJ file: of an edge in two faces, the points and texture coordinates of
+// its ends
 inline double largest_seam_jump(const std::string& obj)
 {
   const std::vector<double> texture = numbers(lines_with(obj, "vt"));

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The options `--bake-from` and `--simplify` of the program `flatten_mesh`: what a viewer shows of its files, notes and errors.
+// The options `--bake-from` and `--simplify` of the program `flatten_mesh`: what a viewer shows of its files, notes and
+// errors.
 
 #include "run_flatten_mesh.h"
 

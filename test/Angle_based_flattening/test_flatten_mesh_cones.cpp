@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program `flatten_mesh --plain` with cones and with seams of equal lengths, as a black box: what it writes is measured again.
+// The program `flatten_mesh --plain` with cones and with seams of equal lengths, as a black box: what it writes is
+// measured again.
 
 #include "run_flatten_mesh.h"
 

@@ -263,7 +263,8 @@ BOOST_AUTO_TEST_CASE(kernel_is_the_last_resort)
   BOOST_TEST(abf::insert_vertex(none, position) == abf::NOT_INSERTED);
 }
 
-// Where weights fail, the centre of the kernel is taken unless there is something better on the way from a vertex of the ring.
+// Where weights fail, the centre of the kernel is taken unless there is something better on the way from a vertex of
+// the ring.
 BOOST_AUTO_TEST_CASE(the_best_of_several_positions_is_taken)
 {
   std::mt19937 random(3);

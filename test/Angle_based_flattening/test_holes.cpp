@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Charts with several borders: the four equations of a hole, alone and in the solver, and the layout that closes the holes.
+// Charts with several borders: the four equations of a hole, alone and in the solver, and the layout that closes the
+// holes.
 
 #include <boost/test/unit_test.hpp>
 

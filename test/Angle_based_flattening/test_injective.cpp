@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// With `Hierarchical_options::injective`, every chart gets a map without overlaps, or an error that leaves everything as it was.
-// Small maps are checked pair by pair of their triangles, and all maps by the public certificate.
+// With `Hierarchical_options::injective`, every chart gets a map without overlaps, or an error that leaves everything
+// as it was. Small maps are checked pair by pair of their triangles, and all maps by the public certificate.
 
 #include <boost/test/unit_test.hpp>
 

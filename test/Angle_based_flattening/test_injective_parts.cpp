@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What injective maps are made of: exact tests of a border, energies and their derivatives, Tutte's map; and the direct method
-// that takes an injective map where its own overlaps itself.
+// What injective maps are made of: exact tests of a border, energies and their derivatives, Tutte's map; and the direct
+// method that takes an injective map where its own overlaps itself.
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Both parameterizers, measures, certificates and atlases with every kernel that the manual names, and with points that belong
-// to no kernel.
+// Both parameterizers, measures, certificates and atlases with every kernel that the manual names, and with points that
+// belong to no kernel.
 
 #include <boost/test/unit_test.hpp>
 

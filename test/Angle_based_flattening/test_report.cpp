@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Pages that `flatten_mesh --report` writes: their data against the other files of the same run, and against computations here.
+// Pages that `flatten_mesh --report` writes: their data against the other files of the same run, and against
+// computations here.
 
 #include "report_reader.h"
 #include "run_flatten_mesh.h"
@@ -36,8 +37,8 @@ double distance(const std::array<double, n>& p, const std::array<double, n>& q)
   return std::sqrt(squares);
 }
 
-// The corners of each face of an OBJ text; none for a face without texture coordinates. Points are relative to the centre of the
-// box of those that faces have.
+// The corners of each face of an OBJ text; none for a face without texture coordinates. Points are relative to the
+// centre of the box of those that faces have.
 inline std::vector<std::vector<Corner>> corners_of_faces(const std::string& text)
 {
   const std::vector<double> points = numbers(lines_with(text, "v")),
@@ -80,8 +81,8 @@ struct Report_folder : public Folder
     return Report_page(content(file("page.html")));
   }
 
-  // Whether each triangle of the page lies in the face that it names, with the same places on the surface and in the plane,
-  // and whether these triangles cover all faces with charts
+  // Whether each triangle of the page lies in the face that it names, with the same places on the surface and in the
+  // plane, and whether these triangles cover all faces with charts
   void check_triangles(const Report_page& page) const
   {
     const std::vector<std::vector<Corner>> faces = corners_of_faces(obj());
@@ -642,8 +643,8 @@ BOOST_AUTO_TEST_CASE(thinned_surfaces_keep_borders_places_and_values)
   }
 }
 
-// Values of what vanishes are not lost: without triangles to be kept, means by area of all that became part of a triangle have
-// the mean of the whole.
+// Values of what vanishes are not lost: without triangles to be kept, means by area of all that became part of a
+// triangle have the mean of the whole.
 BOOST_AUTO_TEST_CASE(values_of_thinned_surfaces_are_means)
 {
   const Report_page page = report(write("ball.off", sphere().text()));

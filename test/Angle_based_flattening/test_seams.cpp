@@ -222,7 +222,8 @@ BOOST_AUTO_TEST_CASE(large_surfaces)
   BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch, boost::test_tools::tolerance(0.05));
 }
 
-// On the copy there are loops, and paths across forbidden edges. The prediction is that of the seams as they are in the end.
+// On the copy there are loops, and paths across forbidden edges. The prediction is that of the seams as they are in the
+// end.
 BOOST_AUTO_TEST_CASE(large_surfaces_with_handles_and_forbidden_edges)
 {
   enum

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Atlases of thousands of parts with a few triangles each: every part has a chart, nothing overlaps, and the result does not depend on
-// the number of threads. The limit of time of this test is what makes slow ones fail.
+// Atlases of thousands of parts with a few triangles each: every part has a chart, nothing overlaps, and the result
+// does not depend on the number of threads. The limit of time of this test is what makes slow ones fail.
 
 #include <boost/test/unit_test.hpp>
 

@@ -181,7 +181,8 @@ void check_that_options_are_seen(const Log& log)
 
 } // namespace
 
-// Each factorization of a run is made by the traits given, or their counterpart, with the options of the caller's object.
+// Each factorization of a run is made by the traits given, or their counterpart, with the options of the caller's
+// object.
 BOOST_AUTO_TEST_CASE(all_factorizations_are_made_by_the_traits_given)
 {
   typedef Logging_solver<double> Solver;

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Maps that overlap themselves: the faces that overlap, and the pieces without overlap, compared with searches through all
-// pairs.
+// Maps that overlap themselves: the faces that overlap, and the pieces without overlap, compared with searches through
+// all pairs.
 
 #include <boost/test/unit_test.hpp>
 

@@ -84,7 +84,8 @@ std::vector<Test_mesh::Vertex_index> neighbourhood(const Test_mesh& mesh, const 
   return found;
 }
 
-// Removes `rings` rings of triangles around random vertices. Holes keep a distance from each other and from the border. Returns their number, which is less than `holes` where there is no room.
+// Removes `rings` rings of triangles around random vertices. Holes keep a distance from each other and from the border.
+// Returns their number, which is less than `holes` where there is no room.
 int punch(Test_mesh& mesh, const int holes, const int rings)
 {
   boost::random::mt19937 generator;

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures one thing and prints it as a line of JSON. The scripts in the folder above run it, each time in a process of its own,
-// and make tables and plots of many such lines. See `measure` without arguments.
+// Measures one thing and prints it as a line of JSON. The scripts in the folder above run it, each time in a process of
+// its own, and make tables and plots of many such lines. See `measure` without arguments.
 
 #include "subcommands.h"
 

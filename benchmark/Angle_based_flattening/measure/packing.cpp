@@ -38,7 +38,8 @@ typedef Mesh::Face_index Face;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Edge_index Edge;
 
-// The faces nearest to each of some faces, in steps across edges. Each of these faces is one that is farthest from those before.
+// The faces nearest to each of some faces, in steps across edges. Each of these faces is one that is farthest from
+// those before.
 std::vector<int> regions(const Mesh& mesh, const int number)
 {
   std::vector<int> region(mesh.number_of_faces(), 0), steps(mesh.number_of_faces(), 1 << 30);

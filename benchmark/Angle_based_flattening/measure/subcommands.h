@@ -45,12 +45,13 @@ struct Seam_choice_options
   std::string method = "abf++";
 };
 
-// Cuts a connected surface open along seams of our own choice (`cones`), or to the `farthest` points or to the `peaks` of curvature.
-// Runs a method on the disk, and measures the map.
+// Cuts a connected surface open along seams of our own choice (`cones`), or to the `farthest` points or to the `peaks`
+// of curvature. Runs a method on the disk, and measures the map.
 void seams(const std::string& choice, const std::string& file, const Seam_choice_options& options,
            Measurement& m);
 
-// Flattens a disk, or a surface that is cut open for that bound of its stretch, by ABF++, and splits the chart where it overlaps itself.
+// Flattens a disk, or a surface that is cut open for that bound of its stretch, by ABF++, and splits the chart where it
+// overlaps itself.
 void overlaps(const std::string& file, double bound, Measurement& m);
 
 struct Atlas_choice
@@ -81,9 +82,9 @@ struct Control_choice
   int repeat = 3; // of how many runs in turn the medians of times are taken
 };
 
-// Selects cones of a connected surface, and leads seams through them. Maps the surface in several ways, in turn: cut first, with equal
-// lengths along seams, with prescribed angles around cones, and with multiples of a right angle (spheres only). Prints a
-// measurement for each, the last one by `m`.
+// Selects cones of a connected surface, and leads seams through them. Maps the surface in several ways, in turn: cut
+// first, with equal lengths along seams, with prescribed angles around cones, and with multiples of a right angle
+// (spheres only). Prints a measurement for each, the last one by `m`.
 void cones(const std::string& file, const Control_choice& choice, Measurement& m);
 
 // The same for a disk: with a free border, with four right angles, and as a rectangle

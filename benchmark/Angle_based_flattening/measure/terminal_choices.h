@@ -33,8 +33,9 @@ inline void check(const CGAL::Surface_mesh_parameterization::Seam_report& report
     throw std::runtime_error(report.message);
 }
 
-// Seams of a connected surface with other terminals than those of `select_seams()`. The rest is the same: cut to a disk first, joined
-// by shortest paths one after the other, shortened in the end. The path that cuts a sphere has two terminals.
+// Seams of a connected surface with other terminals than those of `select_seams()`. The rest is the same: cut to a disk
+// first, joined by shortest paths one after the other, shortened in the end. The path that cuts a sphere has two
+// terminals.
 class Terminal_choice
 {
 public:
@@ -55,8 +56,8 @@ public:
     });
   }
 
-  // In the manner of Seamster: each terminal is the vertex of the largest absolute angle defect that is not near the seams, where near is
-  // half the radius of so many disks as large as the surface.
+  // In the manner of Seamster: each terminal is the vertex of the largest absolute angle defect that is not near the
+  // seams, where near is half the radius of so many disks as large as the surface.
   void add_curvature_peaks(const int terminals)
   {
     const double near =

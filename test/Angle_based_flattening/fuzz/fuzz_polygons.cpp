@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A target of libFuzzer: makes a model of polygons of bytes, and a triangle mesh of it as `flatten_mesh` does. Each polygon
-// must have triangles at all its corners, or be named.
+// A target of libFuzzer: makes a model of polygons of bytes, and a triangle mesh of it as `flatten_mesh` does. Each
+// polygon must have triangles at all its corners, or be named.
 
 #include "bytes.h"
 
