@@ -18,7 +18,7 @@ namespace flatten_mesh {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-// What an atlas is made of, and how it is packed.
+// Options of an atlas: its input, and how it is packed.
 struct Atlas_options
 {
   bool separates = false;

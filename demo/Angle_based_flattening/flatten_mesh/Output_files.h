@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // What runs left that were killed, in the folders of these files
+  // The files that killed runs left in the folders of these outputs
   void remove_abandoned_files() const
   {
     std::set<std::filesystem::path> folders;

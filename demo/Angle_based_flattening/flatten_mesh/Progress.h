@@ -17,7 +17,7 @@ namespace flatten_mesh {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-// What `--verbose` tells on standard error: a line for every stage and for every Newton step.
+// The progress that `--verbose` prints on standard error: a line for every stage and for every Newton step.
 class Progress : public SMP::Flattening_visitor
 {
 public:

@@ -19,8 +19,8 @@
 
 namespace flatten_mesh {
 
-// What a progress bar shows: the stage, the share of it that is done, and how long the rest may take. The share is
-// negative if it is unknown.
+// The content of a progress bar: the stage, the share of it that is done, and the time left. The share is negative if
+// it is unknown.
 inline std::string progress_line(const std::string& stage, const double share, const double seconds)
 {
   const std::size_t width = 30;
@@ -37,7 +37,7 @@ inline std::string progress_line(const std::string& stage, const double share, c
 }
 
 // Shows on standard error, a terminal, what the program is doing, from a second after the start on. A thread keeps the
-// line up to date. Nobody else may write on the terminal until the bar is cleared.
+// line up to date. Until the bar is cleared, nothing else may be written on the terminal.
 class Progress_bar
 {
 public:

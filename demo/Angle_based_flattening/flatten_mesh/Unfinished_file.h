@@ -24,8 +24,8 @@
 
 namespace flatten_mesh {
 
-// A file under a temporary name, which is locked as long as the process lives, however it ends: what is not locked,
-// nobody will complete. Removed if a signal ends the process that can be handled.
+// A file under a temporary name, which is locked as long as the process lives: a file that is not locked will never be
+// completed. It is removed if a signal that can be handled ends the process.
 class Unfinished_file
 {
 public:

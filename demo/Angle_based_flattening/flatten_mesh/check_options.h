@@ -336,7 +336,7 @@ inline void understand_names(Command_line& command)
                                                     : Options::REFUSE;
 }
 
-// What is not given is chosen for a result close to that of the direct method.
+// Options that are not given are chosen for a result close to that of the direct method.
 inline void refine_method(const Values& values, SMP::Hierarchical_options& hierarchical)
 {
   hierarchical.energy_tolerance = 0.01;

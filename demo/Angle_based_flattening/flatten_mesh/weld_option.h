@@ -27,7 +27,7 @@ inline std::optional<double> weld_tolerance(const std::string& text)
   return is_distance ? std::optional<double>(number) : std::nullopt;
 }
 
-// What `--weld` and `--repair` ask for. Without either, an atlas is made of all that meets; a single chart may be cut
+// How `--weld` and `--repair` join faces. Without either, an atlas joins all faces that meet; a single chart may be cut
 // open where faces do not share vertices.
 inline Welding welding_of(const Command_line& command)
 {

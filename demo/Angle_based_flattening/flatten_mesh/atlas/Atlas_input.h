@@ -19,7 +19,7 @@
 
 namespace flatten_mesh {
 
-// What an atlas is made of
+// The input of an atlas
 struct Atlas_input
 {
   Model model;

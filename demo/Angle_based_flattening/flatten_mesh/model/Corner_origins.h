@@ -31,7 +31,7 @@ struct Model_triangle
   std::array<Index, 3> corners;
 };
 
-// Where the triangles of a mesh are in the model that it was made of, whatever was repaired.
+// Where the triangles of a mesh are in the model that it was made of, after any repairs.
 struct Corner_origins
 {
   std::vector<Index> corners;  // of each halfedge: the corner at its target. `no_index` on borders

@@ -8,8 +8,8 @@
 
 namespace flatten_mesh {
 
-// What is done about faces that are none, such as those with two corners or with a corner twice, and about coordinates
-// that are no finite numbers.
+// What happens to degenerate faces, such as faces with two corners or with equal corners, and to coordinates that are
+// not finite.
 enum class Degenerate_faces
 {
   REFUSED,

@@ -27,9 +27,9 @@ struct Polygon_triangles
 
 namespace internal {
 
-// Cuts off one corner after the other. Of simple polygons, these are ears, the best ones first. Where there is none, as
-// in polygons that cross themselves, it is the corner that turns best to the left. `is_taken(i, j)` tells which
-// diagonals must not be used.
+// Cuts off one corner after the other. In simple polygons, these are ears, the best ones first. Without ears, as in
+// polygons that cross themselves, it is the corner that turns best to the left. `is_taken(i, j)` tells which diagonals
+// must not be used.
 template <class Is_taken>
 class Ear_cutter
 {

@@ -23,7 +23,7 @@ namespace flatten_mesh {
 namespace internal {
 
 // The corners of a polygon in space, and in the plane of two coordinates that its normal is farthest from. Leaving out
-// a coordinate does not round: what is straight in space remains straight, which a rotation would not keep.
+// a coordinate does not round: lines in space remain straight, unlike after a rotation.
 class Flat_polygon
 {
 public:
@@ -94,8 +94,8 @@ private:
     return sum;
   }
 
-  // That in which the normal is longest. Without normal, as of a figure of eight, that in which the polygon is
-  // shortest.
+  // The coordinate in which the normal is longest. Without a normal, as for a figure of eight, the one in which the
+  // polygon is shortest.
   int axis_to_leave_out(const Kernel::Vector_3& normal) const
   {
     std::array<double, 3> extent = {0, 0, 0};

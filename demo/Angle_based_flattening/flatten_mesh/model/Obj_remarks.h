@@ -14,7 +14,7 @@
 
 namespace flatten_mesh {
 
-// What is left out of an OBJ file.
+// The parts of an OBJ file that are left out.
 class Obj_remarks
 {
 public:
@@ -26,7 +26,7 @@ public:
     }
   }
 
-  // A colour, texture coordinate or normal that is none
+  // A colour, texture coordinate or normal that is not understood
   void ignore_attribute(const std::size_t line)
   {
     if(m_ignored++ == 0) {

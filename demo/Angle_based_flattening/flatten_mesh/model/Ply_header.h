@@ -48,7 +48,7 @@ struct Ply_element
 
   bool is_named(const char* singular, const char* plural) const { return name == singular || name == plural; }
 
-  // The number of a property, or that of properties if there is none
+  // The number of a property, or the number of properties if it does not exist
   std::size_t find(const std::string& property) const
   {
     std::size_t k = 0;
@@ -59,7 +59,7 @@ struct Ply_element
   }
 };
 
-// What a PLY file says about itself
+// The header of a PLY file
 struct Ply_header
 {
   bool is_text = false, is_big_endian = false;

@@ -29,7 +29,7 @@ struct Polygon_soup
   std::vector<Skipped_part> left_out; // what `leave_out()` removed, in the order of the file
 };
 
-// All polygons of a model, whatever they are.
+// All polygons of a model, valid or not.
 inline Polygon_soup polygon_soup(const Model& model)
 {
   Polygon_soup soup;

@@ -45,7 +45,8 @@ public:
     return true;
   }
 
-  // From 1; of several lines that belong together, that of the first. At the end of the text, that after the last.
+  // The number of the line, from 1; the first one if several lines belong together. At the end of the text, the number
+  // after the last line.
   std::size_t number() const { return m_number; }
 
   // Where the line ends in the text, and where the next begins
@@ -67,7 +68,7 @@ public:
     return {&*begin, static_cast<std::size_t>(end - begin)};
   }
 
-  // The next word, in whatever line. Empty at the end of the text
+  // The next word, in this or a later line. Empty at the end of the text
   std::string_view word_in_any_line()
   {
     std::string_view found = word();

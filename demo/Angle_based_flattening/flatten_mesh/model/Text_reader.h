@@ -27,7 +27,7 @@ inline std::string quoted_word(const std::string_view word)
   return "'" + std::string(word.substr(0, longest)) + (word.size() > longest ? "..." : "") + "'";
 }
 
-// What the readers of text formats have in common: items, such as vertices, with their words, and errors that name the
+// The common part of the readers of text formats: items, such as vertices, with their words, and errors that name the
 // line.
 class Text_reader
 {

@@ -71,7 +71,7 @@ inline Vertex_pair side_of(const Polygon& polygon, const std::size_t corner)
   return std::minmax(polygon[corner], polygon[corner + 1 < polygon.size() ? corner + 1 : 0]);
 }
 
-// Those of the given edges, sorted, that have more than two polygons
+// The edges among these, sorted, that have more than two polygons
 inline std::vector<bool> have_more_than_two(const std::vector<Polygon>& polygons,
                                             const std::vector<Vertex_pair>& edges)
 {

@@ -81,7 +81,7 @@ inline std::string_view without_byte_order_mark(std::string_view content)
   return content;
 }
 
-// What a file seems to be, or an empty string. For a message about a file that is not what its name says
+// The format that a file seems to have, or an empty string. For a message about a file that contradicts its name
 inline std::string kind_of_content(const std::string_view content)
 {
   const auto begins = [content](const std::string_view word) {

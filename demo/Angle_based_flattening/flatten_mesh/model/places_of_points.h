@@ -41,9 +41,9 @@ inline void unite_equal_points(const Polygon_soup& soup, std::vector<Index> used
   }
 }
 
-// Unites points that are at most so far apart, and all that hang together through them. What is in one cell of a grid
-// is near enough; the cells around are looked up. Points whose coordinates are too large for the grid are rounded by
-// more.
+// Unites points that are at most this far apart, and all points that are connected through them. Points in one cell of
+// a grid are near enough; the cells around are searched. Points whose coordinates are too large for the grid are
+// rounded more.
 inline void unite_near_points(const Polygon_soup& soup, const std::vector<Index>& used, const double distance,
                               Point_sets& sets)
 {

@@ -61,7 +61,8 @@ inline void check_two_sided(const std::vector<Polygon>& polygons, const std::vec
   }
 }
 
-// CGAL keeps the orientation of the first polygon of each component. This keeps that of the majority.
+// CGAL keeps the orientation of the first polygon of each component. This function keeps the orientation of the
+// majority.
 inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
 {
   CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets components(soup.points.size());
