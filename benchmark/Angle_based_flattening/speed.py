@@ -20,6 +20,8 @@ LARGE = [("seconds", "seconds", "seconds"), ("per million", "million_seconds", "
          ("coarsen", "coarsen", "seconds"), ("solve", "solve", "seconds"), ("refine", "refine", "seconds"),
          ("certify", "certify", "seconds"), ("/ hierarchical", "ratio", ".2f"), ("bytes a triangle", "triangle_bytes", ".0f"),
          ("kernel insertions, %", "kernel_percent", ".4f"), ("energy", "energy", ".3e"), ("L2 stretch", "stretch", ".3f"), ("flips", "flips", ".0f")]
+AGAIN = [("first", "first", "seconds"), ("second", "seconds", "seconds"), ("second / first", "ratio", ".2f"), ("Newton steps", "newton_steps", ".0f"),
+         ("CG steps", "cg_steps", ".0f"), ("energy", "energy", ".3e"), ("flips", "flips", ".0f")]
 SURFACES = [("seconds", "seconds", "seconds"), ("per million", "million_seconds", ".2f"), ("charts", "charts", ".0f"),
             ("bytes a triangle", "triangle_bytes", ".0f")]
 
@@ -48,13 +50,15 @@ class Benchmark:
             run.tell(f"{file.stem}, {task[0]} {' '.join(task[2])}, {task[1]} thread(s)", m)
         return [completed(m) for m in found]
 
+    def disks(self) -> list[Path]:
+        return [file for file in run.mesh_files(self.options.data) if self.program.mesh(file)["triangles"] >= self.options.least] \
+            if self.options.data else [self.options.mesh]
+
     def direct(self) -> str:
         threads, rows, times = self.options.threads, Table(["mesh", "triangles"], DIRECT), []
         large = [self.program.resized(self.options.mesh, size) for size in self.options.sizes[-1:]]
         hard = sorted(self.options.demo.glob("mannequin-devil.off")) if self.options.demo else []
-        disks = [file for file in run.mesh_files(self.options.data) if self.program.mesh(file)["triangles"] >= self.options.least] \
-            if self.options.data else [self.options.mesh]
-        ratios = []
+        disks, ratios = self.disks(), []
         for file in disks + hard + large:
             # LSCM needs minutes for the large ones.
             lscm, m = self.medians(file, [("lscm", 1, ()), ("abf++", threads, ())], 1 if file in large else self.options.direct_repeat)
@@ -73,6 +77,19 @@ class Benchmark:
             self.targets.add(f"direct, growth of the time from {first[0][0]:,.0f} to {times[-1][0]:,.0f} triangles", ".1f",
                              times[-1][1] / first[0][1], most=20)
         return f"On {threads} threads; LSCM uses one.\n\n{rows}"
+
+    def again(self) -> str:
+        rows, ratios = Table(["mesh", "call", "triangles"], AGAIN), {"again": [], "warm": []}
+        for file in self.disks():
+            first, *others = self.medians(file, [("abf++", 1, ())] + [(f"abf++-{call}", 1, ()) for call in ratios], self.options.direct_repeat)
+            for call, m in zip(ratios, others):
+                m["first"], m["ratio"] = first["seconds"], m["seconds"] / first["seconds"]
+                ratios[call].append(m["ratio"])
+                rows.add([file.stem, call, f"{m['triangles']:,.0f}"], m)
+        self.targets.add("second call from the last angles / first, geometric mean", ".2f", statistics.geometric_mean(ratios["warm"]), most=0.6)
+        self.targets.add("second call from the target angles / first, geometric mean", ".2f", statistics.geometric_mean(ratios["again"]), most=1)
+        return ("A second call of the same parameterizer on one thread: from the target angles on the same points (again), or with `warm_start` "
+                f"after a twist by 0.01 radians (warm).\n\n{rows}")
 
     def hierarchical(self) -> str:
         threads, rows = self.options.threads, Table(["mesh", "map", "threads", "triangles"], LARGE, 2)
@@ -126,7 +143,7 @@ class Benchmark:
         return f"{base.stem}, subdivided.\n\n{rows}"
 
 
-PARTS = {"direct": "Direct", "hierarchical": "Hierarchical and injective", "surfaces": "Seams and atlases"}
+PARTS = {"direct": "Direct", "again": "Asked again", "hierarchical": "Hierarchical and injective", "surfaces": "Seams and atlases"}
 
 
 def main() -> None:

@@ -5,6 +5,7 @@
 
 #include "methods.h"
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
@@ -80,6 +81,35 @@ void direct(Surface& surface, const SMP::Hierarchical_options&, Measurement& m)
   add_report(parameterizer.report(), m);
 }
 
+// Twists a surface about an axis through the middle of its bounding box.
+void twist(Mesh& mesh, double angle)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double x = (box.xmin() + box.xmax()) / 2, y = (box.ymin() + box.ymax()) / 2;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const auto p = mesh.point(v);
+    const double a = angle * (p.z() - box.zmin()) / (box.zmax() - box.zmin());
+    mesh.point(v) = {x + (p.x() - x) * std::cos(a) - (p.y() - y) * std::sin(a),
+                     y + (p.x() - x) * std::sin(a) + (p.y() - y) * std::cos(a), p.z()};
+  }
+}
+
+// The second of two calls of one parameterizer, of which the first is not measured: with moved points from the last angles, or with
+// the same points from the target angles.
+template <bool warm>
+void again(Surface& surface, const SMP::Hierarchical_options&, Measurement& m)
+{
+  SMP::ABF_plus_plus_options options;
+  options.warm_start = warm;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options);
+  Measurement first;
+  run(surface, parameterizer, first);
+  if(warm)
+    twist(surface.mesh, 0.01);
+  run(surface, parameterizer, m);
+  add_report(parameterizer.report(), m);
+}
+
 template <class Coarse_parameterizer>
 void hierarchical(Surface& surface, const SMP::Hierarchical_options& options, Measurement& m)
 {
@@ -103,6 +133,8 @@ void hierarchical(Surface& surface, const SMP::Hierarchical_options& options, Me
 Methods parameterizer_methods()
 {
   return {{"abf++", direct<SMP::Flattening_options::SOLVE>},
+          {"abf++-again", again<false>},
+          {"abf++-warm", again<true>},
           {"abf++-fill", direct<SMP::Flattening_options::FILL>},
           {"habf++", hierarchical<CGAL::Default>},
           {"hlscm", hierarchical<SMP::LSCM_parameterizer_3<Mesh>>},

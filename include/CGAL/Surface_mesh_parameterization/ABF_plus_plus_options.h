@@ -88,6 +88,14 @@ struct ABF_plus_plus_options : Flattening_options
   /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
   /// error. Programs without the compiled library must include `ABF_plus_plus_strategies.h` for the last strategies.
   bool fallbacks = true;
+
+  /// Whether a call of `parameterize()` starts from the angles of the last call on this parameterizer, or on a copy, if
+  /// the component has the same triangles in the same order. That saves Newton steps if the points, the importance or
+  /// the prescribed angles changed little. The map is the same up to the tolerances, but not to the last digit. It is
+  /// found from the target angles, as without this option, if Newton's method does not converge from the last angles;
+  /// `ABF_plus_plus_report::strategy` tells. Copies that run at the same time start from the angles that the original
+  /// had when it was copied.
+  bool warm_start = false;
 };
 
 } // namespace Surface_mesh_parameterization

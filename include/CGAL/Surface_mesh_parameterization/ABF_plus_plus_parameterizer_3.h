@@ -14,8 +14,10 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
@@ -23,6 +25,7 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -57,6 +60,9 @@ namespace Surface_mesh_parameterization {
 /// `CGAL::Surface_mesh_parameterization::parameterize()` takes its parameterizer by value. At the end of a run, the
 /// copy passes its report on to the parameterizer that it was copied from, where the report can be read.
 ///
+/// A parameterizer can be called again. It keeps what it found out about the pattern of its matrices, and shares that
+/// with its copies. With `ABF_plus_plus_options::warm_start`, it also starts from the angles of the last call.
+///
 /// \sa `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`
 /// \sa `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3`
 template <typename TriangleMesh_, typename SolverTraits_ = Default>
@@ -88,7 +94,7 @@ public:
   /// both. A visitor in the options must outlive the calls of `parameterize()`.
   explicit ABF_plus_plus_parameterizer_3(const ABF_plus_plus_options& options = ABF_plus_plus_options(),
                                          Solver_traits sparse_la = Solver_traits())
-      : m_options(options), m_linear_algebra(std::move(sparse_la))
+      : m_options(options), m_linear_algebra(std::move(sparse_la)), m_solvers(m_linear_algebra)
   {
     m_prescriptions.equal_seam_lengths = options.equal_seam_lengths;
   }
@@ -233,12 +239,15 @@ public:
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
   {
+    const std::shared_ptr<const internal::ABF::Planar_angles> last = m_outcome.angles();
     m_outcome.set(Outcome::interrupted());
-    const Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
+    Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
         mesh, bhd, uvmap, vimap, m_prescriptions, m_options,
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
-          return internal::ABF::flatten_chart(chart, m_options, m_linear_algebra, round);
+          return internal::ABF::flatten_chart(chart, m_options, m_solvers, round, last.get());
         });
+    if(outcome.angles == nullptr)
+      outcome.angles = last;
     m_outcome.set(outcome);
     return error_code(outcome.report.status);
   }
@@ -277,6 +286,7 @@ private:
 
   ABF_plus_plus_options m_options;
   Solver_traits m_linear_algebra;
+  internal::ABF::Linear_solvers m_solvers; // shared with copies, as they remember what they analyzed
   internal::ABF::Prescriptions<Triangle_mesh> m_prescriptions;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
@@ -293,7 +303,8 @@ Error_code parameterize(TriangleMesh& mesh,
                         ABF_plus_plus_parameterizer_3<TriangleMesh, SolverTraits> parameterizer, HD bhd,
                         VertexUVmap uvmap)
 {
-  return internal::ABF::parameterize_component(mesh, parameterizer, bhd, uvmap);
+  return parameterizer.parameterize(mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
+                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
 }
 
 } // namespace Surface_mesh_parameterization

@@ -45,6 +45,7 @@ struct ABF_plus_plus_report : Flattening_report
   /// The ways to a valid map, in the order in which they are tried.
   enum Strategy
   {
+    FROM_LAST_ANGLES, ///< Newton's method from the angles of the last call (`ABF_plus_plus_options::warm_start`).
     FROM_TARGET_ANGLES, ///< Newton's method from the target angles.
 
     /// The same with a higher barrier, and then with the given barrier from the angles found, if possible.

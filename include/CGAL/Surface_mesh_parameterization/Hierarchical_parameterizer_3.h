@@ -221,7 +221,7 @@ public:
         mesh, bhd, uvmap, vimap, internal::ABF::Prescriptions<Triangle_mesh>{m_importance, {}, {}, false},
         m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
-          return internal::ABF::flatten_chart_hierarchically(chart, m_options, flatten_coarse,
+          return internal::ABF::flatten_chart_hierarchically(std::move(chart), m_options, flatten_coarse,
                                                              m_linear_algebra, round);
         });
     m_outcome.set(outcome);
@@ -284,7 +284,8 @@ parameterize(TriangleMesh& mesh,
              Hierarchical_parameterizer_3<TriangleMesh, CoarseParameterizer, SolverTraits> parameterizer,
              HD bhd, VertexUVmap uvmap)
 {
-  return internal::ABF::parameterize_component(mesh, parameterizer, bhd, uvmap);
+  return parameterizer.parameterize(mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
+                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -138,6 +138,8 @@ inline std::string strategy_name(const SMP::ABF_plus_plus_report::Strategy strat
     return "stiff patches over holes";
   case Report::FROM_PROGRESSIVE_EMBEDDING:
     return "from a progressive embedding";
+  case Report::FROM_LAST_ANGLES:
+    return "from last angles";
   case Report::INJECTIVE_DESCENT:
     return "injective descent";
   default:

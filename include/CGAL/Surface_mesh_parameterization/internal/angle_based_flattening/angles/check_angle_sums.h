@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_flow.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 
 #include <algorithm>

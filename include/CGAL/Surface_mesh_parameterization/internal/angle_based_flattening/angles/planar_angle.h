@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
 #include <algorithm>
 #include <array>
@@ -43,24 +43,24 @@ inline std::array<double, 3> planar_angles(double twice_area, const std::array<d
 }
 
 // Sine and cosine of the angle at corner `c` in the plane, regardless of orientation, times the lengths of its edges
-inline std::pair<double, double> scaled_sine_and_cosine(const Chart& chart,
-                                                        const std::vector<Chart::Point_2>& uv, int c)
+inline std::pair<double, double> scaled_sine_and_cosine(const Corner_table& chart,
+                                                        const std::vector<Corner_table::Point_2>& uv, int c)
 {
-  const Chart::Point_2& p = uv[chart.vertex[c]];
+  const Corner_table::Point_2& p = uv[chart.vertex[c]];
   const auto a = uv[chart.vertex[next_corner(c)]] - p;
   const auto b = uv[chart.vertex[previous_corner(c)]] - p;
   return {std::abs(CGAL::determinant(a, b)), a * b};
 }
 
 // The angle at corner `c` in the plane, regardless of orientation.
-inline double planar_angle(const Chart& chart, const std::vector<Chart::Point_2>& uv, int c)
+inline double planar_angle(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv, int c)
 {
   const auto [sine, cosine] = scaled_sine_and_cosine(chart, uv, c);
   return std::atan2(sine, cosine);
 }
 
 // The one with the largest cotangent.
-inline double smallest_angle(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline double smallest_angle(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   double largest = -(std::numeric_limits<double>::infinity)();
   int corner = -1;

@@ -189,6 +189,7 @@ inline bool has_converged(const ABF_plus_plus_options& options, const Angle_iter
 struct Angle_solution
 {
   std::vector<double> alpha;
+  Constraint_vector multipliers;
   bool is_solved = true; // otherwise the linear solver failed
   bool converged = false;
   int iterations = 0;
@@ -198,10 +199,12 @@ struct Angle_solution
   std::unique_ptr<Linear_solver> scalar_solver; // may know the pattern of the layout's system
 };
 
-// Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), from angles `start`.
+// Minimizes the energy subject to the constraints (the loop of Algorithm 18 of the paper), from angles `start` and from
+// `multipliers`, or from zero if there are none.
 inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>& beta,
                                    const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-                                   std::vector<double> start)
+                                   std::vector<double> start,
+                                   const Constraint_vector& multipliers = Constraint_vector())
 {
   constexpr int many_triangles = 500000; // a factor needs most of the memory then
   const Angle_energy energy{options.barrier};
@@ -211,7 +214,8 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
   Newton_step step;
   Angle_iterate iterate;
   iterate.alpha = std::move(start);
-  iterate.multipliers = Constraint_vector::Zero(number_of_constraints(chart));
+  iterate.multipliers =
+      multipliers.size() > 0 ? multipliers : Constraint_vector::Zero(number_of_constraints(chart));
   iterate.evaluate(chart, energy, beta);
 
   Angle_solution result;
@@ -240,6 +244,7 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
   result.energy = iterate.energy;
   result.constraint_residual = iterate.largest_residual;
   result.alpha = std::move(iterate.alpha);
+  result.multipliers = std::move(iterate.multipliers);
   result.scalar_solver = system.equation().scalar_solver();
   return result;
 }

@@ -127,8 +127,7 @@ private:
     options.area_weight = area_weight;
     options.visitor = m_visitor;
     const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-    Chart copy = chart;
-    return result(flatten_chart_hierarchically(copy, options, no_solver, m_solvers, &leave_as_it_is),
+    return result(flatten_chart_hierarchically(chart, options, no_solver, m_solvers, &leave_as_it_is),
                   Atlas_report::INJECTIVE, other_lengths());
   }
 
@@ -214,8 +213,7 @@ private:
       return std::move(map.uv);
     };
     try {
-      Chart copy = chart;
-      return result(flatten_chart_hierarchically(copy, options, flatten_coarse, m_solvers, &leave_as_it_is),
+      return result(flatten_chart_hierarchically(chart, options, flatten_coarse, m_solvers, &leave_as_it_is),
                     Atlas_report::HIERARCHICAL, other_lengths());
     } catch(const Coarse_map_overlaps&) {
       Chart_map map;

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/fine_surface_tree.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/tangent_frames.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
 #include <CGAL/box_intersection_d.h>
 
@@ -39,8 +39,8 @@ std::vector<Indexed_box> edge_boxes(const std::vector<Border_edge>& edges, const
   return boxes;
 }
 
-// The pairs of border edges that touch, as sorted pairs of their indices in `edges`. Without such pairs, the time is
-// `O(b log b)`; otherwise, all pairs of edges whose bounding boxes intersect are tested.
+// The pairs of border edges that touch, as sorted pairs of their indices in `edges`. It takes `O(b log b)` time to see
+// that there is none; else the pairs of edges whose bounding boxes intersect are looked at.
 template <typename Point>
 std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>& edges,
                                                 const std::vector<Point>& uv)
@@ -58,8 +58,8 @@ std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>& 
 }
 
 // The pairs of border edges that touch, as the corners that face them.
-inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
-                                                         const std::vector<Chart::Point_2>& uv)
+inline std::vector<std::pair<int, int>> border_crossings(const Corner_table& chart,
+                                                         const std::vector<Corner_table::Point_2>& uv)
 {
   std::vector<int> corners;
   for(const std::vector<int>& border : chart.borders)
@@ -70,15 +70,15 @@ inline std::vector<std::pair<int, int>> border_crossings(const Chart& chart,
   return pairs;
 }
 
-// Whether the borders are simple polygons that do not touch one another, and the holes are within the outer border,
-// beside one another, and turn the other way. Without flipped triangles, the map is then injective: see
+// Whether the borders are simple polygons that do not touch one another, the holes are within the outer one and beside
+// one another, and turn the other way. With no flipped triangle, the map is then injective: see
 // `Planar_map::is_injective()`.
-inline bool is_border_simple(const Chart& chart, const std::vector<Exact_point_2>& uv)
+inline bool is_border_simple(const Corner_table& chart, const std::vector<Exact_point_2>& uv)
 {
   return bounds_region(border_edges(chart), uv);
 }
 
-inline bool is_border_simple(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline bool is_border_simple(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   return is_border_simple(chart, exact_points(uv));
 }

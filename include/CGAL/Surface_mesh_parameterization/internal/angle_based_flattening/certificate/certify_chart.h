@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 
@@ -40,7 +40,8 @@ struct Certificate
 };
 
 // The triangles around interior vertices with another winding number than one, although none is flipped.
-inline std::vector<int> multiply_wound_triangles(const Chart& chart, const std::vector<Exact_point_2>& uv)
+inline std::vector<int> multiply_wound_triangles(const Corner_table& chart,
+                                                 const std::vector<Exact_point_2>& uv)
 {
   const std::vector<int> winding = winding_numbers(chart.vertex, uv);
   std::vector<int> wound;
@@ -51,13 +52,13 @@ inline std::vector<int> multiply_wound_triangles(const Chart& chart, const std::
   return wound;
 }
 
-inline bool is_valid_map(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline bool is_valid_map(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   const std::vector<Exact_point_2> points = exact_points(uv);
   return flipped_triangles(chart.vertex, points).empty() && multiply_wound_triangles(chart, points).empty();
 }
 
-inline Certificate certify(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline Certificate certify(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   const std::vector<Exact_point_2> points = exact_points(uv);
   Certificate certificate;
@@ -72,7 +73,7 @@ inline Certificate certify(const Chart& chart, const std::vector<Chart::Point_2>
 }
 
 // What makes the map invalid, as the end of a sentence
-inline std::string describe_invalid(const Chart& chart, const Certificate& certificate)
+inline std::string describe_invalid(const Corner_table& chart, const Certificate& certificate)
 {
   return std::to_string(certificate.invalid.size()) +
          (certificate.flipped_triangles > 0 ? " flipped triangle(s)"
@@ -81,7 +82,8 @@ inline std::string describe_invalid(const Chart& chart, const Certificate& certi
 }
 
 // Where the border of a map touches itself, as the end of a sentence
-inline std::string describe_touching_edges(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline std::string describe_touching_edges(const Corner_table& chart,
+                                           const std::vector<Corner_table::Point_2>& uv)
 {
   const std::vector<std::pair<int, int>> pairs = border_crossings(chart, uv);
   if(pairs.empty())

@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -49,18 +49,18 @@ struct Exact_point
   }
 };
 
-typedef Exact_point<Chart::Point_2>::type Exact_point_2;
+typedef Exact_point<Corner_table::Point_2>::type Exact_point_2;
 
-inline Exact_point_2 exact_point(const Chart::Point_2& p)
+inline Exact_point_2 exact_point(const Corner_table::Point_2& p)
 {
-  return Exact_point<Chart::Point_2>::get(p);
+  return Exact_point<Corner_table::Point_2>::get(p);
 }
 
-inline std::vector<Exact_point_2> exact_points(const std::vector<Chart::Point_2>& uv)
+inline std::vector<Exact_point_2> exact_points(const std::vector<Corner_table::Point_2>& uv)
 {
   std::vector<Exact_point_2> points;
   points.reserve(uv.size());
-  for(const Chart::Point_2& p : uv)
+  for(const Corner_table::Point_2& p : uv)
     points.push_back(exact_point(p));
   return points;
 }
@@ -73,7 +73,7 @@ struct Border_edge
 };
 
 // In the order of the chart's border cycles.
-inline std::vector<Border_edge> border_edges(const Chart& chart)
+inline std::vector<Border_edge> border_edges(const Corner_table& chart)
 {
   std::vector<Border_edge> edges;
   for(const std::vector<int>& border : chart.borders)
@@ -109,7 +109,8 @@ std::vector<int> flipped_triangles(const std::vector<int>& vertex, const std::ve
   return flipped;
 }
 
-inline std::vector<int> flipped_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline std::vector<int> flipped_triangles(const Corner_table& chart,
+                                          const std::vector<Corner_table::Point_2>& uv)
 {
   return flipped_triangles(chart.vertex, exact_points(uv));
 }

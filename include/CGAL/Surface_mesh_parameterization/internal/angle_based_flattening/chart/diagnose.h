@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ Report report_of(const Chart& chart)
   return report;
 }
 
-CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Chart& chart, int v);
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Corner_table& chart, int v);
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Chart& chart);
 

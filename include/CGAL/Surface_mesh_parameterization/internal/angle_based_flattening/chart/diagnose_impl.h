@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 
 #include <cmath>
@@ -22,7 +23,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Chart& chart, int v)
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Corner_table& chart, int v)
 {
   std::ostringstream text;
   const double s = chart.scale;

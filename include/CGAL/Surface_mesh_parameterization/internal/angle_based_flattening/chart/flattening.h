@@ -14,10 +14,19 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The planar angles of a map, and the multipliers of their constraints: where a later run on the same triangles can start
+struct Planar_angles
+{
+  std::vector<int> vertex, node;   // as in the chart: of the same triangles and constraints
+  std::vector<double> beta, alpha; // the target angles and the planar ones, of each corner
+  std::vector<double> multipliers;
+};
 
 // The map of a chart, or why there is none.
 template <typename Report>
@@ -26,6 +35,7 @@ struct Flattening
   std::vector<Chart::Point_2> uv;
   std::vector<int> invalid; // the triangles that make the map invalid, if that is what is wrong
   Report report;
+  std::shared_ptr<const Planar_angles> angles; // if they were asked for
 
   bool succeeded() const { return report.status == Diagnosis::NOTHING_WRONG; }
 };

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <CGAL/bounding_box.h>
@@ -24,7 +24,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-inline double surface_area(const Chart& chart, int t)
+inline double surface_area(const Corner_table& chart, int t)
 {
   return std::sqrt(CGAL::squared_area(chart.points[chart.vertex[3 * t]],
                                       chart.points[chart.vertex[3 * t + 1]],
@@ -32,7 +32,7 @@ inline double surface_area(const Chart& chart, int t)
 }
 
 // Positive for triangles that are not flipped.
-inline double planar_area(const Chart& chart, const std::vector<Chart::Point_2>& uv, int t)
+inline double planar_area(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv, int t)
 {
   return CGAL::area(uv[chart.vertex[3 * t]], uv[chart.vertex[3 * t + 1]], uv[chart.vertex[3 * t + 2]]);
 }
@@ -43,7 +43,7 @@ struct Total_areas
 };
 
 // Areas of flipped triangles count positively, those that are not finite not at all.
-inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline Total_areas total_areas(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   const int triangles = chart.number_of_triangles();
   Total_areas total;
@@ -57,23 +57,23 @@ inline Total_areas total_areas(const Chart& chart, const std::vector<Chart::Poin
 
 // The factor that gives a layout the area of the surface, or that of a square as wide as `chart.scale` if the surface
 // has none.
-inline double scale_to_surface(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline double scale_to_surface(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   const Total_areas total = total_areas(chart, uv);
   return std::sqrt((total.surface > 0 ? total.surface : 1) / total.plane) * chart.scale;
 }
 
 // Scales the planar chart to the area of the surface, and moves its lower left corner to the origin.
-inline void scale_to_surface_area(const Chart& chart, std::vector<Chart::Point_2>& uv)
+inline void scale_to_surface_area(const Corner_table& chart, std::vector<Corner_table::Point_2>& uv)
 {
   const double factor = scale_to_surface(chart, uv);
   const auto corner = (CGAL::bounding_box(uv.begin(), uv.end()).min)();
-  for(Chart::Point_2& p : uv)
+  for(Corner_table::Point_2& p : uv)
     p = CGAL::ORIGIN + (p - corner) * factor;
 }
 
 // The longest edge of a layout over its shortest one
-inline double scale_range(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline double scale_range(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
 {
   double shortest = (std::numeric_limits<double>::infinity)(), longest = 0;
   for(int c = 0; c < chart.number_of_corners(); ++c) {

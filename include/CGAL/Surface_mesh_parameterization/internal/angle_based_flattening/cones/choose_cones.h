@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Cone_options.h>
 #include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
 #include <algorithm>

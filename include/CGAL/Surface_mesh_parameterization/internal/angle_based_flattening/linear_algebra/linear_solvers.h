@@ -45,7 +45,9 @@ class Solver_source_of : public Solver_source
   typedef typename Low_precision::type Low;
 
 public:
-  explicit Solver_source_of(const SolverTraits& traits) : m_traits(traits)
+  explicit Solver_source_of(const SolverTraits& traits)
+      : m_full(std::make_shared<Analyzed_traits<SolverTraits>>(traits)),
+        m_low(std::make_shared<Analyzed_traits<Low>>(Low_precision::create(traits)))
   {
     keeps_factors = Has_factor<SolverTraits>::value;
     has_low_precision = !std::is_same<Low, SolverTraits>::value;
@@ -57,16 +59,17 @@ public:
 
   std::unique_ptr<Linear_solver> full_precision() const override
   {
-    return std::make_unique<Symmetric_system<SolverTraits>>(m_traits);
+    return std::make_unique<Symmetric_system<SolverTraits>>(m_full);
   }
 
   std::unique_ptr<Linear_solver> low_precision() const override
   {
-    return std::make_unique<Symmetric_system<Low>>(Low_precision::create(m_traits));
+    return std::make_unique<Symmetric_system<Low>>(m_low);
   }
 
 private:
-  const SolverTraits m_traits;
+  std::shared_ptr<Analyzed_traits<SolverTraits>> m_full;
+  std::shared_ptr<Analyzed_traits<Low>> m_low;
 };
 
 template <typename SolverTraits>

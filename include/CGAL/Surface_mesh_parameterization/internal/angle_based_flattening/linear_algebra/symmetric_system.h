@@ -18,6 +18,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <mutex>
 #include <type_traits>
 #include <utility>
 
@@ -79,6 +80,31 @@ public:
   virtual std::unique_ptr<Linear_solver> copy() const = 0;
 };
 
+// The caller's traits with the analysis of the last pattern, for the solvers of this and later runs. Where a matrix has another
+// pattern, factorization analyzes that.
+template <typename SolverTraits>
+class Analyzed_traits
+{
+public:
+  explicit Analyzed_traits(SolverTraits traits) : m_traits(std::move(traits)) {}
+
+  SolverTraits get() const
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return m_traits;
+  }
+
+  void set(const SolverTraits& traits)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_traits = traits;
+  }
+
+private:
+  SolverTraits m_traits;
+  mutable std::mutex m_mutex;
+};
+
 // Solves by any model of `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
 template <typename SolverTraits>
 class Symmetric_system : public Linear_solver
@@ -88,7 +114,16 @@ class Symmetric_system : public Linear_solver
   typedef typename SolverTraits::Vector Vector;
 
 public:
-  explicit Symmetric_system(SolverTraits traits) : m_traits(std::move(traits)) {}
+  typedef Analyzed_traits<SolverTraits> Shared_traits;
+
+  // A solver that knows what is known to `shared`, where it puts what it analyzes
+  explicit Symmetric_system(std::shared_ptr<Shared_traits> shared)
+      : m_traits(shared->get()), m_shared(std::move(shared))
+  {}
+
+  explicit Symmetric_system(SolverTraits traits)
+      : Symmetric_system(std::make_shared<Shared_traits>(std::move(traits)))
+  {}
 
   bool set_matrix(const Block_matrix<1>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
   bool set_matrix(const Block_matrix<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
@@ -107,11 +142,14 @@ public:
 
   void analyze_pattern(const Block_matrix<2>& blocks) override
   {
-    if constexpr(Has_analyze_pattern<SolverTraits>::value)
+    if constexpr(Has_analyze_pattern<SolverTraits>::value) {
       m_traits.analyze_pattern(
           *own(pattern_of_blocks<NT>(blocks))); // if that fails, so does the factorization
-    else
+      if constexpr(Has_independent_copies<SolverTraits>::value)
+        m_shared->set(m_traits);
+    } else {
       (void)blocks;
+    }
   }
 
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) override
@@ -135,7 +173,9 @@ public:
 
   std::unique_ptr<Linear_solver> copy() const override
   {
-    return std::make_unique<Symmetric_system>(m_traits);
+    std::unique_ptr<Symmetric_system> result = std::make_unique<Symmetric_system>(m_shared);
+    result->m_traits = m_traits;
+    return result;
   }
 
 private:
@@ -162,6 +202,7 @@ private:
   }
 
   SolverTraits m_traits;
+  std::shared_ptr<Shared_traits> m_shared;
   std::unique_ptr<Matrix> m_matrix; // the traits may keep a pointer to it
   NT m_denominator = NT(1);
 };

@@ -16,21 +16,22 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Flattens a chart that `diagnose()` found flawless, directly.
+// Flattens a chart that `diagnose()` found flawless, directly; starts from the angles `last` of an earlier map if they
+// are given and are those of the same triangles.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-              Rounding round);
+              Rounding round, const Planar_angles* last = nullptr);
 
-// The same by way of a coarser chart; `solvers` solve the linear systems of polishing. The connectivity of the chart
-// changes meanwhile, and is restored if a valid map was found. Programs without the compiled library must include the
-// header of the same name.
+// The same by way of a coarser chart, which the given one becomes; `solvers` solve the linear systems of polishing.
+// Programs without the compiled library include the header of that name to have it.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
-flatten_chart_hierarchically(Chart& chart, const Hierarchical_options& options,
+flatten_chart_hierarchically(Chart chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
                              Rounding round);
 

@@ -12,44 +12,62 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/hole_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
+#include <optional>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The map may overlap itself.
-inline Flattening<ABF_plus_plus_report> locally_injective_map(const Chart& chart,
-                                                              const ABF_plus_plus_options& options,
-                                                              const Linear_solvers& solvers, Rounding round)
+// The strategies for a disk, one after the other until one gives a valid map
+inline Flattening<ABF_plus_plus_report> flatten_disk(const Direct_task& task, const Planar_angles* last)
 {
-  if(chart.borders.size() == 1)
-    return Direct_strategies(chart, chart, options, solvers, round).run();
+  Attempts attempts;
+  Direct_strategies strategies(task, attempts.target_angles(task.chart, task.options), attempts);
+  std::optional<Direct_flattening> result = warm_started(strategies, task, last, attempts);
+  if(!result)
+    result = strategies.flatten(task.options, starting_angles(strategies.target_angles()),
+                                ABF_plus_plus_report::FROM_TARGET_ANGLES);
+  if(task.options.fallbacks && can_fallbacks_help(*result)) {
+    attempts.note_failure(*result);
+    result = strategies.raise_barrier();
+    if(!result->succeeded())
+      result = strategies.from_embedding(std::move(*result));
+  }
+  strategies.keep_angles(*result);
+  return attempts.finish(task, std::move(*result));
+}
+
+inline Flattening<ABF_plus_plus_report> flatten_with_holes(const Direct_task& task, const Planar_angles* last)
+{
   Flattening<ABF_plus_plus_report> refusal;
-  refusal.report = report_of<ABF_plus_plus_report>(chart);
-  refusal.invalid = limit_scale(chart, solvers, refusal.report);
+  refusal.report = report_of<ABF_plus_plus_report>(task.chart);
+  refusal.invalid = limit_scale(task.chart, task.solvers, refusal.report);
   if(!refusal.succeeded())
     return refusal;
-  Chart filled;
-  Hole_strategies strategies(filled, chart, options, solvers, round);
   Flattening<ABF_plus_plus_report> result =
-      are_holes_filled(chart, options) ? strategies.fill() : strategies.solve();
+      are_holes_filled(task.chart, task.options) ? flatten_filled(task) : solve_holes(task, last);
   result.report.predicted_scale_range = refusal.report.predicted_scale_range;
   return result;
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-              Rounding round)
+              Rounding round, const Planar_angles* last)
 {
-  Flattening<ABF_plus_plus_report> result = locally_injective_map(chart, options, solvers, round);
+  const Direct_task task = {chart, chart, options, solvers, round};
+  Flattening<ABF_plus_plus_report> result =
+      chart.borders.size() == 1 ? flatten_disk(task, last) : flatten_with_holes(task, last);
   return options.injective
              ? optional_strategies.make_injective(chart, options, solvers, round, std::move(result))
              : result;

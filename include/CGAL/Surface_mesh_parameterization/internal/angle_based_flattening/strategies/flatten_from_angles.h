@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
@@ -35,10 +36,11 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A flattening with its planar angles
+// A flattening with its planar angles and the multipliers of their constraints
 struct Direct_flattening : Flattening<ABF_plus_plus_report>
 {
   std::vector<double> alpha;
+  Constraint_vector multipliers;
 };
 
 // The layout asked for. The exact one reproduces angles that fit together so well, and keeps prescribed angles.
@@ -76,12 +78,9 @@ inline std::optional<Layout> lay_out(const Chart& chart, const std::vector<doubl
   return Layout{std::move(*uv)};
 }
 
-inline Angle_solution find_angles(const Chart& chart, const ABF_plus_plus_options& options,
-                                  const Linear_solvers& solvers, const std::vector<double>& beta,
-                                  std::vector<double> start, ABF_plus_plus_report& report)
+inline void take_solution(Angle_solution& solution, Direct_flattening& result)
 {
-  const Stage stage(options.visitor, Flattening_visitor::ANGLES, report.seconds.angles);
-  Angle_solution solution = solve_angles(chart, beta, options, solvers, std::move(start));
+  ABF_plus_plus_report& report = result.report;
   report.converged = solution.converged;
   report.iterations = solution.iterations;
   report.energy = solution.energy;
@@ -91,7 +90,8 @@ inline Angle_solution find_angles(const Chart& chart, const ABF_plus_plus_option
     fail(report, Diagnosis::LINEAR_SYSTEM_FAILED,
          "the linear system of Newton step " + std::to_string(report.iterations + 1) +
              " could not be solved");
-  return solution;
+  result.alpha = std::move(solution.alpha);
+  result.multipliers = std::move(solution.multipliers);
 }
 
 // The coordinates of `part`, scaled to its area, and rounded to what the caller can store.
@@ -120,12 +120,17 @@ find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_opti
 inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& part,
                                              const ABF_plus_plus_options& options,
                                              const Linear_solvers& solvers, Rounding round,
-                                             const std::vector<double>& beta, std::vector<double> start)
+                                             const std::vector<double>& beta, std::vector<double> start,
+                                             const Constraint_vector& multipliers)
 {
   Direct_flattening result;
   ABF_plus_plus_report& report = result.report = report_of<ABF_plus_plus_report>(part);
-  Angle_solution solution = find_angles(chart, options, solvers, beta, std::move(start), report);
-  result.alpha = std::move(solution.alpha);
+  Angle_solution solution;
+  {
+    const Stage stage(options.visitor, Flattening_visitor::ANGLES, report.seconds.angles);
+    solution = solve_angles(chart, beta, options, solvers, std::move(start), multipliers);
+  }
+  take_solution(solution, result);
   if(!result.succeeded())
     return result;
 

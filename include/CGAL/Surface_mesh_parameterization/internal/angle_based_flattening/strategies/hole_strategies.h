@@ -19,118 +19,124 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The same patches, so many times as stiff.
-inline void stiffen_patches(const Chart& chart, double factor, Chart& filled)
+// A chart whose holes are filled with patches after its own triangles, and its target angles
+struct Filled_chart
 {
-  for(int t = chart.number_of_triangles(); t < filled.number_of_triangles(); ++t)
-    filled.weight[t] *= factor;
+  Chart chart;
+  std::vector<double> target_angles;
+};
+
+inline Filled_chart fill_holes(const Chart& chart, const ABF_plus_plus_options& options, Attempts& attempts)
+{
+  const Stage stage(options.visitor, Flattening_visitor::TARGET_ANGLES, attempts.seconds.targets);
+  Filled_chart result;
+  result.chart = optional_strategies.fill_holes(chart, soft_patch_weight);
+  result.target_angles = target_angles(result.chart);
+  return result;
 }
 
-// The strategies for a chart with holes. The filled chart is a disk, so that the last one finds a valid map.
-class Hole_strategies : Direct_strategies
+// The same, with patches so many times as stiff
+inline Filled_chart stiffen_patches(Filled_chart filled, const Chart& part, double factor)
 {
-  typedef ABF_plus_plus_report Report;
+  for(int t = part.number_of_triangles(); t < filled.chart.number_of_triangles(); ++t)
+    filled.chart.weight[t] *= factor;
+  return filled;
+}
 
-public:
-  // `filled` becomes what `fill_holes()` makes of `chart`, if that is needed.
-  Hole_strategies(Chart& filled, const Chart& chart, const ABF_plus_plus_options& options,
-                  const Linear_solvers& solvers, Rounding round)
-      : Direct_strategies(filled, chart, options, solvers, round), m_filled(filled)
-  {}
+// `soft` is the map with soft patches. If it is not valid, stiff ones and the embedding are tried.
+inline Direct_flattening rescue(Direct_flattening soft, Filled_chart filled, const Direct_task& task,
+                                Attempts& attempts)
+{
+  if(!can_fallbacks_help(soft))
+    return soft;
+  attempts.note_failure(soft);
+  const Filled_chart stiff = stiffen_patches(std::move(filled), task.part, 1 / soft_patch_weight);
+  Direct_strategies strategies({stiff.chart, task.part, task.options, task.solvers, task.round},
+                               stiff.target_angles, attempts);
+  Direct_flattening result = strategies.flatten(task.options, starting_angles(stiff.target_angles),
+                                                ABF_plus_plus_report::STIFF_PATCHES);
+  return result.succeeded() ? result : strategies.from_embedding(std::move(result));
+}
 
-  // Solves the holes; if that fails, solves them from the angles of the filled chart; if that fails too, keeps the
-  // filled chart.
-  Flattening<Report> solve()
-  {
-    Direct_flattening result = solve_from(starting_angles(targets(m_part)), Report::FROM_TARGET_ANGLES);
-    // A map that is valid by chance, with holes that do not close, is not what was asked for.
-    if(result.succeeded() && !result.report.converged && m_options.fallbacks)
-      fail(result.report, Diagnosis::NO_CONVERGENCE, "the angles did not converge");
-    if(!m_options.fallbacks || !can_patches_help(result))
-      return finished(std::move(result));
-    if(optional_strategies.fill_holes == nullptr) {
-      fail(result.report, result.report.status,
-           needs_strategies(result.report.message + "; filling the holes instead"));
-      return finished(std::move(result));
-    }
-    note_failure(result);
-    result = flatten_filled();
-    if(result.succeeded()) {
-      std::vector<double> alpha = result.alpha;
-      alpha.resize(m_part.vertex.size()); // they meet all constraints of the chart without its patches
-      Direct_flattening solved = solve_from(starting_angles(alpha), Report::FROM_SOFT_PATCHES);
-      if(solved.succeeded() && solved.report.converged)
-        return finished(std::move(solved));
-      note_failure(solved);
-    }
-    return finished(rescued(std::move(result)));
+// The system of a hole of few triangles may be singular where that of the filled chart is not.
+inline bool can_patches_help(const Direct_flattening& result)
+{
+  return can_fallbacks_help(result) || result.report.status == Diagnosis::LINEAR_SYSTEM_FAILED;
+}
+
+// The map of the chart with filled holes (`Flattening_options::FILL`)
+inline Flattening<ABF_plus_plus_report> flatten_filled(const Direct_task& task)
+{
+  Attempts attempts;
+  Filled_chart filled = fill_holes(task.part, task.options, attempts);
+  Direct_strategies strategies({filled.chart, task.part, task.options, task.solvers, task.round},
+                               filled.target_angles, attempts);
+  Direct_flattening result = strategies.flatten(task.options, starting_angles(filled.target_angles),
+                                                ABF_plus_plus_report::SOFT_PATCHES);
+  if(task.options.fallbacks)
+    result = rescue(std::move(result), std::move(filled), task, attempts);
+  return attempts.finish(task, std::move(result));
+}
+
+// What is tried where equations for the holes gave no map: from the angles of the filled chart, and else that chart's
+// own map
+inline Direct_flattening solve_by_filling(Direct_strategies& strategies, const Direct_task& task,
+                                          Attempts& attempts)
+{
+  Filled_chart filled = fill_holes(task.part, task.options, attempts);
+  Direct_strategies on_filled({filled.chart, task.part, task.options, task.solvers, task.round},
+                              filled.target_angles, attempts);
+  Direct_flattening result = on_filled.flatten(task.options, starting_angles(filled.target_angles),
+                                               ABF_plus_plus_report::SOFT_PATCHES);
+  if(result.succeeded()) {
+    std::vector<double> alpha = result.alpha;
+    alpha.resize(task.part.vertex.size()); // they meet all constraints of the chart without its patches
+    Direct_flattening solved =
+        strategies.flatten(task.options, starting_angles(alpha), ABF_plus_plus_report::FROM_SOFT_PATCHES);
+    if(solved.succeeded() && solved.report.converged)
+      return solved;
+    attempts.note_failure(solved);
   }
+  return rescue(std::move(result), std::move(filled), task, attempts);
+}
 
-  Flattening<Report> fill()
-  {
-    Direct_flattening result = flatten_filled();
-    return finished(m_options.fallbacks ? rescued(std::move(result)) : std::move(result));
-  }
-
-private:
-  // The system of a hole of few triangles may be singular where that of the filled chart is not.
-  static bool can_patches_help(const Direct_flattening& result)
-  {
-    return can_fallbacks_help(result) || result.report.status == Diagnosis::LINEAR_SYSTEM_FAILED;
-  }
-
-  std::vector<double> targets(const Chart& chart)
-  {
-    const Stage stage(m_options.visitor, Flattening_visitor::TARGET_ANGLES, m_seconds.targets);
-    return target_angles(chart);
-  }
-
-  Direct_flattening solve_from(std::vector<double> start, Report::Strategy strategy)
-  {
-    Direct_flattening result = flatten_from_angles(m_part, m_part, m_options, m_solvers, m_round,
-                                                   target_angles(m_part), std::move(start));
-    m_seconds += result.report.seconds;
-    result.report.strategy = strategy;
+// With equations for the holes, and else by filling them
+inline Direct_flattening cold_started_with_holes(Direct_strategies& strategies, const Direct_task& task,
+                                                 Attempts& attempts)
+{
+  Direct_flattening result = strategies.flatten(task.options, starting_angles(strategies.target_angles()),
+                                                ABF_plus_plus_report::FROM_TARGET_ANGLES);
+  // A map that is valid by chance, with holes that do not close, is not what was asked for.
+  if(result.succeeded() && !result.report.converged && task.options.fallbacks)
+    fail(result.report, Diagnosis::NO_CONVERGENCE, "the angles did not converge");
+  if(!task.options.fallbacks || !can_patches_help(result))
+    return result;
+  if(optional_strategies.fill_holes == nullptr) {
+    fail(result.report, result.report.status,
+         needs_strategies(result.report.message + "; filling the holes instead"));
     return result;
   }
+  attempts.note_failure(result);
+  return solve_by_filling(strategies, task, attempts);
+}
 
-  Direct_flattening flatten_filled()
-  {
-    {
-      const Stage stage(m_options.visitor, Flattening_visitor::TARGET_ANGLES, m_seconds.targets);
-      m_filled = optional_strategies.fill_holes(m_part, soft_patch_weight);
-      m_beta = target_angles(m_filled);
-    }
-    return flatten_with_patches(Report::SOFT_PATCHES);
-  }
-
-  Direct_flattening flatten_with_patches(Report::Strategy strategy)
-  {
-    Direct_flattening result = flatten(m_options, starting_angles(m_beta));
-    result.report.strategy = strategy;
-    return result;
-  }
-
-  // `result` if it is valid, and otherwise the result of other strategies on the filled chart
-  Direct_flattening rescued(Direct_flattening result)
-  {
-    if(!can_fallbacks_help(result))
-      return result;
-    note_failure(result);
-    stiffen_patches(m_part, 1 / soft_patch_weight, m_filled);
-    result = flatten_with_patches(Report::STIFF_PATCHES);
-    if(result.succeeded())
-      return result;
-    return start_from_embedding(std::move(result));
-  }
-
-  Chart& m_filled;
-};
+// The map of the chart with its holes (`Flattening_options::SOLVE`)
+inline Flattening<ABF_plus_plus_report> solve_holes(const Direct_task& task, const Planar_angles* last)
+{
+  Attempts attempts;
+  Direct_strategies strategies(task, attempts.target_angles(task.chart, task.options), attempts);
+  std::optional<Direct_flattening> result = warm_started(strategies, task, last, attempts);
+  if(!result)
+    result = cold_started_with_holes(strategies, task, attempts);
+  strategies.keep_angles(*result);
+  return attempts.finish(task, std::move(*result));
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

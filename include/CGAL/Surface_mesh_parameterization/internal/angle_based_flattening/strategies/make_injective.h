@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
@@ -65,10 +66,9 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
     fail(direct.report, Diagnosis::OVERLAPPING, "the map has " + describe_touching_edges(chart, direct.uv));
   if(chart.has_prescribed_angles()) // they are not kept by what follows
     return direct;
-  Chart copy = chart;
   const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
   Flattening<Hierarchical_report> injective =
-      flatten_chart_hierarchically(copy, injective_options(options), no_solver, solvers, round);
+      flatten_chart_hierarchically(chart, injective_options(options), no_solver, solvers, round);
 
   Flattening<ABF_plus_plus_report> result;
   result.uv = std::move(injective.uv);

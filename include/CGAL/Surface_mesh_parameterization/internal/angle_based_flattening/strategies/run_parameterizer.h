@@ -37,15 +37,16 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The outcome of a run of a parameterizer, in terms of the caller's mesh.
+// What a run of a parameterizer tells, in terms of the caller's mesh.
 template <typename TriangleMesh, typename Report>
 struct Outcome
 {
   Report report;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> offending_vertices;
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> offending_faces;
+  std::shared_ptr<const Planar_angles> angles; // of the last map, if a later run is to start there
 
-  // The outcome if an exception ended the run
+  // That of a run which an exception ends
   static Outcome interrupted()
   {
     Outcome outcome;
@@ -64,7 +65,7 @@ struct Outcome
 };
 
 // The outcome of a parameterizer's last run. As functions of CGAL take parameterizers by value, a copy passes its
-// outcome on to its original. Several copies may do so at once.
+// outcome on to what it was copied from. Several copies may do so at once.
 template <typename Outcome>
 class Last_outcome
 {
@@ -95,6 +96,12 @@ public:
 
   const Outcome& get() const { return m_link->outcome; }
 
+  std::shared_ptr<const Planar_angles> angles() const
+  {
+    const std::lock_guard<std::mutex> lock(m_link->mutex);
+    return m_link->outcome.angles;
+  }
+
   void set(const Outcome& outcome)
   {
     for(Link* link = m_link.get(); link != nullptr; link = link->original.get()) {
@@ -107,101 +114,39 @@ private:
   std::shared_ptr<Link> m_link;
 };
 
-// Reads the chart of a border halfedge, flattens it by `flatten`, and writes the coordinates if the map is valid.
-template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
-          typename Flatten>
-class Parameterizer_run
+// Reads the chart of a border halfedge with all that is prescribed for it, and checks it.
+template <typename TriangleMesh, typename VertexIndexMap>
+Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
+                                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                                   VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
+                                   Flattening_options::Holes holes, Chart_reader<TriangleMesh>& reader)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
-public:
-  Parameterizer_run(const TriangleMesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
-                    VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
-                    const Flattening_options& options, const Flatten& flatten)
-      : m_mesh(mesh), m_reader(mesh), m_border(bhd), m_uvmap(uvmap), m_vimap(vimap),
-        m_prescriptions(prescriptions), m_options(options), m_flatten(flatten)
-  {}
-
-  Outcome<TriangleMesh, Report> run()
-  {
-    with_threads(m_options.threads, [&]() {
-      try {
-        if(read())
-          flatten();
-      } catch(const Cancelled&) {
-        fail(m_outcome.report, Diagnosis::CANCELLED, "a visitor stopped the computation");
-      }
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  Chart_defect defect = reader.read(bhd, vimap);
+  if(!defect)
+    defect = diagnose(reader.chart, holes != Flattening_options::REFUSE);
+  if(!defect)
+    defect = read_importance(reader, prescriptions.importance);
+  if(!defect && prescriptions.seam_sides) {
+    reader.link_seams([&](typename Graph_traits::halfedge_descriptor h) {
+      const auto other = prescriptions.seam_sides(opposite(h, mesh));
+      return other != Graph_traits::null_halfedge() && CGAL::is_border(other, mesh)
+                 ? opposite(other, mesh)
+                 : Graph_traits::null_halfedge();
     });
-    m_outcome.report.peak_memory = peak_resident_size();
-    return std::move(m_outcome);
+    defect = find_wrong_seam(reader.chart);
   }
+  if(!defect)
+    defect = prescriptions.find_conflict();
+  if(!defect && prescriptions.wants_equal_seams())
+    defect = equalize_seams(reader.chart, prescriptions.equal_seam_lengths.has_value());
+  if(!defect)
+    defect = read_angle_sums(reader.vertex_descriptors, prescriptions.angle_sums, mesh, reader.chart);
+  return defect;
+}
 
-private:
-  bool read()
-  {
-    Report& report = m_outcome.report;
-    const Stage stage(m_options.visitor, Flattening_visitor::READ, report.seconds.read);
-    Chart_defect defect = m_reader.read(m_border, m_vimap);
-    if(!defect)
-      defect = diagnose(m_reader.chart, m_options.holes != Flattening_options::REFUSE);
-    if(!defect)
-      defect = read_importance(m_reader, m_prescriptions.importance);
-    if(!defect && m_prescriptions.seam_sides) {
-      m_reader.link_seams([&](halfedge_descriptor h) { return across_seam(h); });
-      defect = find_wrong_seam(m_reader.chart);
-    }
-    if(!defect)
-      defect = m_prescriptions.find_conflict();
-    if(!defect && m_prescriptions.wants_equal_seams())
-      defect = equalize_seams(m_reader.chart, m_prescriptions.equal_seam_lengths.has_value());
-    if(!defect)
-      defect =
-          read_angle_sums(m_reader.vertex_descriptors, m_prescriptions.angle_sums, m_mesh, m_reader.chart);
-    report.vertices = m_reader.chart.number_of_vertices();
-    report.triangles = m_reader.number_of_faces();
-    report.borders = static_cast<int>(m_reader.chart.borders.size());
-    if(!defect)
-      return true;
-    fail(report, defect.status, defect.message);
-    m_outcome.name_offenders(m_reader, defect.vertices, defect.triangles);
-    return false;
-  }
-
-  halfedge_descriptor across_seam(halfedge_descriptor h) const
-  {
-    const halfedge_descriptor other = m_prescriptions.seam_sides(opposite(h, m_mesh));
-    return other != boost::graph_traits<TriangleMesh>::null_halfedge() && CGAL::is_border(other, m_mesh)
-               ? opposite(other, m_mesh)
-               : boost::graph_traits<TriangleMesh>::null_halfedge();
-  }
-
-  void flatten()
-  {
-    typedef typename boost::property_traits<VertexUVmap>::value_type Point;
-    Report& report = m_outcome.report;
-    Flattening<Report> flattening = m_flatten(m_reader.chart, &round_to_points<Point>);
-    flattening.report.seconds += report.seconds;
-    report = std::move(flattening.report);
-    if(report.status != Diagnosis::NOTHING_WRONG) {
-      m_outcome.name_offenders(m_reader, {}, flattening.invalid);
-      return;
-    }
-    const Stage stage(m_options.visitor, Flattening_visitor::WRITE, report.seconds.write);
-    write_chart(m_reader, flattening.uv, m_uvmap);
-  }
-
-  const TriangleMesh& m_mesh;
-  Chart_reader<TriangleMesh> m_reader;
-  halfedge_descriptor m_border;
-  VertexUVmap m_uvmap;
-  VertexIndexMap m_vimap;
-  const Prescriptions<TriangleMesh>& m_prescriptions;
-  const Flattening_options& m_options;
-  const Flatten& m_flatten;
-  Outcome<TriangleMesh, Report> m_outcome;
-};
-
-// `flatten` is called with a chart and a function that rounds its coordinates, and returns a `Flattening<Report>`.
+// Reads a chart, flattens it, and writes the coordinates if the map is valid. `flatten` is called with the chart, which
+// it may consume, and with what rounds its coordinates; it returns a `Flattening<Report>`.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Options, typename Flatten>
 Outcome<TriangleMesh, Report>
@@ -210,30 +155,62 @@ run_parameterizer(const TriangleMesh& mesh,
                   VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
                   const Options& options, const Flatten& flatten)
 {
+  Outcome<TriangleMesh, Report> outcome;
+  Report& report = outcome.report;
   std::string wrong = wrong_option(options);
   if(wrong.empty())
     wrong = missing_strategy(options);
   if(!wrong.empty()) {
-    Outcome<TriangleMesh, Report> outcome;
-    fail(outcome.report, Diagnosis::WRONG_OPTION, wrong);
+    fail(report, Diagnosis::WRONG_OPTION, wrong);
     return outcome;
   }
-  return Parameterizer_run<Report, TriangleMesh, VertexUVmap, VertexIndexMap, Flatten>(
-             mesh, bhd, uvmap, vimap, prescriptions, options, flatten)
-      .run();
+  const auto run = [&] {
+    Chart_reader<TriangleMesh> reader(mesh);
+    {
+      const Stage stage(options.visitor, Flattening_visitor::READ, report.seconds.read);
+      const Chart_defect defect =
+          read_prescribed_chart(mesh, bhd, vimap, prescriptions, options.holes, reader);
+      report.vertices = reader.chart.number_of_vertices();
+      report.triangles = reader.number_of_faces();
+      report.borders = static_cast<int>(reader.chart.borders.size());
+      if(defect) {
+        fail(report, defect.status, defect.message);
+        outcome.name_offenders(reader, defect.vertices, defect.triangles);
+        return;
+      }
+    }
+    Flattening<Report> flattening =
+        flatten(reader.chart, &round_to_points<typename boost::property_traits<VertexUVmap>::value_type>);
+    flattening.report.seconds += report.seconds;
+    report = std::move(flattening.report);
+    outcome.angles = std::move(flattening.angles);
+    if(report.status != Diagnosis::NOTHING_WRONG) {
+      outcome.name_offenders(reader, {}, flattening.invalid);
+      return;
+    }
+    const Stage stage(options.visitor, Flattening_visitor::WRITE, report.seconds.write);
+    write_chart(reader, flattening.uv, uvmap);
+  };
+  with_threads(options.threads, [&] {
+    try {
+      run();
+    } catch(const Cancelled&) {
+      fail(report, Diagnosis::CANCELLED, "a visitor stopped the computation");
+    }
+  });
+  report.peak_memory = peak_resident_size();
+  return outcome;
 }
 
-// Numbers the vertices of a component, and calls a parameterizer, which checks the halfedge.
-template <typename TriangleMesh, typename Parameterizer, typename VertexUVmap>
-Error_code parameterize_component(TriangleMesh& mesh, Parameterizer& parameterizer,
-                                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                                  VertexUVmap uvmap)
+// The vertices of the component of a border halfedge, numbered
+template <typename TriangleMesh>
+auto numbered_vertices(const TriangleMesh& mesh,
+                       typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd)
 {
   const auto number = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   if(bhd != boost::graph_traits<TriangleMesh>::null_halfedge() && CGAL::is_border(bhd, mesh))
     internal::fill_index_map_of_cc(bhd, mesh, number);
-  return parameterizer.parameterize(mesh, bhd, uvmap, number,
-                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+  return number; // for a wrong halfedge, which the parameterizer refuses, without numbers
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
