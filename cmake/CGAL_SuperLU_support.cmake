@@ -7,5 +7,5 @@ if(SuperLU_FOUND AND TARGET SuperLU::SuperLU AND NOT TARGET CGAL::SuperLU_suppor
   add_library(CGAL::SuperLU_support INTERFACE IMPORTED)
   set_target_properties(CGAL::SuperLU_support PROPERTIES
     INTERFACE_COMPILE_DEFINITIONS "CGAL_SUPERLU_ENABLED"
-    INTERFACE_LINK_LIBRARIES "SuperLU::SuperLU;${CMAKE_DL_LIBS}") # where OpenBLAS is looked for
+    INTERFACE_LINK_LIBRARIES SuperLU::SuperLU)
 endif()

@@ -17,6 +17,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <dlfcn.h>
+
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -152,6 +154,30 @@ int check_meshes(const test_data::Folder& folder)
 }
 
 } // namespace
+
+// Whatever BLAS is linked: only OpenBLAS has these functions. The headers do not look for them by name.
+BOOST_AUTO_TEST_CASE(one_thread_of_OpenBLAS)
+{
+  const auto threads = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+  const auto set_threads = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  BOOST_TEST((CGAL::internal::openblas_get_num_threads == threads));
+  if(threads == nullptr)
+    return;
+  const int before = threads();
+  set_threads(2);
+  const int several = threads();
+  {
+    const CGAL::internal::SuperLU_one_blas_thread one;
+    BOOST_TEST(threads() == 1);
+    {
+      const CGAL::internal::SuperLU_one_blas_thread another;
+      BOOST_TEST(threads() == 1);
+    }
+    BOOST_TEST(threads() == 1);
+  }
+  BOOST_TEST(threads() == several);
+  set_threads(before);
+}
 
 // The interior vertices and all vertices of random charts, as in the two kinds of systems
 BOOST_AUTO_TEST_CASE(random_charts)

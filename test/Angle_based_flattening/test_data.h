@@ -35,7 +35,7 @@ struct Folder
 };
 
 inline const Folder examples{"ABF_EXAMPLES_DIR"}, CGAL_meshes{"ABF_DATA_DIR"},
-    reference_disks{"ABF_SHARED_DATA_DIR"};
+    CGAL_examples{"ABF_CGAL_EXAMPLES_DIR"}, reference_disks{"ABF_SHARED_DATA_DIR"};
 
 // The decorator of a suite. ctest looks for the line that is printed.
 inline boost::unit_test::precondition needs(const Folder& folder)

@@ -6,8 +6,9 @@
 #ifndef ABF_BENCHMARK_MEASUREMENT_H
 #define ABF_BENCHMARK_MEASUREMENT_H
 
+#include "flatten_mesh/peak_memory.h"
+
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 
 #include <malloc.h>
 
@@ -104,10 +105,7 @@ public:
   }
 
 private:
-  static double peak()
-  {
-    return static_cast<double>(CGAL::Surface_mesh_parameterization::internal::ABF::peak_resident_size());
-  }
+  static double peak() { return flatten_mesh::peak_memory_mb() * 1024 * 1024; }
 
   CGAL::Real_timer m_timer;
   double m_bytes_before;

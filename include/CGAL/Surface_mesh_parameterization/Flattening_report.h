@@ -89,7 +89,8 @@ struct Flattening_report : Report
 
   Seconds seconds; ///< Time of each stage.
 
-  /// Largest resident size of the process until the end of the run, in bytes; 0 if the system does not report it.
+  /// Largest resident size of the process until the end of the run, in bytes, as `getrusage()` has it; 0 if the system does not
+  /// report it. On Linux, it is at least the size of the process that started this one.
   std::size_t peak_memory = 0;
 };
 

@@ -25,7 +25,14 @@ else()
   set(prefix ${root})
 endif()
 
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${project} -G ${GENERATOR}
+set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${project} -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS} -D CMAKE_PREFIX_PATH=${prefix}
-  -D CMAKE_DISABLE_FIND_PACKAGE_TBB=${WITHOUT_TBB} -D WITHOUT_TBB=${WITHOUT_TBB} -D COMPONENTS=${COMPONENTS})
+  -D CMAKE_DISABLE_FIND_PACKAGE_TBB=${WITHOUT_TBB} -D WITHOUT_TBB=${WITHOUT_TBB})
+if(NOT COMPONENTS) # who asks for the compiled library is told how to get it
+  execute_process(COMMAND ${configure} -D COMPONENTS=core RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE message)
+  if(result EQUAL 0 OR NOT message MATCHES "Install.*the.*package.*with.*-DABF_INSTALL_CORE=ON")
+    message(FATAL_ERROR "the compiled library is found, or nothing says how to get it:\n${message}")
+  endif()
+endif()
+run(${configure} -D COMPONENTS=${COMPONENTS})
 run(${CMAKE_COMMAND} --build ${project} --config ${CONFIG} --target run)

@@ -15,6 +15,7 @@
 #include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/peak_memory.h"
 #include "flatten_mesh/atlas/make_atlas_of_input.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
@@ -40,7 +41,6 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 
 #include <algorithm>
@@ -249,7 +249,7 @@ void write_files(const Command_line& command, const Atlas_input& input, const At
     }
   }
   record.write_seconds = timer.time();
-  record.peak_memory_mb = static_cast<double>(SMP::internal::ABF::peak_resident_size()) / (1024. * 1024.);
+  record.peak_memory_mb = peak_memory_mb();
   if(!command.json.empty()) {
     files.open(command.json).write(report_json(record));
   }

@@ -104,6 +104,7 @@ struct Run_record
   std::size_t components = 0; // of the whole mesh
   double read_seconds = 0;
   double write_seconds = 0;
+  double peak_memory_mb = 0; // until the map was computed; 0 if unknown
   std::optional<Seam_record> seams;
   std::optional<Cone_record> cones;
   Flattening flattening;
@@ -187,12 +188,6 @@ inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Run_r
   }
   result.emplace_back("write", record.write_seconds);
   return result;
-}
-
-// The peak memory of this process until the map was computed, in megabytes; 0 if unknown.
-inline double peak_memory_mb(const SMP::ABF_plus_plus_report& report)
-{
-  return static_cast<double>(report.peak_memory) / (1024. * 1024.);
 }
 
 } // namespace flatten_mesh

@@ -145,8 +145,7 @@ inline std::string report_json(const Run_record& record)
     seconds.add(stage.first, json_number(stage.second));
   }
   json.add("seconds", seconds.text());
-  const double memory = peak_memory_mb(report);
-  json.add("peak_memory_mb", memory > 0 ? json_number(memory) : "null");
+  json.add("peak_memory_mb", record.peak_memory_mb > 0 ? json_number(record.peak_memory_mb) : "null");
   return json.text() + "\n";
 }
 

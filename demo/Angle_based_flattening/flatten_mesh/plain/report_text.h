@@ -186,8 +186,8 @@ inline Report_rows surface_rows(const Run_record& record)
 inline Report_rows run_rows(const Run_record& record)
 {
   Report_rows rows = internal::time_rows(record);
-  if(const double memory = peak_memory_mb(record.flattening.report); memory > 0) {
-    rows.push_back({"peak memory", format_number("%.0f MB", memory)});
+  if(record.peak_memory_mb > 0) {
+    rows.push_back({"peak memory", format_number("%.0f MB", record.peak_memory_mb)});
   }
   for(const std::string& name : record.written) {
     rows.push_back({"written", name});

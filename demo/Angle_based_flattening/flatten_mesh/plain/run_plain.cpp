@@ -12,6 +12,7 @@
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/Progress.h"
+#include "flatten_mesh/peak_memory.h"
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/plain/Seamed_component.h"
 #include "flatten_mesh/plain/area.h"
@@ -422,6 +423,7 @@ Exit_status run_plain(const Command_line& command)
                       : prescribes_angles(command)
                           ? flatten_with_angles(command, surface, record, progress, notes)
                           : flatten_chart(surface.input, surface.chart, command, progress);
+  record.peak_memory_mb = peak_memory_mb();
   record.borders = surface.chart.borders.size();
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);

@@ -82,8 +82,8 @@ public:
     if(panel == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
     // two arrays of reals, two of integers, the work arrays, and a dozen vectors
-    const SuperLU_memory memory(2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) +
-                                64. * size() + SuperLU_blas_buffer());
+    const double bytes = 2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) + 64. * size();
+    const SuperLU_memory memory(bytes + SuperLU_blas_buffer(bytes));
     if(!memory.is_there())
       return false;
 

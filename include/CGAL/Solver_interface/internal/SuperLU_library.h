@@ -11,13 +11,7 @@
 
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <dlfcn.h>
-#define CGAL_SUPERLU_CAN_FIND_OPENBLAS
-#endif
-
 #ifdef __linux__
-#include <fstream>
 #include <sys/resource.h>
 #endif
 
@@ -29,6 +23,17 @@
 
 namespace CGAL {
 namespace internal {
+
+// Functions that only OpenBLAS has. With another BLAS, their addresses are null; so they are in programs of
+// position-dependent code that gold or lld has linked.
+#ifdef __ELF__
+extern "C" {
+int openblas_get_num_threads() __attribute__((weak));
+void openblas_set_num_threads(int) __attribute__((weak));
+}
+#define CGAL_SUPERLU_CAN_FIND_OPENBLAS
+#endif
+
 inline namespace CGAL_SUPERLU_TYPES {
 
 // The functions of SuperLU that depend on the number type, and SuperLU's name of that type.
@@ -74,10 +79,8 @@ private:
   static void enter(int change)
   {
 #ifdef CGAL_SUPERLU_CAN_FIND_OPENBLAS
-    static const auto get_threads =
-        reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
-    static const auto set_threads =
-        reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+    static int (*const get_threads)() = openblas_get_num_threads;
+    static void (*const set_threads)(int) = openblas_set_num_threads;
     static std::mutex mutex;
     static int users = 0, threads = 1;
 
@@ -95,25 +98,19 @@ private:
 };
 
 // The number of bytes of the buffer that OpenBLAS allocates at its first use in a thread, and for which it would wait
-// forever. It is 0 where that cannot fail: address space is then not limited, and asking for it would take longer than
-// a small factorization.
-inline double SuperLU_blas_buffer()
+// forever: they are asked for together with the `bytes` of a factorization. It is 0 for small factorizations where
+// address space is not limited. There it is unlikely to fail, and would take longer than the factorization.
+inline double SuperLU_blas_buffer(double bytes)
 {
-  const double bytes = 1.5e8;
 #ifdef __linux__
-  static const bool is_overcommitted = [] {
-    std::ifstream file("/proc/sys/vm/overcommit_memory");
-    int mode = 2;
-    return file >> mode && mode != 2;
-  }();
   const auto is_unlimited = [](auto resource) {
     rlimit limit;
     return getrlimit(resource, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
   };
-  if(is_overcommitted && is_unlimited(RLIMIT_AS) && is_unlimited(RLIMIT_DATA))
+  if(bytes < 1e7 && is_unlimited(RLIMIT_AS) && is_unlimited(RLIMIT_DATA))
     return 0;
 #endif
-  return bytes;
+  return 1.5e8;
 }
 
 // Memory that a call of SuperLU is going to allocate. To find out whether it is available, it is allocated and freed,

@@ -16,32 +16,13 @@
 #endif
 
 #include <cstddef>
-#include <cstdio>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The peak memory of this program in bytes, from Linux; 0 on other systems. Does not use a stream, which could throw
-// after a successful run.
-inline std::size_t peak_of_program()
-{
-  std::size_t kilobytes = 0;
-#ifdef __linux__
-  if(std::FILE* status = std::fopen("/proc/self/status", "r")) {
-    char line[256];
-    while(kilobytes == 0 && std::fgets(line, sizeof(line), status))
-      std::sscanf(line, "VmHWM: %zu", &kilobytes);
-    std::fclose(status);
-  }
-#endif
-  return kilobytes * 1024;
-}
-
-// The largest resident size of the process so far, in bytes; 0 if the system does not tell.
+// The largest resident size of the process so far, in bytes; 0 if the system does not tell. On Linux, the count starts with the size of
+// the parent process.
 inline std::size_t peak_resident_size()
 {
-  // getrusage() comes second: on Linux its count starts with the size of the parent process.
-  if(const std::size_t peak = peak_of_program())
-    return peak;
 #if defined(__unix__) || defined(__APPLE__)
 #ifdef __APPLE__
   const std::size_t unit = 1;

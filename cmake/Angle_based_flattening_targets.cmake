@@ -1,0 +1,102 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The targets of the package, and what they stand on. The package includes this, and so do its examples, demo and tests, which
+# can be built alone, as in CGAL.
+include_guard(DIRECTORY)
+get_filename_component(ABF_PACKAGE_DIR ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+
+# What the headers stand on. CGAL goes first: it brings the module that finds Eigen its way.
+find_package(CGAL 5.5 REQUIRED)
+find_package(Eigen3 REQUIRED) # Eigen 5, which follows 3.4, is not found by those who ask for 3.4
+if("${Eigen3_VERSION}" STREQUAL "")
+  set(Eigen3_VERSION "${EIGEN3_VERSION}") # CGAL's module
+endif()
+if(Eigen3_VERSION VERSION_LESS 3.4)
+  message(FATAL_ERROR "Eigen 3.4 or later is needed, and ${Eigen3_VERSION} was found")
+endif()
+include(CGAL_Eigen3_support)
+find_package(SuperLU 5.3 REQUIRED)
+include(CGAL_SuperLU_support)
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+
+add_library(CGAL_Angle_based_flattening_headers INTERFACE)
+add_library(CGAL::Angle_based_flattening_headers ALIAS CGAL_Angle_based_flattening_headers)
+set_target_properties(CGAL_Angle_based_flattening_headers PROPERTIES EXPORT_NAME Angle_based_flattening_headers)
+target_compile_features(CGAL_Angle_based_flattening_headers INTERFACE cxx_std_17)
+target_include_directories(CGAL_Angle_based_flattening_headers INTERFACE
+  $<BUILD_INTERFACE:${ABF_PACKAGE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE
+  CGAL::CGAL CGAL::Eigen3_support CGAL::SuperLU_support)
+if(TARGET CGAL::TBB_support) # the installed package looks for TBB itself
+  target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE $<BUILD_INTERFACE:CGAL::TBB_support>)
+endif()
+
+if(ABF_CGAL_INCLUDE_DIR)
+  file(STRINGS ${ABF_CGAL_INCLUDE_DIR}/CGAL/version.h version REGEX "#define CGAL_VERSION +[0-9.]+")
+  string(REGEX MATCH "[0-9.]+" version "${version}")
+  message(STATUS "Using the headers of CGAL ${version} in ${ABF_CGAL_INCLUDE_DIR}")
+  target_include_directories(CGAL_Angle_based_flattening_headers SYSTEM BEFORE INTERFACE
+    $<BUILD_INTERFACE:${ABF_CGAL_INCLUDE_DIR}>)
+endif()
+
+# What only our programs use. The libraries above are system headers to the compiler: it warns of our code only.
+if(ABF_WARNINGS_AS_ERRORS)
+  add_compile_options(-Wall -Wextra -Werror)
+endif()
+# Of the number types behind exact predicates, those of GMP are quicker to compile. All that is linked together has to agree on
+# them, users' programs with an installed library, too.
+if(ABF_TOP_LEVEL AND NOT ABF_INSTALL_CORE)
+  add_compile_definitions(CGAL_DO_NOT_USE_BOOST_MP)
+endif()
+# Tests and short examples take longer to compile than to run.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(ABF_QUICK_TO_COMPILE $<$<CONFIG:Release>:-O1>)
+endif()
+if(ABF_SANITIZE)
+  # What the address sanitizer sees anyway is not checked twice, for that takes half of the time to compile.
+  add_compile_options(-fsanitize=${ABF_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr
+                      -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1 -O1 -D_GLIBCXX_ASSERTIONS)
+  add_link_options(-fsanitize=${ABF_SANITIZE})
+endif()
+
+add_library(abf_cholmod INTERFACE) # empty without CHOLMOD
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)
+if(CHOLMOD_INCLUDE_DIR AND CHOLMOD_LIBRARY)
+  target_include_directories(abf_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+  target_link_libraries(abf_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+  target_compile_definitions(abf_cholmod INTERFACE ABF_WITH_CHOLMOD)
+endif()
+
+# Whether a program is built: `out` becomes true or false.
+function(abf_is_wanted name out)
+  set(${out} TRUE PARENT_SCOPE)
+  if(ABF_ONLY AND NOT name IN_LIST ABF_ONLY)
+    set(${out} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# The numerics and the default solver, compiled once: most of our programs link with it, so that none of them has to
+# compile them again.
+add_library(CGAL_Angle_based_flattening STATIC EXCLUDE_FROM_ALL
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_atlas.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_charts.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_direct.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_hierarchical.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_texture.cpp)
+add_library(CGAL::Angle_based_flattening ALIAS CGAL_Angle_based_flattening)
+set_target_properties(CGAL_Angle_based_flattening PROPERTIES EXPORT_NAME Angle_based_flattening)
+target_link_libraries(CGAL_Angle_based_flattening PUBLIC CGAL::Angle_based_flattening_headers)
+target_compile_definitions(CGAL_Angle_based_flattening PUBLIC CGAL_ANGLE_BASED_FLATTENING_COMPILED)
+# What most of their units include from elsewhere is parsed once for the library and the program.
+target_precompile_headers(CGAL_Angle_based_flattening PRIVATE
+  <algorithm> <array> <iostream> <map> <optional> <sstream> <string> <vector>
+  <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
+  <CGAL/boost/graph/Euler_operations.h>
+  <CGAL/Polygon_mesh_processing/connected_components.h> <CGAL/Polygon_mesh_processing/measure.h> <Eigen/Core>)

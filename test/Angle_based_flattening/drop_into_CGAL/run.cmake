@@ -1,0 +1,28 @@
+# Drops the package into a checkout of CGAL, and then configures its examples, demo and tests alone, and builds and runs an example.
+# Called by ctest with SOURCE_DIR, BASH, CGAL_DIR and CGAL_INCLUDE_DIR of the CGAL that the checkout is made of, BUILD_DIR, GENERATOR,
+# COMPILER, CONFIG and its FLAGS.
+set(checkout ${BUILD_DIR}/CGAL_checkout)
+set(build ${BUILD_DIR}/CGAL_checkout_build)
+file(REMOVE_RECURSE ${checkout} ${build})
+
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# The folders by which CGAL finds out that it is a checkout: then each of its packages has headers of its own.
+set(installation ${checkout}/Installation)
+file(MAKE_DIRECTORY ${installation}/package_info/Installation ${installation}/include)
+file(CREATE_LINK ${CGAL_INCLUDE_DIR}/CGAL ${installation}/include/CGAL SYMBOLIC)
+file(GLOB modules ${CGAL_DIR}/*.cmake)
+file(COPY ${modules} DESTINATION ${installation}/cmake/modules)
+file(COPY ${modules} DESTINATION ${installation}/lib/cmake/CGAL)
+
+run(${BASH} ${SOURCE_DIR}/scripts/drop-into-cgal ${checkout})
+foreach(part examples demo test)
+  run(${CMAKE_COMMAND} -S ${checkout}/Angle_based_flattening/${part}/Angle_based_flattening -B ${build}/${part} -G ${GENERATOR}
+    -D CGAL_DIR=${installation}/lib/cmake/CGAL
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS})
+endforeach()
+run(${CMAKE_COMMAND} --build ${build}/examples --config ${CONFIG} --target abf_plus_plus_polyhedron)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${build}/examples --build-config ${CONFIG} --no-tests=error --output-on-failure
+  --tests-regex ^abf_plus_plus_polyhedron$)
