@@ -7,6 +7,7 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/bake_surface.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
@@ -41,39 +42,24 @@ bool write_png(const char* name, int resolution, png_uint_32 format, const void*
   return png_image_write_to_file(&image, name, 0, pixels, 0, nullptr) != 0;
 }
 
-// Each corner has a texture coordinate and a normal of its own; programs join what is equal.
-bool write_obj(const Surface& surface, const UV_map& uv, const Frame_map& frames)
+// The material names both pictures, and the normals are those that the texture refers to.
+bool write_obj(Surface& surface, const UV_map& uv, const Frame_map& frames,
+               const SMP::Baked_textures& textures)
 {
-  std::ofstream out("bake_normals.obj");
-  out << "mtllib bake_normals.mtl\nusemtl baked\n";
-  out.precision(9);
-  for(auto v : vertices(surface))
-    out << "v " << surface.point(v) << "\n";
-  std::size_t corner = 0;
+  const auto normals =
+      surface.add_property_map<Surface::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR).first;
   for(auto f : faces(surface)) {
     for(auto h : halfedges_around_face(halfedge(f, surface), surface)) {
       const auto& n = frames[h].normal;
-      out << "vt " << uv[h] << "\nvn " << n[0] << " " << n[1] << " " << n[2] << "\n";
+      normals[target(h, surface)] = Kernel::Vector_3(n[0], n[1], n[2]);
     }
-    out << "f";
-    for(auto h : halfedges_around_face(halfedge(f, surface), surface)) {
-      ++corner;
-      out << " " << surface.target(h).idx() + 1 << "/" << corner << "/" << corner;
-    }
-    out << "\n";
   }
-  return bool(out);
-}
-
-// Some programs take the texture of normals from `norm`, others from `map_Bump`.
-bool write_mtl(const SMP::Baked_textures& textures)
-{
-  std::ofstream out("bake_normals.mtl");
-  out << "newmtl baked\nKd 0.8 0.8 0.8\n"
-      << "norm bake_normals.png\nmap_Bump bake_normals.png\n"
-      << "disp -mm " << textures.least_displacement << " "
-      << textures.greatest_displacement - textures.least_displacement << " bake_displacement.png\n";
-  return bool(out);
+  SMP::OBJ_material material;
+  material.normal_image = "bake_normals.png";
+  material.displacement_image = "bake_displacement.png";
+  material.least_displacement = textures.least_displacement;
+  material.greatest_displacement = textures.greatest_displacement;
+  return bool(SMP::IO::write_OBJ("bake_normals.obj", surface, uv, material, np::vertex_normal_map(normals)));
 }
 
 // Each corner is a vertex of its own: 12 numbers, 48 bytes. In glTF, v goes down, and numbers are little endian, as on
@@ -162,6 +148,6 @@ int main(int argc, char* argv[])
       write_png("bake_normals.png", 512, PNG_FORMAT_RGB, textures.normal_pixels<std::uint8_t>().data()) &&
       write_png("bake_displacement.png", 512, PNG_FORMAT_LINEAR_Y,
                 textures.displacement_pixels<std::uint16_t>().data()) &&
-      write_mtl(textures) && write_obj(simple, uv, frames) && write_gltf(simple, uv, frames);
+      write_obj(simple, uv, frames, textures) && write_gltf(simple, uv, frames);
   return is_written ? 0 : 1;
 }

@@ -39,6 +39,5 @@ int main(int argc, char* argv[])
             << ", stretch " << report.measures.l2_stretch << ", covered " << 100 * report.covered_share
             << " %\n";
 
-  const bool is_written = SMP::IO::write_OBJ("make_atlas.obj", surface, uv);
-  return report && is_written ? 0 : 1;
+  return SMP::IO::write_OBJ("make_atlas.obj", surface, uv) && report ? 0 : 1;
 }

@@ -32,6 +32,8 @@ enum class Diagnosis
   TOO_LARGE,           ///< There are more triangles than 32-bit numbers allow.
   NO_AREA,             ///< No face has an area in space, or a weight above 0.
   NON_MANIFOLD_VERTEX, ///< The faces around a vertex form several fans: the surface is pinched.
+  NON_MANIFOLD_EDGE,   ///< Two faces run along an edge in the same direction, or more than two meet there.
+  REPEATED_VERTEX,     ///< A face has the same vertex twice.
   SEVERAL_COMPONENTS,  ///< The surface is not connected.
   NO_BORDER,           ///< The surface is closed: it must be cut open first.
   NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
@@ -78,7 +80,7 @@ enum class Diagnosis
   TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the square, however small the charts are.
 
   // Baking
-  /// Texture coordinates of a face are not finite, or no face has an area in the texture.
+  /// A face has texture coordinates that are not finite, or at some corners only; or no face has an area there.
   NO_TEXTURE_COORDINATES,
   OUTSIDE_SQUARE,             ///< A texture coordinate is below 0 or above 1.
   EMPTY_FINE_MESH,            ///< The fine surface has no face with an area.
@@ -91,8 +93,9 @@ enum class Diagnosis
   CANNOT_READ,         ///< Reading failed.
   CANNOT_WRITE,        ///< Writing failed, for example because the disk is full.
   TOO_FEW_LINES,       ///< The file has no third line.
-  NOT_A_NUMBER,        ///< A word is not a vertex number.
-  NUMBER_OUT_OF_RANGE, ///< The mesh has no vertex of this number.
+  TOO_FEW_NUMBERS,     ///< A line has fewer numbers than it needs.
+  NOT_A_NUMBER,        ///< A word is not a number.
+  NUMBER_OUT_OF_RANGE, ///< There is no vertex, or no pair of texture coordinates, of this number.
   ODD_COUNT,           ///< The number of vertex numbers is odd.
   NO_SUCH_EDGE         ///< There is no edge between two vertices.
 };
@@ -109,6 +112,8 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "TOO_LARGE",
                                    "NO_AREA",
                                    "NON_MANIFOLD_VERTEX",
+                                   "NON_MANIFOLD_EDGE",
+                                   "REPEATED_VERTEX",
                                    "SEVERAL_COMPONENTS",
                                    "NO_BORDER",
                                    "NOT_ON_BORDER",
@@ -150,6 +155,7 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "CANNOT_READ",
                                    "CANNOT_WRITE",
                                    "TOO_FEW_LINES",
+                                   "TOO_FEW_NUMBERS",
                                    "NOT_A_NUMBER",
                                    "NUMBER_OUT_OF_RANGE",
                                    "ODD_COUNT",

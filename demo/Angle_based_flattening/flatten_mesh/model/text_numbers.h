@@ -6,42 +6,17 @@
 #ifndef FLATTEN_MESH_TEXT_NUMBERS_H
 #define FLATTEN_MESH_TEXT_NUMBERS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/text_numbers.h>
+
 #include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <limits>
-#include <string>
 #include <string_view>
 #include <system_error>
 
 namespace flatten_mesh {
 
-// Whether a word is a number, which may be none: "nan", "-nan(ind)", "inf", "1.#QNAN". Independent of the locale.
-inline bool read_number(std::string_view word, double& number)
-{
-  if(word.size() > 1 && word[0] == '+' && word[1] != '-') {
-    word.remove_prefix(1);
-  }
-  const char* const end = word.data() + word.size();
-  const std::from_chars_result result = std::from_chars(word.data(), end, number);
-  if(result.ec == std::errc::result_out_of_range) { // infinite or nearly zero
-    number = std::strtod(std::string(word.data(), result.ptr).c_str(), nullptr);
-  } else if(result.ec != std::errc()) {
-    return false;
-  }
-  const std::string_view rest(result.ptr, static_cast<std::size_t>(end - result.ptr));
-  if(rest.size() > 1 && rest[0] == '#' && (rest[1] < '0' || rest[1] > '9')) { // as Windows writes it
-    number = std::numeric_limits<double>::quiet_NaN();
-    return true;
-  }
-  return rest.empty();
-}
-
-inline bool read_finite_number(const std::string_view word, double& number)
-{
-  return read_number(word, number) && std::isfinite(number);
-}
+using CGAL::Surface_mesh_parameterization::internal::ABF::read_finite_number;
+using CGAL::Surface_mesh_parameterization::internal::ABF::read_number;
 
 // Whether a word is a count, or the number of an element from 0.
 inline bool read_count(const std::string_view word, std::size_t& count)
