@@ -31,8 +31,8 @@ target_compile_features(CGAL_Angle_based_flattening_headers INTERFACE cxx_std_17
 target_include_directories(CGAL_Angle_based_flattening_headers INTERFACE
   $<BUILD_INTERFACE:${ABF_PACKAGE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE
-  CGAL::CGAL CGAL::Eigen3_support CGAL::SuperLU_support)
-if(TARGET CGAL::TBB_support) # the installed package looks for TBB itself
+  CGAL::CGAL CGAL::Eigen3_support $<BUILD_INTERFACE:CGAL::SuperLU_support>) # the installed package looks for SuperLU itself
+if(TARGET CGAL::TBB_support) # and for TBB
   target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE $<BUILD_INTERFACE:CGAL::TBB_support>)
 endif()
 

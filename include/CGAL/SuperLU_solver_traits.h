@@ -22,6 +22,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
+#include <CGAL/Solver_interface/internal/SuperLU_sparse_matrix.h>
 #include <CGAL/Solver_traits_properties.h>
 #include <CGAL/SuperLU_options.h>
 
@@ -55,6 +56,10 @@ factorization reuses the ordering, also in a copy of this object. `analyze_patte
 
 \cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d,
 NormalEquationSparseLinearAlgebraTraits_d}
+
+With `double`, the class replaces `Eigen_solver_traits` in the algorithms of \cgal: the parameterizers of surface meshes,
+`Surface_mesh_deformation`, `Heat_method_3::Surface_mesh_geodesic_distances_3`, `Polygon_mesh_processing::fair()`,
+`Poisson_reconstruction_function::compute_implicit_function()` and `Mean_curvature_flow_skeletonization`.
 
 \tparam FT the number type, `double` or `float`
 
@@ -120,6 +125,7 @@ class SuperLU_solver_traits
                 "SuperLU_solver_traits is available for double and float only");
 
   typedef internal::SuperLU_matrix<FT> Columns;
+  typedef internal::SuperLU_sparse_matrix<FT> Sparse_matrix;
   typedef internal::SuperLU_analysis Analysis;
   typedef internal::SuperLU_factorization<FT> Factorization;
 
@@ -131,9 +137,9 @@ public:
   typedef FT NT;
   /// the type of vectors
   typedef CGAL::Eigen_vector<NT> Vector;
-  /// the type of matrices. If it was constructed with `is_symmetric` equal to `true`,
-  /// so that it stores one triangle only, then it stands for the whole symmetric matrix.
-  typedef CGAL::Eigen_sparse_matrix<NT> Matrix;
+  /// the type of matrices: an `Eigen_sparse_matrix<NT>`, whose dimensions can be integers of any type. If it was constructed
+  /// with `is_symmetric` equal to `true`, so that it stores one triangle only, then it stands for the whole symmetric matrix.
+  typedef Sparse_matrix Matrix;
   /// the type of indices
   typedef Eigen::Index Index;
   /// the type of several vectors, which are the columns of a dense matrix
@@ -155,7 +161,7 @@ public:
 
   /// solves the linear system \f$ A \times X = B\f$, sets `D` to 1, and keeps the factorization of `A`.
   /// \return `true` if successful, otherwise `X` is unspecified
-  bool linear_solver(const Matrix& A, const Vector& B, Vector& X, NT& D)
+  bool linear_solver(const Eigen_sparse_matrix<NT>& A, const Vector& B, Vector& X, NT& D)
   {
     return factor(A, D) && linear_solver(B, X);
   }
@@ -163,7 +169,7 @@ public:
   /// computes the ordering for matrices with the pattern of `A` that are definite if `A` might be. `factor()` can
   /// then use it, on this object and on copies made later. The factorization is unchanged.
   /// \return `true` if successful
-  bool analyze_pattern(const Matrix& A)
+  bool analyze_pattern(const Eigen_sparse_matrix<NT>& A)
   {
     try {
       return with_columns(A, [&](const Columns& a) {
@@ -180,7 +186,7 @@ public:
 
   /// factors `A` for subsequent calls of `linear_solver()`, and sets `D` to 1.
   /// \return `true` if successful
-  bool factor(const Matrix& A, NT& D)
+  bool factor(const Eigen_sparse_matrix<NT>& A, NT& D)
   {
     D = 1;
     return factor_anew([&] { return with_columns(A, [&](const Columns& a) { return factor_columns(a); }); });
@@ -192,7 +198,7 @@ public:
 
   /// solves the linear system \f$ A \times X = B\f$ for a `B` that is a sparse matrix with one column.
   /// \return `true` if successful, otherwise `X` is unspecified
-  bool linear_solver(const Matrix& B, Vector& X) const
+  bool linear_solver(const Eigen_sparse_matrix<NT>& B, Vector& X) const
   {
     const Columns& b = B.eigen_object();
     return b.cols() == 1 && solve(typename Vector::EigenType(b.col(0)), X.eigen_object());
@@ -205,7 +211,7 @@ public:
   /// factors \f$ A^t \times A\f$ for subsequent calls of `normal_equation_solver()`. `A` may have more rows than
   /// columns, and its columns must be linearly independent. Symmetric mode is used.
   /// \return `true` if successful
-  bool normal_equation_factor(const Matrix& A)
+  bool normal_equation_factor(const Eigen_sparse_matrix<NT>& A)
   {
     return factor_anew([&] {
       Columns a = A.eigen_object();
@@ -229,7 +235,7 @@ public:
   }
 
   /// calls `normal_equation_factor(A)` and then `normal_equation_solver(B, X)`.
-  bool normal_equation_solver(const Matrix& A, const Vector& B, Vector& X)
+  bool normal_equation_solver(const Eigen_sparse_matrix<NT>& A, const Vector& B, Vector& X)
   {
     return normal_equation_factor(A) && normal_equation_solver(B, X);
   }
@@ -277,14 +283,14 @@ private:
     return false;
   }
 
-  static bool stores_one_triangle(const Matrix& A)
+  static bool stores_one_triangle(const Eigen_sparse_matrix<NT>& A)
   {
     return A.row_dimension() == A.column_dimension() && internal::superlu_stores_one_triangle(A);
   }
 
   // Calls `function` with the whole matrix that `A` stands for.
   template <class Function>
-  static bool with_columns(const Matrix& A, const Function& function)
+  static bool with_columns(const Eigen_sparse_matrix<NT>& A, const Function& function)
   {
     const Columns& a = A.eigen_object();
     return stores_one_triangle(A) ? function(Columns(a.template selfadjointView<Eigen::Lower>()))

@@ -85,6 +85,9 @@ static_assert(std::is_default_constructible<SuperLU::Matrix>::value, "Heat_metho
 static_assert(std::is_default_constructible<SuperLU::Vector>::value, "Heat_method_3");
 static_assert(std::is_constructible<SuperLU::Matrix, std::size_t>::value, "fair, Surface_mesh_deformation");
 static_assert(std::is_constructible<SuperLU::Vector, std::size_t>::value, "fair, Surface_mesh_deformation");
+static_assert(std::is_constructible<SuperLU::Matrix, unsigned int>::value, "Poisson_reconstruction_function");
+static_assert(std::is_assignable<SuperLU::Matrix&, CGAL::Eigen_sparse_matrix<double>>::value,
+              "Heat_method_3");
 
 BOOST_AUTO_TEST_CASE(beyond_the_concepts)
 {

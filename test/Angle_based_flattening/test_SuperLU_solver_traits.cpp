@@ -78,7 +78,7 @@ typedef Eigen::SparseMatrix<double> Columns;
 typedef std::tuple<double, float> Number_types;
 
 static_assert(std::is_same<Solver<double>, CGAL::SuperLU_solver_traits<>>::value, "the default");
-static_assert(std::is_same<Solver<float>::Matrix, CGAL::Eigen_sparse_matrix<float>>::value &&
+static_assert(std::is_base_of<CGAL::Eigen_sparse_matrix<float>, Solver<float>::Matrix>::value &&
                   std::is_same<Solver<float>::Vector, CGAL::Eigen_vector<float>>::value,
               "types of CGAL");
 static_assert(std::is_copy_constructible<Solver<float>>::value &&
@@ -478,6 +478,33 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(several_right_sides, FT, Number_types)
       check_solution(a, right_side, solution);
     }
   }
+}
+
+namespace {
+
+// Solves 2 x = 4 with a matrix that has dimensions of the given types.
+template <class... Integers>
+double solution_with_dimensions(Integers... dimensions)
+{
+  Solver<double>::Matrix a(dimensions...);
+  a.set_coef(0, 0, 2, true);
+  Vector<double> b(1), x(1);
+  b[0] = 4;
+  double d = 0;
+  return Solver<double>().linear_solver(a, b, x, d) ? x[0] / d : 0;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(dimensions_of_any_integer_type)
+{
+  BOOST_TEST(solution_with_dimensions(1) == 2);
+  BOOST_TEST(solution_with_dimensions(1u) == 2);
+  BOOST_TEST(solution_with_dimensions(1l) == 2);
+  BOOST_TEST(solution_with_dimensions(std::size_t(1)) == 2);
+  BOOST_TEST(solution_with_dimensions(1u, true) == 2);
+  BOOST_TEST(solution_with_dimensions(1, 1u) == 2);
+  BOOST_TEST(solution_with_dimensions(std::size_t(1), 1, true) == 2);
 }
 
 BOOST_AUTO_TEST_CASE(copies)

@@ -18,11 +18,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <memory>
@@ -54,7 +54,7 @@ namespace Surface_mesh_parameterization {
 /// definite. Copies of the given object factor them. If the factors only precondition conjugate gradients, the
 /// counterpart of lower precision, `Low_precision_solver_traits<SolverTraits_>`, factors them. If
 /// `Has_independent_copies<SolverTraits_>` is true, two matrices are factored at once.<br>
-///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`
+///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`, which needs SuperLU
 ///
 /// Each copy of a parameterizer has a report of its own. Several copies can flatten several charts at once.
 /// `CGAL::Surface_mesh_parameterization::parameterize()` takes its parameterizer by value. At the end of a run, the
@@ -75,7 +75,8 @@ public:
   typedef TriangleMesh_ TriangleMesh;
 
 #ifndef DOXYGEN_RUNNING
-  typedef typename Default::Get<SolverTraits_, SuperLU_solver_traits<>>::type Solver_traits;
+  typedef typename Default::Lazy_get<SolverTraits_, internal::ABF::Default_solver_traits<TriangleMesh_>>::type
+      Solver_traits;
 #else
   /// Solver traits type
   typedef SolverTraits_ Solver_traits;

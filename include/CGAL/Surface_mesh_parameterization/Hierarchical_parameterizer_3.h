@@ -18,12 +18,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <type_traits>
@@ -42,34 +42,39 @@ namespace Surface_mesh_parameterization {
 
 namespace internal::ABF {
 
-// The solver traits that a parameterizer gives access to, or the default ones
+// Whether a parameterizer gives access to its solver traits
 template <typename Parameterizer, typename = void>
-struct Solver_traits_of
-{
-  typedef SuperLU_solver_traits<> type;
-
-  template <typename SolverTraits>
-  static SolverTraits get(const Parameterizer&)
-  {
-    return SolverTraits();
-  }
-};
+struct Has_solver_traits : std::false_type
+{};
 
 template <typename Parameterizer>
-struct Solver_traits_of<Parameterizer,
-                        std::void_t<decltype(std::declval<const Parameterizer&>().solver_traits())>>
+struct Has_solver_traits<Parameterizer,
+                         std::void_t<decltype(std::declval<const Parameterizer&>().solver_traits())>>
+    : std::true_type
+{};
+
+// The type of these, or the default
+template <typename Parameterizer, bool = Has_solver_traits<Parameterizer>::value>
+struct Solver_traits_of : Default_solver_traits<Parameterizer>
+{};
+
+template <typename Parameterizer>
+struct Solver_traits_of<Parameterizer, true>
 {
   typedef typename Parameterizer::Solver_traits type;
-
-  template <typename SolverTraits>
-  static SolverTraits get(const Parameterizer& parameterizer)
-  {
-    if constexpr(std::is_same<SolverTraits, type>::value)
-      return parameterizer.solver_traits();
-    else
-      return SolverTraits();
-  }
 };
+
+// A copy of the parameterizer's traits object if it has one of this type
+template <typename SolverTraits, typename Parameterizer>
+SolverTraits solver_traits_of(const Parameterizer& parameterizer)
+{
+  if constexpr(Has_solver_traits<Parameterizer>::value) {
+    if constexpr(std::is_same<SolverTraits, typename Parameterizer::Solver_traits>::value)
+      return parameterizer.solver_traits();
+  }
+  (void)parameterizer;
+  return SolverTraits();
+}
 
 // A coarse parameterizer that takes what the hierarchical one takes: charts with holes, if they are solved
 template <typename Parameterizer>
@@ -147,9 +152,9 @@ public:
 #endif
 
 #ifndef DOXYGEN_RUNNING
-  typedef typename Default::Get<SolverTraits_,
-                                typename internal::ABF::Solver_traits_of<Coarse_parameterizer>::type>::type
-      Solver_traits;
+  typedef
+      typename Default::Lazy_get<SolverTraits_, internal::ABF::Solver_traits_of<Coarse_parameterizer>>::type
+          Solver_traits;
 #else
   /// Solver traits type of polishing
   typedef SolverTraits_ Solver_traits;
@@ -176,8 +181,7 @@ public:
   /// and otherwise a default constructed object.
   Hierarchical_parameterizer_3(const Hierarchical_options& options, Coarse_parameterizer coarse_parameterizer)
       : m_options(options), m_coarse_parameterizer(std::move(coarse_parameterizer)),
-        m_linear_algebra(internal::ABF::Solver_traits_of<Coarse_parameterizer>::template get<Solver_traits>(
-            m_coarse_parameterizer))
+        m_linear_algebra(internal::ABF::solver_traits_of<Solver_traits>(m_coarse_parameterizer))
   {}
 
   /// constructs a parameterizer from `options`, the parameterizer of the coarse chart, and a traits object for the

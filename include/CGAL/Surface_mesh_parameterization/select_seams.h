@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_options.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
@@ -93,8 +93,7 @@ Seam_report select_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
     report.status = Diagnosis::WRONG_OPTION;
     return report;
   }
-  const ABF::Linear_solvers solvers(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+  const ABF::Linear_solvers solvers = ABF::linear_solvers(np);
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
   report = application.run([&](const ABF::Surface_part& part) {
     return ABF::find_seams(part.chart, part.cost, options, solvers);

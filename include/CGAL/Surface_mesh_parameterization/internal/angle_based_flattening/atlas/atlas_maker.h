@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
@@ -22,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
@@ -110,8 +110,7 @@ private:
     const double seconds = timer.time();
     if(!is_read)
       return report;
-    const Linear_solvers solvers(parameters::choose_parameter(
-        parameters::get_parameter(m_np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+    const Linear_solvers solvers = linear_solvers(m_np);
     m_atlas = build_atlas(m_reader.parts(), m_weight, m_options, solvers, &round_to_points<Point>);
     report = std::move(m_atlas.report);
     report.seconds.read = seconds;

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
@@ -106,8 +107,7 @@ private:
     const Chart chart = read();
     if(m_result.map.status != Diagnosis::NOTHING_WRONG)
       return;
-    const Linear_solvers solvers(parameters::choose_parameter(
-        parameters::get_parameter(m_np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+    const Linear_solvers solvers = linear_solvers(m_np);
     Flattening<ABF_plus_plus_report> flattening =
         flatten_chart(chart, m_options, solvers, &round_to_points<Point>);
     m_result.map = std::move(flattening.report);

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -101,9 +101,7 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
     return fail(Diagnosis::WRONG_TOPOLOGY,
                 "the angles of cones can be multiples of an angle only on a sphere or a disk");
 
-  const Chosen_cones chosen = choose_cones(
-      surface, n, options,
-      choose_parameter(get_parameter(np, internal_np::sparse_linear_solver), SuperLU_solver_traits<>()));
+  const Chosen_cones chosen = choose_cones(surface, n, options, linear_solvers(np));
   for(int v : chosen.offending_vertices)
     selection.offending_vertices.push_back(vertices[v]);
   for(std::size_t i = 0; i < chosen.vertices.size(); ++i)

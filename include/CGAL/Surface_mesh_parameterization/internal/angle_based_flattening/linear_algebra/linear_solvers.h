@@ -13,8 +13,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Solver_traits_properties.h>
-#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
+
+#ifdef CGAL_SUPERLU_ENABLED
+#include <CGAL/SuperLU_solver_traits.h>
+#endif
 
 #include <limits>
 #include <memory>
