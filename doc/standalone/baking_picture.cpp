@@ -112,14 +112,13 @@ public:
         m_mesh, m_atlas.uv, fine,
         np::resolution(texels, np::face_chart_map(m_atlas.chart, np::tangent_frame_map(m_frames))));
     if(!m_textures) {
-      throw std::runtime_error(m_textures.report.message);
+      throw std::runtime_error(m_textures.message);
     }
     m_pixels = m_textures.normal_pixels<std::uint8_t>();
     std::cout << fine.number_of_faces() << " triangles baked into " << m_mesh.number_of_faces() << ", "
-              << report.charts.size() << " chart(s), " << m_textures.report.number_of_chart_texels
-              << " texels, " << m_textures.report.number_of_missed_rays << " rays missed, "
-              << m_textures.report.number_of_back_faces << " met back faces, largest distance "
-              << m_textures.report.largest_distance << '\n';
+              << report.charts.size() << " chart(s), " << m_textures.number_of_chart_texels << " texels, "
+              << m_textures.number_of_missed_rays << " rays missed, " << m_textures.number_of_back_faces
+              << " met back faces, largest distance " << m_textures.largest_distance << '\n';
   }
 
   const Mesh& mesh() const { return m_mesh; }

@@ -169,7 +169,7 @@ Mesh cut_open(Mesh surface, const double stretch_bound)
   options.stretch_bound = stretch_bound;
   check(bool(SMP::select_seams(surface, seams, options)), "selecting seams");
   Mesh open;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams), open);
+  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams).mesh, open);
   return open;
 }
 
@@ -223,7 +223,7 @@ void draw_rectangle(const std::string& data, const Pictures& pictures)
   for(const Halfedge h : mask.halfedges_around_face(border)) {
     vertices.push_back(mask.target(h));
   }
-  const SMP::Vertex_angles<Mesh> angles = SMP::rectangle_angles(mask, choose_corners(vertices, uv));
+  const SMP::Vertex_angles<Mesh> angles = SMP::rectangle_angles(mask, choose_corners(vertices, uv)).angles;
   SMP::split_flat_chords(mask, border, angles);
   parameterizer.set_angle_sums(angles);
   pictures.draw("rectangle", mask, flatten("rectangle", mask, parameterizer), mask_view);
@@ -261,7 +261,7 @@ void draw_cones(const std::string& demo, const Pictures& pictures)
   for(auto* parameterizer : {&apart, &equal, &rigid}) {
     Mesh& copy = copies[atlases.size()];
     atlases.push_back(cut_through(copy, cones));
-    Cut cut = SMP::make_seam_mesh(copy, atlases.back().seams);
+    Cut cut = SMP::make_seam_mesh(copy, atlases.back().seams).mesh;
     const auto border = SMP::border_halfedge(cut);
     const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv_of_copies").first;
     check(SMP::parameterize(cut, *parameterizer, border, uv) == SMP::OK, "a map with cones");

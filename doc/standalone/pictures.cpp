@@ -497,7 +497,7 @@ using Seam_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 Mesh cut_open(const Mesh& mesh, const Seam_map& seams)
 {
   Mesh open;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(mesh, seams), open);
+  CGAL::copy_face_graph(SMP::make_seam_mesh(mesh, seams).mesh, open);
   return open;
 }
 
@@ -773,7 +773,7 @@ public:
     using Cut_mesh = SMP::Cut_mesh<Mesh>;
     using Cut_vertex = boost::graph_traits<Cut_mesh>::vertex_descriptor;
     std::vector<std::pair<Cut_vertex, Vertex>> copies;
-    CGAL::copy_face_graph(SMP::make_seam_mesh(copy, seams), m_surface,
+    CGAL::copy_face_graph(SMP::make_seam_mesh(copy, seams).mesh, m_surface,
                           CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
     m_plane = m_surface;
     m_uv = m_surface.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;

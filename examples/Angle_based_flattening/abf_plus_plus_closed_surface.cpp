@@ -44,7 +44,7 @@ int main(int argc, char* argv[])
 
   // A vertex on a seam has a place in the plane on each side: coordinates belong to halfedges.
   const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = SMP::make_seam_mesh(surface, seams);
+  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
   for(const auto& disk : SMP::is_disk_cut(surface, seams).parts) {
     const auto border = SMP::border_halfedge(mesh, disk.face);
     SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;

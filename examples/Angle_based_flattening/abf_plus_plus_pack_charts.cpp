@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
     return 1;
   }
   const auto uv_of_seam_mesh = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = SMP::make_seam_mesh(surface, seams);
+  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
   if(SMP::parameterize(mesh, parameterizer, SMP::border_halfedge(mesh), uv_of_seam_mesh) != SMP::OK) {
     std::cerr << parameterizer.report().message << "\n";

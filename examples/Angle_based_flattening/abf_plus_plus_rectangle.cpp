@@ -49,15 +49,19 @@ int main(int argc, char* argv[])
   const std::array<Vertex, 4> corners = quarter_points(mesh, border);
 
   // Right angles at the corners, and straight sides between them.
-  const SMP::Vertex_angles<Mesh> angles = SMP::rectangle_angles(mesh, corners);
+  const auto rectangle = SMP::rectangle_angles(mesh, corners);
+  if(!rectangle) {
+    std::cerr << rectangle.message << "\n";
+    return 1;
+  }
 
   // A triangle with two edges on a straight side would be flat.
-  SMP::split_flat_chords(mesh, border, angles);
+  SMP::split_flat_chords(mesh, border, rectangle.angles);
 
   SMP::ABF_plus_plus_options options;
   options.holes = SMP::Flattening_options::SOLVE;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options);
-  parameterizer.set_angle_sums(angles);
+  parameterizer.set_angle_sums(rectangle.angles);
   const auto uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
   SMP::parameterize(mesh, parameterizer, border, uv);
   const SMP::ABF_plus_plus_report& report = parameterizer.report();

@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   }
 
   // Along its seam the closed surface is cut open.
-  Mesh mesh = SMP::make_seam_mesh(surface, seams);
+  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
   const auto border = SMP::border_halfedge(mesh);
 
   // A vertex on the seam has a place in the plane on each side: coordinates belong to halfedges.

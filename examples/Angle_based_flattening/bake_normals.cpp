@@ -135,14 +135,13 @@ int main(int argc, char* argv[])
   baking_options.resolution = 512;
   const SMP::Baked_textures textures = SMP::bake_surface(simple, uv, fine, frames, baking_options);
   if(!textures) {
-    std::cerr << textures.report.message << "\n";
+    std::cerr << textures.message << "\n";
     return 1;
   }
   std::cout << fine.number_of_faces() << " triangles baked into the texture of " << simple.number_of_faces()
-            << ": " << textures.report.number_of_chart_texels << " texels, "
-            << textures.report.number_of_missed_rays << " rays missed, "
-            << textures.report.number_of_back_faces << " met back faces, distances up to "
-            << textures.report.largest_distance << "\n";
+            << ": " << textures.number_of_chart_texels << " texels, " << textures.number_of_missed_rays
+            << " rays missed, " << textures.number_of_back_faces << " met back faces, distances up to "
+            << textures.largest_distance << "\n";
 
   const bool is_written =
       write_png("bake_normals.png", 512, PNG_FORMAT_RGB, textures.normal_pixels<std::uint8_t>().data()) &&

@@ -31,7 +31,7 @@ Mesh cut_open(Mesh& surface)
   seam_options.stretch_bound = 1.05;
   SMP::select_seams(surface, seams, seam_options);
   Mesh chart;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams), chart);
+  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams).mesh, chart);
   return chart;
 }
 

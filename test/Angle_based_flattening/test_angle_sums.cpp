@@ -93,7 +93,7 @@ struct Prescribed
     parameterizer.set_angle_sums(angles);
     const auto code = SMP::parameterize(mesh, parameterizer, border, uv);
     report = parameterizer.report();
-    offending = parameterizer.offending_vertices();
+    offending = parameterizer.report().offending_vertices;
     BOOST_TEST(code == error_code(report.status));
     if(code != SMP::OK)
       for(Vertex v : mesh.vertices())
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_SUITE(rectangles)
 
 void check_rectangle_of(Mesh mesh, const std::array<Vertex, 4>& corners, const Options& options = Options())
 {
-  const Angles angles = SMP::rectangle_angles(mesh, corners);
+  const Angles angles = SMP::rectangle_angles(mesh, corners).angles;
   SMP::split_flat_chords(mesh, longest_border(mesh), angles);
   const Prescribed map(mesh, angles, options);
   check_angles(map, angles);
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(do_not_depend_on_the_start_of_the_border)
   Mesh mesh = mesh_of_chart<Mesh>(bump(8, 3, 0.6));
   std::mt19937 random(6);
   const auto corners = random_corners(border_vertices(mesh, longest_border(mesh)), random);
-  const Angles angles = SMP::rectangle_angles(mesh, corners);
+  const Angles angles = SMP::rectangle_angles(mesh, corners).angles;
   SMP::split_flat_chords(mesh, longest_border(mesh), angles);
   Options options;
   options.tolerance = options.energy_tolerance = 1e-12;
@@ -345,7 +345,7 @@ BOOST_AUTO_TEST_CASE(with_holes)
   mesh.collect_garbage();
   std::mt19937 random(8);
   const auto corners = random_corners(border_vertices(mesh, longest_border(mesh)), random);
-  const Angles angles = SMP::rectangle_angles(mesh, corners);
+  const Angles angles = SMP::rectangle_angles(mesh, corners).angles;
   SMP::split_flat_chords(mesh, longest_border(mesh), angles);
   for(auto holes : {Options::SOLVE, Options::FILL}) {
     Options options;
@@ -492,7 +492,7 @@ struct Grid
 {
   Mesh mesh = mesh_of_chart<Mesh>(bump(6, 4));
   std::vector<Vertex> border = border_vertices(mesh, longest_border(mesh));
-  Angles angles = SMP::rectangle_angles(mesh, {border[0], border[6], border[12], border[18]});
+  Angles angles = SMP::rectangle_angles(mesh, {border[0], border[6], border[12], border[18]}).angles;
 
   Grid() { SMP::split_flat_chords(mesh, longest_border(mesh), angles); }
 
@@ -581,7 +581,7 @@ BOOST_AUTO_TEST_CASE(beside_an_edge_between_border_vertices)
   while(mesh.degree(vertices[ear]) > 2)
     ++ear;
   const auto vertex = [&](std::size_t i) { return vertices[(ear + i) % vertices.size()]; };
-  const Angles angles = SMP::rectangle_angles(mesh, {vertex(3), vertex(9), vertex(15), vertex(21)});
+  const Angles angles = SMP::rectangle_angles(mesh, {vertex(3), vertex(9), vertex(15), vertex(21)}).angles;
   const Prescribed map(mesh, angles);
   BOOST_TEST(map.report.status == SMP::Diagnosis::FLAT_CHORD);
   const std::size_t chords = map.offending.size() / 2;
@@ -598,12 +598,15 @@ BOOST_AUTO_TEST_CASE(beside_an_edge_between_border_vertices)
   const double area = CGAL::Polygon_mesh_processing::area(mesh);
   const auto old_faces = mesh.number_of_faces();
   const auto added = SMP::split_flat_chords(mesh, border, angles);
-  BOOST_TEST(added.size() == chords);
+  BOOST_TEST(bool(added));
+  BOOST_TEST(added.edges.size() == chords);
   BOOST_TEST(mesh.number_of_faces() == old_faces + 2 * chords);
   BOOST_TEST(CGAL::is_triangle_mesh(mesh));
   BOOST_TEST(mesh.is_valid());
   BOOST_TEST(CGAL::Polygon_mesh_processing::area(mesh) == area, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(SMP::split_flat_chords(mesh, border, angles).empty());
+  const auto again = SMP::split_flat_chords(mesh, border, angles);
+  BOOST_TEST(bool(again));
+  BOOST_TEST(again.edges.empty());
   check_angles(Prescribed(mesh, angles), angles);
 }
 
@@ -620,11 +623,36 @@ BOOST_AUTO_TEST_CASE(of_polygons)
   for(Vertex v : disk.vertices())
     if(!disk.is_border(v))
       inner = v;
-  BOOST_CHECK_THROW(SMP::polygon_angles(mesh, {}), std::invalid_argument);
-  BOOST_CHECK_THROW(SMP::polygon_angles(mesh, {{border[0], 1.}, {border[1], 1.}, {border[0], 1.}}),
-                    std::invalid_argument);
-  BOOST_CHECK_THROW(SMP::polygon_angles(mesh, {{border[0], 1.}, {other, 1.}}), std::invalid_argument);
-  BOOST_CHECK_THROW(SMP::polygon_angles(disk, {{inner, 1.}}), std::invalid_argument);
+  const auto check = [](const SMP::Polygon_report<Mesh>& report, SMP::Diagnosis status,
+                        const std::vector<Vertex>& corners, const std::string& message) {
+    BOOST_TEST(report.status == status);
+    BOOST_TEST((report.offending_vertices == corners));
+    BOOST_TEST((report.message.find(message) != std::string::npos), report.message);
+    if(!corners.empty())
+      BOOST_TEST((report.message.find("vertex " + std::to_string(corners[0].idx()) + " ") == 0));
+  };
+  using SMP::Diagnosis;
+  check(SMP::polygon_angles(mesh, {}), Diagnosis::WRONG_OPTION, {}, "needs corners");
+  check(SMP::polygon_angles(mesh, {{border[0], 1.}, {border[1], 1.}, {border[0], 1.}}),
+        Diagnosis::WRONG_OPTION, {border[0]}, "twice");
+  check(SMP::polygon_angles(mesh, {{border[0], 1.}, {other, 1.}}), Diagnosis::NOT_ON_BORDER, {other},
+        "border of the first corner");
+  check(SMP::polygon_angles(disk, {{inner, 1.}}), Diagnosis::NOT_ON_BORDER, {inner}, "not on a border");
+}
+
+BOOST_AUTO_TEST_CASE(chords_of_bad_input)
+{
+  Mesh mesh = mesh_of_chart<Mesh>(bump(4, 1));
+  const auto border = longest_border(mesh);
+  Angles angles;
+  angles.set(target(border, mesh), -1.);
+  const auto old_faces = mesh.number_of_faces();
+  const auto negative = SMP::split_flat_chords(mesh, border, angles);
+  BOOST_TEST(negative.status == SMP::Diagnosis::WRONG_ANGLE_SUM);
+  BOOST_TEST((negative.offending_vertices == std::vector<Vertex>{target(border, mesh)}));
+  BOOST_TEST(SMP::split_flat_chords(mesh, opposite(border, mesh), angles).status ==
+             SMP::Diagnosis::NOT_ON_BORDER);
+  BOOST_TEST(mesh.number_of_faces() == old_faces);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -659,7 +687,7 @@ void check_square(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>
   SMP::ABF_plus_plus_parameterizer_3<TriangleMesh> parameterizer;
   // With the sides free, there is nothing to split.
   SMP::Vertex_angles<TriangleMesh> angles;
-  const auto polygon = SMP::rectangle_angles(mesh, corners);
+  const auto polygon = SMP::rectangle_angles(mesh, corners).angles;
   for(const vertex_descriptor& v : corners)
     angles.set(v, get(polygon, v));
   parameterizer.set_angle_sums(angles);
@@ -768,7 +796,7 @@ BOOST_AUTO_TEST_CASE(the_lion_head_is_hardly_distorted)
       corners[next++] = mesh.source(h);
     length += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
   }
-  const Angles angles = SMP::rectangle_angles(mesh, corners);
+  const Angles angles = SMP::rectangle_angles(mesh, corners).angles;
   SMP::split_flat_chords(mesh, border, angles);
   Options options;
   options.tolerance = 1e-9;

@@ -568,7 +568,7 @@ BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
   const Atlas_report report =
       SMP::make_atlas(mesh, seams, uv, charts, with<Atlas_options>(&Atlas_options::pack_into_square, false));
   BOOST_TEST_REQUIRE(bool(report));
-  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
+  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
   typedef std::decay_t<decltype(seam_mesh)> Seam_mesh;
   const auto vertex_uv = boost::make_function_property_map<boost::graph_traits<Seam_mesh>::vertex_descriptor>(
       [&](const auto& v) { return get(uv, static_cast<Mesh::Halfedge_index>(v)); });

@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(shows_a_sphere)
   BOOST_TEST(without / 5000 > 2); // an empty texture would be seen
   // The slope of the displacement is at most about 0.4, and a texel about 1/200 long.
   BOOST_TEST(largest < 0.003);
-  BOOST_TEST(sphere.textures.report.number_of_missed_rays == 0u);
-  BOOST_TEST(sphere.textures.report.number_of_back_faces == 0u);
+  BOOST_TEST(sphere.textures.number_of_missed_rays == 0u);
+  BOOST_TEST(sphere.textures.number_of_back_faces == 0u);
 }
 
 // Both surfaces together may be anywhere, of any size.
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_position)
                                  std::abs(moved.displacements[i] / scale - sphere.textures.displacements[i]));
     BOOST_TEST(normals < 1e-5);
     BOOST_TEST(displacements < 1e-6);
-    BOOST_TEST(std::abs(moved.report.mean_distance / scale - sphere.textures.report.mean_distance) < 1e-9);
+    BOOST_TEST(std::abs(moved.mean_distance / scale - sphere.textures.mean_distance) < 1e-9);
   }
 }
 
@@ -184,8 +184,8 @@ BOOST_AUTO_TEST_CASE(plane_over_plane_is_exact)
   const SMP::Baked_textures textures =
       SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_REQUIRE(textures);
-  BOOST_TEST(textures.report.number_of_chart_texels == 64u * 64u);
-  BOOST_TEST(textures.report.number_of_front_faces() == 64u * 64u);
+  BOOST_TEST(textures.number_of_chart_texels == 64u * 64u);
+  BOOST_TEST(textures.number_of_front_faces() == 64u * 64u);
   for(std::size_t i = 0; i < 64 * 64; ++i) {
     BOOST_TEST(std::abs(textures.displacements[i] - 0.03125f) < 1e-7);
     BOOST_TEST(std::abs(textures.normals[3 * i + 2] - 1) < 1e-7);
@@ -193,8 +193,8 @@ BOOST_AUTO_TEST_CASE(plane_over_plane_is_exact)
   const std::vector<std::uint8_t> pixels = textures.normal_pixels<std::uint8_t>();
   for(std::size_t i = 0; i < pixels.size(); ++i)
     BOOST_TEST(pixels[i] == (i % 3 == 2 ? 255 : 128));
-  BOOST_TEST(std::abs(textures.report.largest_distance - 0.03125) < 1e-12);
-  BOOST_TEST(std::abs(textures.report.mean_distance - 0.03125) < 1e-12);
+  BOOST_TEST(std::abs(textures.largest_distance - 0.03125) < 1e-12);
+  BOOST_TEST(std::abs(textures.mean_distance - 0.03125) < 1e-12);
 }
 
 // Whichever way the chart lies in the texture, also mirrored, a viewer shows the same normals.
@@ -307,8 +307,8 @@ BOOST_AUTO_TEST_CASE(an_inverted_fine_surface_is_all_back_faces)
   CGAL::Polygon_mesh_processing::reverse_face_orientations(fine);
   const SMP::Baked_textures turned =
       SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
-  BOOST_TEST(right.report.number_of_back_faces == 0u);
-  BOOST_TEST(turned.report.number_of_back_faces == 64u * 64u);
+  BOOST_TEST(right.number_of_back_faces == 0u);
+  BOOST_TEST(turned.number_of_back_faces == 64u * 64u);
   BOOST_TEST(std::count(turned.texels.begin(), turned.texels.end(), SMP::Baked_textures::BACK_FACE) ==
              64 * 64);
   for(std::size_t i = 0; i < right.normals.size(); ++i)
@@ -328,11 +328,11 @@ BOOST_AUTO_TEST_CASE(front_faces_come_first)
         simple, uv, fine,
         with<Baking_options>(&Baking_options::resolution, 16, &Baking_options::ray_length, distance));
   };
-  BOOST_TEST(baked(0.06).report.number_of_front_faces() == 256u);
+  BOOST_TEST(baked(0.06).number_of_front_faces() == 256u);
   BOOST_TEST(std::abs(baked(0.06).displacements[100] + 0.05) < 1e-6);
-  BOOST_TEST(baked(0.04).report.number_of_back_faces == 256u);
+  BOOST_TEST(baked(0.04).number_of_back_faces == 256u);
   BOOST_TEST(std::abs(baked(0.04).displacements[100] - 0.01) < 1e-6);
-  BOOST_TEST(baked(0.005).report.number_of_missed_rays == 256u);
+  BOOST_TEST(baked(0.005).number_of_missed_rays == 256u);
   BOOST_TEST(std::abs(baked(0.005).displacements[100] - 0.01) < 1e-6);
 }
 
@@ -349,7 +349,7 @@ BOOST_AUTO_TEST_CASE(rays_through_a_hole_are_counted)
   const SMP::Baked_textures textures =
       SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 100));
   BOOST_REQUIRE(textures);
-  BOOST_TEST(textures.report.number_of_missed_rays == 40u * 20u);
+  BOOST_TEST(textures.number_of_missed_rays == 40u * 20u);
   for(std::size_t i = 0; i < textures.texels.size(); ++i) {
     const double x = (i % 100 + 0.5) / 100, y = 1 - (i / 100 + 0.5) / 100;
     const bool is_over_hole = std::abs(x - 0.5) < 0.2 && std::abs(y - 0.5) < 0.1;
@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(rays_through_a_hole_are_counted)
     BOOST_TEST(std::abs(textures.displacements[i] - 0.02) < 1e-6);
   }
   const double to_border = 0.1 - 0.005; // from the middle of the texels that are farthest from it
-  BOOST_TEST(std::abs(textures.report.largest_distance - std::hypot(to_border, 0.02)) < 1e-9);
+  BOOST_TEST(std::abs(textures.largest_distance - std::hypot(to_border, 0.02)) < 1e-9);
 }
 
 // All texels that charts touch have values of their own, and those around them the values of the nearest one.
@@ -416,8 +416,8 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
                     textures.normals[3 * texel + 2] == textures.normals[3 * from + 2];
            })));
     }
-  BOOST_TEST(textures.report.number_of_chart_texels == charts);
-  BOOST_TEST(textures.report.number_of_gutter_texels == gutters);
+  BOOST_TEST(textures.number_of_chart_texels == charts);
+  BOOST_TEST(textures.number_of_gutter_texels == gutters);
   BOOST_TEST(gutters > 500u);
 }
 
@@ -466,7 +466,7 @@ BOOST_AUTO_TEST_CASE(threads_do_not_matter)
     BOOST_TEST((again.normals == sphere.textures.normals));
     BOOST_TEST((again.displacements == sphere.textures.displacements));
     BOOST_TEST((again.texels == sphere.textures.texels));
-    BOOST_TEST(again.report.mean_distance == sphere.textures.report.mean_distance);
+    BOOST_TEST(again.mean_distance == sphere.textures.mean_distance);
   }
 }
 
@@ -505,7 +505,7 @@ BOOST_AUTO_TEST_CASE(degenerate_triangles)
   BOOST_REQUIRE(textures);
   for(const float x : textures.normals)
     BOOST_TEST(std::isfinite(x));
-  BOOST_TEST(textures.report.largest_distance < 1e-12);
+  BOOST_TEST(textures.largest_distance < 1e-12);
   for(const Halfedge h : simple.halfedges())
     if(!simple.is_border(h)) {
       const Vector normal(frames[h].normal.data()), tangent(frames[h].tangent.data());
@@ -520,9 +520,8 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
   const auto check = [](const SMP::Baked_textures& textures, Diagnosis diagnosis, const std::string& word) {
-    BOOST_TEST(to_string(textures.report.status) == to_string(diagnosis));
-    BOOST_TEST((textures.report.message.find(word) != std::string::npos),
-               textures.report.message << " lacks " << word);
+    BOOST_TEST(to_string(textures.status) == to_string(diagnosis));
+    BOOST_TEST((textures.message.find(word) != std::string::npos), textures.message << " lacks " << word);
     BOOST_TEST(!textures);
     BOOST_TEST(textures.normals.empty());
   };

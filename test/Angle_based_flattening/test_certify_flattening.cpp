@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 
 #include "immersed_charts.h"
@@ -22,8 +23,11 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -557,7 +561,38 @@ BOOST_AUTO_TEST_CASE(not_triangles)
   CGAL::make_grid(
       3, 3, quads, [](std::size_t i, std::size_t j) { return Point_3(i, j, 0); }, false);
   const auto uv = quads.add_property_map<Vertex, Point_2>("v:uv").first;
-  BOOST_CHECK_THROW(SMP::is_injective(quads, uv), std::invalid_argument);
+  for(Vertex v : quads.vertices())
+    put(uv, v, Point_2(quads.point(v).x(), quads.point(v).y()));
+  const auto uv_of_halfedge =
+      boost::make_function_property_map<Halfedge>([&](Halfedge h) { return get(uv, quads.target(h)); });
+  const auto check = [&](const auto& map, const std::vector<Face>& expected) {
+    std::vector<Face> flipped, overlapping;
+    SMP::flipped_faces(quads, map, std::back_inserter(flipped));
+    BOOST_TEST((flipped == expected));
+    BOOST_TEST(!SMP::is_injective(quads, map));
+    BOOST_TEST(!SMP::is_locally_injective(quads, map));
+    SMP::overlapping_faces(quads, map, std::back_inserter(overlapping));
+    BOOST_TEST(overlapping.empty());
+  };
+  const auto check_both = [&](const std::vector<Face>& expected) {
+    check(uv, expected);
+    check(uv_of_halfedge, expected);
+  };
+  const auto all = quads.faces();
+  check_both(std::vector<Face>(all.begin(), all.end()));
+
+  // Triangles, but for one square in the middle, whose neighbours touch at its corners, and one that is flipped
+  const Face middle(4);
+  for(Face f : std::vector<Face>(all.begin(), all.end()))
+    if(f != middle)
+      CGAL::Euler::split_face(quads.halfedge(f), quads.next(quads.next(quads.halfedge(f))), quads);
+  check_both({middle});
+  const Face last(static_cast<Surface_mesh::size_type>(quads.number_of_faces() - 1));
+  const auto mirrored = boost::make_function_property_map<Halfedge>([&](Halfedge h) {
+    const Point_2 p = get(uv, quads.target(h));
+    return quads.face(h) == last ? Point_2(-1 - p.x(), p.y()) : p;
+  });
+  check(mirrored, {middle, last});
 }
 
 // Random polygons, compared with all pairs and CGAL's sweep. The grid is so coarse that every kind of contact is

@@ -61,14 +61,14 @@ struct Map
 template <typename Angle_map>
 Map flatten(Mesh& mesh, const Seams& seams, const Angle_map& angles, const Options& options = Options())
 {
-  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams);
+  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
   const UV_map uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer(options);
   parameterizer.set_angle_sums(angles);
   SMP::parameterize(cut, parameterizer, SMP::border_halfedge(cut), uv);
   Map map;
   map.report = parameterizer.report();
-  for(const auto& v : parameterizer.offending_vertices())
+  for(const auto& v : parameterizer.report().offending_vertices)
     map.offending.push_back(mesh.target(Halfedge(v)));
   const boost::graph_traits<Seam_mesh>::halfedge_descriptor null;
   for(Halfedge h : mesh.halfedges())
@@ -470,7 +470,7 @@ BOOST_FIXTURE_TEST_CASE(survive_failures_of_the_solver, Sphere_with_cones)
 {
   int failures = 0;
   for(int call = 1; call < 100; ++call) {
-    Seam_mesh cut = SMP::make_seam_mesh(mesh, seams);
+    Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
     const UV_map uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:faulty_uv").first;
     for(Halfedge h : mesh.halfedges())
       put(uv, h, Kernel::Point_2(7, 7));

@@ -332,7 +332,7 @@ Cone_flattening check_map(Mesh& mesh, const Surface& surface, std::size_t n, boo
   check_disk(mesh, map.seams, result.seams);
   map.check_orientations();
   map.check_seams(result, !is_free);
-  const auto cut = SMP::make_seam_mesh(mesh, map.seams);
+  const auto cut = SMP::make_seam_mesh(mesh, map.seams).mesh;
   BOOST_TEST(SMP::measure_flattening(cut, SMP::border_halfedge(cut), map.uv).flipped_triangles == 0);
   return result;
 }
@@ -844,7 +844,7 @@ BOOST_AUTO_TEST_CASE(models_with_cones)
           mesh, model.cones, seams, uv,
           with<Cone_options>(&Cone_options::angles, angles(is_free), &Cone_options::parameterizer, options));
       BOOST_TEST_REQUIRE(result.message == "");
-      const auto cut = SMP::make_seam_mesh(mesh, seams);
+      const auto cut = SMP::make_seam_mesh(mesh, seams).mesh;
       return SMP::measure_flattening(cut, SMP::border_halfedge(cut), uv);
     };
     BOOST_TEST_CONTEXT(model.name)

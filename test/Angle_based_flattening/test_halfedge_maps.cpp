@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(one_chart_is_measured_as_a_seam_mesh)
     const Atlas atlas(surface.mesh<Mesh>(), options);
     BOOST_TEST_REQUIRE(atlas.report.charts.size() == 1u);
     Mesh copy = atlas.mesh;
-    const auto cut = SMP::make_seam_mesh(copy, atlas.seams);
+    const auto cut = SMP::make_seam_mesh(copy, atlas.seams).mesh;
     typedef std::decay_t<decltype(cut)> Cut;
     const auto uv_of_vertex = boost::make_function_property_map<boost::graph_traits<Cut>::vertex_descriptor>(
         [&](const auto& v) { return get(atlas.uv, static_cast<Halfedge>(v)); });
@@ -198,12 +198,14 @@ BOOST_AUTO_TEST_CASE(wrong_input)
 {
   Mesh empty;
   const auto uv = empty.add_property_map<Halfedge, Point_2>("h:uv").first;
-  BOOST_CHECK_THROW(SMP::measure_flattening(empty, uv), std::invalid_argument);
+  BOOST_TEST(SMP::measure_flattening(empty, uv).status == SMP::Diagnosis::EMPTY_MESH);
   Mesh mesh = seam_surfaces::sphere(1).mesh<Mesh>();
   const auto zero = mesh.add_property_map<Halfedge, Point_2>("h:uv", {0, 0}).first;
   BOOST_TEST(SMP::measure_flattening(mesh, zero).flipped_triangles == mesh.number_of_faces());
   mesh.point(Vertex(3)) = Mesh::Point(0, std::nan(""), 0);
-  BOOST_CHECK_THROW(SMP::measure_flattening(mesh, zero), std::invalid_argument);
+  const auto report = SMP::measure_flattening(mesh, zero);
+  BOOST_TEST(report.status == SMP::Diagnosis::NON_FINITE_POINT);
+  BOOST_TEST((report.offending_vertices == std::vector<Vertex>{Vertex(3)}));
 }
 
 namespace {

@@ -650,7 +650,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_the_direct_method_refuses)
   BOOST_TEST(hierarchical.report().status == SMP::Diagnosis::SEVERAL_BORDERS);
   mesh.point(Mesh::Vertex_index(8)) = {0, 0, std::numeric_limits<double>::infinity()};
   BOOST_TEST(run() == SMP::ERROR_WRONG_PARAMETER);
-  BOOST_TEST(hierarchical.offending_vertices().front() == Mesh::Vertex_index(8));
+  BOOST_TEST(hierarchical.report().offending_vertices.front() == Mesh::Vertex_index(8));
   Options wrong;
   wrong.simplification_rate = 1;
   hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>(wrong);

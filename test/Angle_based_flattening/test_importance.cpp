@@ -112,8 +112,8 @@ void check_refused(double importance)
                                uv) == SMP::ERROR_WRONG_PARAMETER);
   BOOST_TEST(parameterizer.report().status == SMP::Diagnosis::WRONG_WEIGHT);
   BOOST_TEST(!parameterizer.report().message.empty());
-  BOOST_REQUIRE(parameterizer.offending_faces().size() == 1);
-  BOOST_TEST(parameterizer.offending_faces().front() == wrong);
+  BOOST_REQUIRE(parameterizer.report().offending_faces.size() == 1);
+  BOOST_TEST(parameterizer.report().offending_faces.front() == wrong);
   BOOST_TEST(uv[Mesh::Vertex_index(0)] == Point_2(-1, -1));
 }
 

@@ -369,8 +369,8 @@ BOOST_AUTO_TEST_CASE(wrong_input)
   check_error(nan, bhd, SMP::ERROR_WRONG_PARAMETER, SMP::Diagnosis::NON_FINITE_POINT);
   Flattening<Surface_mesh> flattening;
   flattening.run(nan);
-  BOOST_REQUIRE_EQUAL(flattening.parameterizer.offending_vertices().size(), 1u);
-  BOOST_TEST(flattening.parameterizer.offending_vertices().front() == v);
+  BOOST_REQUIRE_EQUAL(flattening.parameterizer.report().offending_vertices.size(), 1u);
+  BOOST_TEST(flattening.parameterizer.report().offending_vertices.front() == v);
 
   Surface_mesh quads;
   CGAL::make_grid(

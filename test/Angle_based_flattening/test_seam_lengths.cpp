@@ -78,7 +78,7 @@ double largest_jump(const Mesh& mesh, const Seams& seams, const Map& map)
 
 Map flatten(Mesh& mesh, const Seams& seams, const Options& options)
 {
-  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams);
+  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
   const auto border = SMP::border_halfedge(cut);
   const UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer(options);

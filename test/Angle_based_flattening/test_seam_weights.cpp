@@ -219,15 +219,14 @@ BOOST_AUTO_TEST_CASE(points_of_another_map)
 
 BOOST_AUTO_TEST_CASE(weights_of_bad_meshes)
 {
-  const auto message = [](const Mesh& mesh) -> std::string {
+  const auto message = [](const Mesh& mesh) {
     Weights result;
-    try {
-      SMP::compute_visibility_weights(mesh, boost::make_assoc_property_map(result));
-    } catch(const std::invalid_argument& error) {
+    const auto report = SMP::compute_visibility_weights(mesh, boost::make_assoc_property_map(result));
+    if(!report)
       BOOST_TEST(result.empty());
-      return error.what();
-    }
-    return "";
+    BOOST_TEST(report.offending_vertices.size() == (report.status == SMP::Diagnosis::NON_FINITE_POINT));
+    BOOST_TEST(report.offending_faces.size() == (report.status == SMP::Diagnosis::NOT_TRIANGULATED));
+    return report.message;
   };
   Mesh mesh = seam_surfaces::octahedron().mesh();
   mesh.point(Vertex(3)) = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
@@ -339,7 +338,7 @@ BOOST_AUTO_TEST_CASE(marked_borders)
     if(mesh.is_border(e))
       put(seams, e, true);
   BOOST_TEST(static_cast<bool>(SMP::is_disk_cut(mesh, seams)));
-  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
+  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
   BOOST_TEST(seam_mesh.number_of_seam_edges() == 2u);
   BOOST_TEST(num_vertices(seam_mesh) == 18u);
   BOOST_TEST(num_edges(seam_mesh) == mesh.number_of_edges() + 2);
@@ -376,7 +375,7 @@ void check_flattening(const Surface& surface)
   open_along_dual_tree(mesh, seams);
   BOOST_REQUIRE(static_cast<bool>(SMP::is_disk_cut(mesh, seams)));
 
-  auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
+  auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
   for(auto e : edges(mesh)) // it has its own marks
     put(seams, e, false);
   typedef decltype(seam_mesh) Seam_mesh;
@@ -408,7 +407,7 @@ BOOST_AUTO_TEST_CASE(borders_of_parts)
 {
   Octahedron o;
   BOOST_REQUIRE(static_cast<bool>(o.read("\n\n0 2 2 1 1 3 3 0 4 0")));
-  const auto seam_mesh = SMP::make_seam_mesh(o.mesh, o.seams);
+  const auto seam_mesh = SMP::make_seam_mesh(o.mesh, o.seams).mesh;
   for(auto f : o.mesh.faces()) {
     const auto border = SMP::border_halfedge(seam_mesh, f);
     BOOST_REQUIRE(is_border(border, seam_mesh));
@@ -429,7 +428,7 @@ BOOST_AUTO_TEST_CASE(borders_of_parts)
 
   // Of a closed part, and of a mesh without seams
   const Octahedron closed;
-  const auto without = SMP::make_seam_mesh(closed.mesh, closed.seams);
+  const auto without = SMP::make_seam_mesh(closed.mesh, closed.seams).mesh;
   BOOST_TEST((SMP::border_halfedge(without) == decltype(without)::halfedge_descriptor()));
   BOOST_TEST(without.number_of_seam_edges() == 0u);
 }

@@ -110,7 +110,7 @@ std::vector<Surface> surfaces()
 // The L2 stretch of the flattened disk; infinity if it cannot be flattened
 double flattened_stretch(const Mesh& mesh, Seam_map seams)
 {
-  auto seam_mesh = SMP::make_seam_mesh(mesh, seams);
+  auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
   typedef decltype(seam_mesh) Seam_mesh;
   typedef boost::graph_traits<Seam_mesh>::halfedge_descriptor Seam_halfedge;
   typedef boost::graph_traits<Seam_mesh>::vertex_descriptor Seam_vertex;

@@ -62,7 +62,7 @@ public:
       : m_uv(mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", {0, 0}).first),
         m_copy(t.mesh.number_of_halfedges())
   {
-    const auto cut = SMP::make_seam_mesh(t.mesh, t.is_seam);
+    const auto cut = SMP::make_seam_mesh(t.mesh, t.is_seam).mesh;
     for(const Face f : t.mesh.faces()) {
       if(t.chart[f] < 0)
         continue;

@@ -161,7 +161,7 @@ void cones(const std::string& file, const Control_choice& choice, Measurement& m
   if(!seam_report)
     return m.fail(seam_report.message);
   m.add("seam", seam_report.relative_seam_length);
-  auto cut = SMP::make_seam_mesh(mesh, seams);
+  auto cut = SMP::make_seam_mesh(mesh, seams).mesh;
   const auto border = SMP::border_halfedge(cut);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, abf::Chart::Point_2>("h:uv", {0, 0}).first;
   for(int i = 0; i < choice.repeat; ++i)
@@ -188,8 +188,8 @@ void rectangle(const std::string& file, const Control_choice& choice, Measuremen
   for(const auto v : vertices_around_face(border, mesh))
     vertices.push_back(v);
   const auto corners = flatten_mesh::choose_corners(vertices, uv);
-  const Angles angles = SMP::rectangle_angles(mesh, corners);
-  m.add("split_edges", SMP::split_flat_chords(mesh, border, angles).size());
+  const Angles angles = SMP::rectangle_angles(mesh, corners).angles;
+  m.add("split_edges", SMP::split_flat_chords(mesh, border, angles).edges.size());
   Angles right;
   for(const auto v : corners)
     right.set(v, CGAL_PI / 2);

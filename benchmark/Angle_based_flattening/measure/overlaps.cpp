@@ -33,7 +33,7 @@ void overlaps(const std::string& file, double bound, Measurement& m)
   }
 
   Surface surface;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(mesh, seams), surface.mesh);
+  CGAL::copy_face_graph(SMP::make_seam_mesh(mesh, seams).mesh, surface.mesh);
   surface.border = CGAL::Polygon_mesh_processing::longest_border(surface.mesh).first;
   surface.uv = surface.mesh.add_property_map<Mesh::Vertex_index, abf::Chart::Point_2>("v:uv", {0, 0}).first;
   flatten("abf++", surface, SMP::Hierarchical_options(), m);

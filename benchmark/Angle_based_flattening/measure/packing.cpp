@@ -121,7 +121,7 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
     return m.fail(cut_report.message);
 
   Mesh mesh;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(whole, seams), mesh);
+  CGAL::copy_face_graph(SMP::make_seam_mesh(whole, seams).mesh, mesh);
   const auto uv_of_vertices =
       mesh.add_property_map<Mesh::Vertex_index, abf::Chart::Point_2>("v:uv", {0, 0}).first;
   std::vector<Halfedge> borders;

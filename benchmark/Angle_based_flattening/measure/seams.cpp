@@ -77,7 +77,7 @@ void seams(const std::string& choice, const std::string& file, const Seam_choice
   m.add("predicted", report.predicted_stretch);
 
   Surface surface;
-  const auto opened = SMP::make_seam_mesh(mesh, is_seam);
+  const auto opened = SMP::make_seam_mesh(mesh, is_seam).mesh;
   CGAL::copy_face_graph(opened, surface.mesh);
   surface.border = CGAL::Polygon_mesh_processing::longest_border(surface.mesh).first;
   surface.uv = surface.mesh.add_property_map<Mesh::Vertex_index, abf::Chart::Point_2>("v:uv", {0, 0}).first;

@@ -12,8 +12,7 @@ enum Exit_status
 {
   SUCCESS = 0,
   COMPUTATION_FAILED = 1,
-  WRONG_INPUT = 2,
-  WITHOUT_AREA = 3
+  WRONG_INPUT = 2
 };
 
 } // namespace flatten_mesh

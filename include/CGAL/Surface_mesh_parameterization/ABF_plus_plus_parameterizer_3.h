@@ -13,12 +13,14 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
@@ -100,8 +102,23 @@ public:
     m_prescriptions.equal_seam_lengths = options.equal_seam_lengths;
   }
 
-  /// sets how much the angles of each face matter, from the next call of `parameterize()` on. By default, all faces
-  /// have the importance 1.
+  /// sets the points of the vertices, from the next call of `parameterize()` on. Without a call of this function, they are
+  /// `get(CGAL::vertex_point, mesh)`.
+  ///
+  /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
+  /// once for each vertex.
+  ///
+  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a `Point_3` of any kernel as value type. For a
+  ///         `Seam_mesh`, the key type can also be the vertex descriptor of the mesh that it cuts.
+  template <typename VertexPointMap>
+  void set_points(VertexPointMap points)
+  {
+    m_prescriptions.points = internal::ABF::vertex_points<Triangle_mesh>(points);
+  }
+
+  /// sets how much the angles of each face matter, from the next call of `parameterize()` on. Without a call of this
+  /// function, all faces have the importance 1.
   ///
   /// The importance of a face is its weight in the energy: a factor of the squared relative changes of its angles, and
   /// of their barrier. Faces of large importance change less, and the faces around them change more. Only ratios
@@ -109,9 +126,10 @@ public:
   /// with the importance 10 had 0.6 to 0.9 times their angular distortion, and the rest of the surface had up to 6 %
   /// more. With the importance 0.1, they had 1.4 to 3.5 times their angular distortion.
   ///
-  /// The importance of every face of the flattened component must be in [0.1, 10]. Otherwise, `parameterize()` returns
-  /// `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and `offending_faces()` returns the faces.
-  /// If neighbouring faces differ by a factor of 100, the solver may take 25 times as many steps.
+  /// The importance of every face of the flattened component must be in [0.1, 10]. It has no unit. Otherwise,
+  /// `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and the
+  /// `Mesh_report::offending_faces` of `report()` are these faces. If neighbouring faces differ by a factor of 100, the solver may take
+  /// 25 times as many steps.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each face.
@@ -136,17 +154,17 @@ public:
   ///
   /// Before anything is solved, `parameterize()` checks whether a map with these angles exists. If not, it returns
   /// `ERROR_WRONG_PARAMETER` with one of these diagnoses:
-  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is too large:
-  ///   each triangle at a vertex has less than \f$\pi\f$ there. `offending_vertices()` returns the vertices.
-  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if all \f$m\f$ border vertices have prescribed angles, their sum is not
-  ///   \f$(m - 2)\pi\f$ up to \f$10^{-6}\f$. (The largest angle is corrected by a smaller difference.) If some are
-  ///   free, the rest of this sum is not positive, or is not less than \f$\pi\f$ for each triangle at the free
-  ///   vertices. `offending_vertices()` returns the free vertices.
-  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border between them does not turn towards
-  ///   it, for example where a straight side runs along a triangle with two border edges. `offending_vertices()`
-  ///   returns the two vertices of each such edge. `split_flat_chords()` splits these edges.
-  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: the triangles near some vertices cannot have the angles that are prescribed
-  ///   there. `offending_vertices()` returns these vertices. This is possible only if an angle is above \f$\pi\f$.
+  /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large
+  ///   as the triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices`
+  ///   are the vertices.
+  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
+  ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other vertices must be positive,
+  ///   and less than \f$\pi\f$ for each triangle there. `offending_vertices` are these other vertices.
+  /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between
+  ///   them. That is so where a straight side runs along a triangle with two border edges. `offending_vertices`
+  ///   are the two vertices of each such edge. `split_flat_chords()` splits these edges.
+  /// - `Diagnosis::INFEASIBLE_ANGLE_SUMS`: other angles that the triangles near them cannot give, which
+  ///   `offending_vertices` are. This is possible only if an angle is above \f$\pi\f$.
   ///
   /// If the map does not have the prescribed angles up to `ABF_plus_plus_options::tolerance`, it is not returned, and
   /// the diagnosis is `Diagnosis::NO_CONVERGENCE`. With `Flattening_options::injective`, a map that overlaps itself is
@@ -183,8 +201,8 @@ public:
   /// vertices, from the next call of `parameterize()` on. A `Seam_mesh` needs no call of this function.
   /// `ABF_plus_plus_options::equal_seam_lengths` and `ABF_plus_plus_report::largest_seam_jump` use these pairs.
   ///
-  /// Each halfedge must be the other side of its other side. Otherwise, `parameterize()` returns
-  /// `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_OPTION`, and `offending_vertices()` returns the
+  /// The other side of the other side of a halfedge must be itself. Otherwise, `parameterize()` returns
+  /// `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_OPTION`, and `offending_vertices` are the
   /// vertices of an edge. The function keeps a copy of the property map, and so do copies of the parameterizer.
   ///
   /// \tparam HalfedgeSideMap must be a model of `ReadablePropertyMap` with
@@ -231,9 +249,9 @@ public:
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), no valid map was found, or
   ///   a visitor stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
-  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, there are more than 153 million
-  ///    triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is
-  ///    out of its range or does not apply.
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, no triangle has an area, there are more than
+  ///    153 million triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is out of its range
+  ///    or does not apply.
   ///
   /// \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
@@ -261,25 +279,14 @@ public:
 
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call
   /// changes the report, so do not read it while a copy runs.
-  const ABF_plus_plus_report& report() const
+  ///
+  /// The offending vertices are a vertex that is pinched, is on a second border, or has a coordinate that is not finite, the two
+  /// that parallel edges join, or what `set_angle_sums()` says. The offending faces are a face that is not a triangle or
+  /// is at a parallel edge, all faces whose importance is out of its range, or all faces that would be flipped or wind around
+  /// a vertex more than once.
+  const Mesh_report<Triangle_mesh, ABF_plus_plus_report>& report() const
   {
     return m_outcome.get().report;
-  }
-
-  /// returns the vertices that the last call's diagnosis is about: a vertex that is pinched, is on a second border, or
-  /// has a coordinate that is not finite; the two vertices that parallel edges join; or the vertices that the
-  /// description of `set_angle_sums()` lists. The vector is empty for other diagnoses.
-  const std::vector<vertex_descriptor>& offending_vertices() const
-  {
-    return m_outcome.get().offending_vertices;
-  }
-
-  /// returns the faces that the last call's diagnosis is about: a face that is not a triangle or is at a parallel
-  /// edge, all faces whose importance is out of its range, or all faces that would be flipped or wind around a vertex
-  /// more than once. The vector is empty for other diagnoses.
-  const std::vector<face_descriptor>& offending_faces() const
-  {
-    return m_outcome.get().offending_faces;
   }
 
 private:

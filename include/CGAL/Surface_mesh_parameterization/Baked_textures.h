@@ -9,6 +9,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Baking_report.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -40,10 +43,10 @@ struct Tangent_frame
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is at
-/// \f$v = 1\f$, the last row is at \f$v = 0\f$, and \f$u\f$ grows along each row. In a texture of \f$n^2\f$ texels, the
-/// texel in row \f$i\f$ and column \f$j\f$ has its centre at \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
-struct Baked_textures
+/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is that at \f$v = 1\f$, the
+/// last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$ of a texture of \f$n^2\f$ texels have their centre at
+/// \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
+struct Baked_textures : Baking_report
 {
   /// Where the values of a texel come from.
   enum Texel : std::uint8_t
@@ -72,11 +75,6 @@ struct Baked_textures
 
   float least_displacement = 0;    ///< The least of the displacements of charts.
   float greatest_displacement = 0; ///< The greatest of the displacements of charts.
-
-  Baking_report report; ///< What is wrong, if anything, and how the texels were found.
-
-  /// returns whether the textures are baked.
-  explicit operator bool() const { return bool(report); }
 
   /// returns the normals as pixels: 0 for -1, and the largest number of the type for 1.
   ///
@@ -118,6 +116,21 @@ private:
     }
     return result;
   }
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The textures that `bake_surface()` makes of two meshes, and what is wrong with these.
+///
+/// \tparam TriangleMesh a model of `FaceGraph`: the simple surface, which `offending_vertices` and `offending_faces` are of
+/// \tparam FineMesh a model of `FaceGraph`: the fine surface
+template <typename TriangleMesh, typename FineMesh>
+struct Baked_surface : Mesh_report<TriangleMesh, Baked_textures>
+{
+  /// The vertices of the fine surface that the diagnosis is about.
+  std::vector<typename boost::graph_traits<FineMesh>::vertex_descriptor> offending_fine_vertices;
+  /// The faces of the fine surface that it is about.
+  std::vector<typename boost::graph_traits<FineMesh>::face_descriptor> offending_fine_faces;
 };
 
 } // namespace Surface_mesh_parameterization

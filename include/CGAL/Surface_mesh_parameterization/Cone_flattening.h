@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 
 #include <string>
@@ -22,12 +23,12 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The report of `flatten_with_cones()`. If anything is wrong, `status` and `message` are those of the first step that
+/// What `flatten_with_cones()` reports. If anything is wrong, `status`, `message` and the offending elements are those of the first part that
 /// failed.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
 template <typename TriangleMesh>
-struct Cone_flattening : Report
+struct Cone_flattening : Mesh_report<TriangleMesh>
 {
   Cone_selection<TriangleMesh> cones; ///< the cones with their angles
   Seam_report seams;                  ///< the seams through the cones

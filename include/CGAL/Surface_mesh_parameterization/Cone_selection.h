@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -38,22 +39,14 @@ struct Cone_report : Report
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
 template <typename TriangleMesh>
-struct Cone_selection : Cone_report
+struct Cone_selection : Mesh_report<TriangleMesh, Cone_report>
 {
   /// Vertex type
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  /// Face type
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
 
   /// the cones in the order in which they were chosen, each with the sum of the planar angles around it, in radians;
   /// `free_cone_angle` if these sums are free
   std::vector<std::pair<vertex_descriptor, double>> cones;
-
-  /// the vertices that the diagnosis is about: the pinched vertex, or the vertices whose angles are not possible
-  std::vector<vertex_descriptor> offending_vertices;
-
-  /// the face that the diagnosis is about: the first face of a second component
-  std::vector<face_descriptor> offending_faces;
 
   /// returns the cones without their angles. `vertex_is_constrained_map(CGAL::make_boolean_property_map(vertices))`
   /// gives such a set to `cut_to_disks()`.

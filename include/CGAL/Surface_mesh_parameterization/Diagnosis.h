@@ -30,13 +30,13 @@ enum class Diagnosis
   NOT_TRIANGULATED,    ///< A face is not a triangle.
   NON_FINITE_POINT,    ///< A coordinate of a point is infinite or not a number.
   TOO_LARGE,           ///< There are more triangles than 32-bit numbers allow.
-  NO_AREA,             ///< No face has an area in space, or a weight above 0.
+  NO_AREA,             ///< No face has an area in space, up to rounding, or a weight above 0.
   NON_MANIFOLD_VERTEX, ///< The faces around a vertex form several fans: the surface is pinched.
   NON_MANIFOLD_EDGE,   ///< Two faces run along an edge in the same direction, or more than two meet there.
   REPEATED_VERTEX,     ///< A face has the same vertex twice.
   SEVERAL_COMPONENTS,  ///< The surface is not connected.
   NO_BORDER,           ///< The surface is closed: it must be cut open first.
-  NOT_ON_BORDER,       ///< The given halfedge is null or not on a border.
+  NOT_ON_BORDER,       ///< The given halfedge is null or not on a border, or a corner is not on the border.
   SHORT_BORDER,        ///< A border has fewer than three edges.
   SEVERAL_BORDERS,     ///< The surface has holes, but must be a disk.
   NONZERO_GENUS,       ///< The surface has handles: it is not a disk.

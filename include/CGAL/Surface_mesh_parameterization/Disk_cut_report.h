@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -23,15 +23,15 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The report of `is_disk_cut()`. It converts to `true` if all parts are disks that can be flattened. Otherwise,
-/// `status` and `message` are about the first part that is not such a disk. If a part has several defects, its status
-/// is the first of `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`,
-/// `SEVERAL_BORDERS`, `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order
-/// of the mesh.
+/// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise,
+/// `status` and `message` are about the first part that is not one. If a part has several defects, its status is the
+/// first of `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`, `SEVERAL_BORDERS`,
+/// `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order of the mesh. The offending
+/// element is the face, the vertex or the edge that `Part::where` is in, or `Part::face` for closed parts and handles.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>
-struct Disk_cut_report : Report
+struct Disk_cut_report : Mesh_report<TriangleMesh>
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
       halfedge_descriptor; ///< A halfedge of the mesh.

@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
@@ -167,6 +169,15 @@ struct Flattening_measures
   /// Smallest angle of a planar triangle, in radians.
   double smallest_angle = 0;
 };
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What `measure_flattening()` returns: the measures, or what is wrong with the mesh.
+///
+/// \tparam TriangleMesh a model of `FaceGraph`
+template <typename TriangleMesh>
+struct Flattening_measures_report : Mesh_report<TriangleMesh>, Flattening_measures
+{};
 
 } // namespace Surface_mesh_parameterization
 

@@ -64,6 +64,8 @@ struct Flattening_report : Report
   int vertices = 0;  ///< Vertices of the chart.
   int triangles = 0; ///< Triangles of the chart.
   int borders = 0;   ///< Border cycles of the chart.
+  /// Triangles of the surface whose vertices are on a line, or at one point, up to the rounding of coordinates.
+  int degenerate_triangles = 0;
 
   /// Whether the borders are simple; see `Flattening_measures::border_is_simple`. If no triangle is flipped, the map is
   /// injective if and only if the borders are simple.
@@ -119,6 +121,7 @@ inline Error_code error_code(Diagnosis diagnosis)
   case Diagnosis::NOT_ON_BORDER:
   case Diagnosis::NON_FINITE_POINT:
   case Diagnosis::TOO_LARGE:
+  case Diagnosis::NO_AREA:
   case Diagnosis::WRONG_OPTION:
   case Diagnosis::WRONG_WEIGHT:
   case Diagnosis::WRONG_ANGLE_SUM:

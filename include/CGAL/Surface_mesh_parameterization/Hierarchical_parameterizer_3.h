@@ -14,11 +14,13 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
@@ -192,6 +194,14 @@ public:
         m_linear_algebra(std::move(sparse_la))
   {}
 
+  /// sets the points of the vertices, from the next call of `parameterize()` on; see
+  /// `ABF_plus_plus_parameterizer_3::set_points()`.
+  template <typename VertexPointMap>
+  void set_points(VertexPointMap points)
+  {
+    m_points = internal::ABF::vertex_points<Triangle_mesh>(points);
+  }
+
   /// sets how much the angles of each face matter, from the next call of `parameterize()` on; see
   /// `ABF_plus_plus_parameterizer_3::set_importance()`.
   ///
@@ -222,8 +232,9 @@ public:
   {
     m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
-        mesh, bhd, uvmap, vimap, internal::ABF::Prescriptions<Triangle_mesh>{m_importance, {}, {}, false},
-        m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+        mesh, bhd, uvmap, vimap,
+        internal::ABF::Prescriptions<Triangle_mesh>{m_importance, {}, {}, false, m_points}, m_options,
+        [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
           return internal::ABF::flatten_chart_hierarchically(std::move(chart), m_options, flatten_coarse,
                                                              m_linear_algebra, round);
@@ -239,7 +250,8 @@ public:
   }
 
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy.
-  const Hierarchical_report& report() const
+  /// The offending elements are as for `ABF_plus_plus_parameterizer_3::report()`.
+  const Mesh_report<Triangle_mesh, Hierarchical_report>& report() const
   {
     return m_outcome.get().report;
   }
@@ -251,19 +263,6 @@ public:
     return m_coarse_parameterizer;
   }
 
-  /// returns the vertices that the last call's diagnosis is about; see
-  /// `ABF_plus_plus_parameterizer_3::offending_vertices()`.
-  const std::vector<vertex_descriptor>& offending_vertices() const
-  {
-    return m_outcome.get().offending_vertices;
-  }
-
-  /// returns the faces that the last call's diagnosis is about; see `ABF_plus_plus_parameterizer_3::offending_faces()`.
-  const std::vector<face_descriptor>& offending_faces() const
-  {
-    return m_outcome.get().offending_faces;
-  }
-
 private:
   typedef internal::ABF::Outcome<Triangle_mesh, Hierarchical_report> Outcome;
 
@@ -271,6 +270,7 @@ private:
   Coarse_parameterizer m_coarse_parameterizer;
   Solver_traits m_linear_algebra;
   internal::ABF::Face_importance<Triangle_mesh> m_importance;
+  internal::ABF::Vertex_points<Triangle_mesh> m_points;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 

@@ -114,10 +114,11 @@ fine surface. With `CGAL::TBB_support`, rows are baked in parallel. The result d
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh, typename TangentFrameMap,
           typename NamedParameters = parameters::Default_named_parameters,
           typename FineNamedParameters = parameters::Default_named_parameters>
-Baked_textures bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh,
-                            TangentFrameMap frames, const Baking_options& options = Baking_options(),
-                            const NamedParameters& np = parameters::default_values(),
-                            const FineNamedParameters& fine_np = parameters::default_values())
+Baked_surface<TriangleMesh, FineMesh>
+bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh, TangentFrameMap frames,
+             const Baking_options& options = Baking_options(),
+             const NamedParameters& np = parameters::default_values(),
+             const FineNamedParameters& fine_np = parameters::default_values())
 {
   return internal::ABF::Mesh_baker<TriangleMesh, HalfedgeUVMap, FineMesh, TangentFrameMap, NamedParameters,
                                    FineNamedParameters>(mesh, uv, fine_mesh, frames, options, np, fine_np)
@@ -132,10 +133,11 @@ bakes a fine surface into textures of a simple one as above, without returning t
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh,
           typename NamedParameters = parameters::Default_named_parameters,
           typename FineNamedParameters = parameters::Default_named_parameters>
-Baked_textures bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh,
-                            const Baking_options& options = Baking_options(),
-                            const NamedParameters& np = parameters::default_values(),
-                            const FineNamedParameters& fine_np = parameters::default_values())
+Baked_surface<TriangleMesh, FineMesh>
+bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh,
+             const Baking_options& options = Baking_options(),
+             const NamedParameters& np = parameters::default_values(),
+             const FineNamedParameters& fine_np = parameters::default_values())
 {
   return bake_surface(mesh, uv, fine_mesh, nullptr, options, np, fine_np);
 }

@@ -50,8 +50,16 @@ Planar_map<TriangleMesh, UVMap> planar_map(const TriangleMesh& mesh,
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const Planar_map<TriangleMesh, UVMap>& map, FaceOutputIterator out)
 {
-  for(int t : flipped_triangles(map.vertex, map.points))
+  auto polygon = map.polygons.begin();
+  const auto write_polygons = [&](std::size_t number_of_triangles) {
+    for(; polygon != map.polygons.end() && polygon->first <= number_of_triangles; ++polygon)
+      *out++ = polygon->second;
+  };
+  for(int t : flipped_triangles(map.vertex, map.points)) {
+    write_polygons(static_cast<std::size_t>(t));
     *out++ = map.face_descriptors[t];
+  }
+  write_polygons(map.face_descriptors.size());
   return out;
 }
 
@@ -69,8 +77,8 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces of `mesh` that are not positively oriented in the plane to `out`: faces that are flipped, have
-/// collinear vertices, or have a coordinate that is infinite or not a number.
+/// writes the faces of `mesh` that are no positively oriented triangles in the plane to `out`: those that are flipped, those
+/// whose vertices are collinear, those with a coordinate that is infinite or not a number, and those with more than three vertices.
 ///
 /// Nothing is rounded: like all functions of this header, the function uses exact predicates on the stored
 /// coordinates. It takes linear time.
@@ -82,15 +90,14 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
 ///
-/// \param mesh a triangulated surface.
-/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges, from any parameterizer. A halfedge
-///        stores the coordinates of its target in its face, as `make_atlas()` writes them. The surface is then cut open
-///        along the edges whose two sides have different coordinates, and all charts are checked.
+/// \param mesh a surface.
+/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges. It does not matter which
+///        parameterizer computed them. A halfedge of a face has the coordinates of its target at that face, as
+///        `make_atlas()` writes them. The surface is then cut open along the edges whose two sides have different
+///        coordinates, and each chart between them counts.
 /// \param out receives the faces, in the order of the mesh.
 ///
-/// \return `out` after the last face.
-///
-/// \exception std::invalid_argument if a face is not a triangle.
+/// \return `out`, behind what was written.
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>
 FaceOutputIterator flipped_faces(const TriangleMesh& mesh, UVMap uvmap, FaceOutputIterator out)
 {
@@ -118,8 +125,7 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 /// - the faces around each border vertex take less than a full turn; if they form several fans, the fans have only the
 ///   vertex in common.
 ///
-/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
-/// exceptions are those of `flipped_faces()`.
+/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters and requirements are those of `flipped_faces()`.
 template <typename TriangleMesh, typename UVMap>
 bool is_locally_injective(const TriangleMesh& mesh, UVMap uvmap)
 {
@@ -158,8 +164,8 @@ bool is_locally_injective(const TriangleMesh& mesh,
 /// The third condition does not follow from the others, even on a connected surface: two sheets, one over the other,
 /// that are cut and glued crosswise have two simple borders, but points in the middle have two preimages.
 ///
-/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters, requirements and
-/// exceptions are those of `flipped_faces()`.
+/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters and requirements are
+/// those of `flipped_faces()`.
 template <typename TriangleMesh, typename UVMap>
 bool is_injective(const TriangleMesh& mesh, UVMap uvmap)
 {
@@ -178,9 +184,10 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There is
-/// no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
-/// they meet on the surface. Edges with a coordinate that is infinite or not a number are left out: their faces are in
+/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There
+/// is no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
+/// they meet on the surface. Edges with a
+/// coordinate that is infinite or not a number, and those of faces with more than three vertices are left out. Their faces are in
 /// `flipped_faces()`.
 ///
 /// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise
@@ -192,9 +199,7 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 /// \param mesh, uvmap as for `flipped_faces()`.
 /// \param out receives the pairs of border halfedges, each pair once.
 ///
-/// \return `out` after the last pair.
-///
-/// \exception std::invalid_argument if a face is not a triangle.
+/// \return `out`, behind what was written.
 template <typename TriangleMesh, typename UVMap, typename HalfedgePairOutputIterator>
 HalfedgePairOutputIterator crossing_border_edges(const TriangleMesh& mesh, UVMap uvmap,
                                                  HalfedgePairOutputIterator out)

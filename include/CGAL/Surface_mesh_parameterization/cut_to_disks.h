@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
@@ -77,12 +78,12 @@ may become seams leave no way to cut. `Diagnosis::WRONG_OPTION` means that a giv
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Seam_report cut_to_disks(const TriangleMesh& mesh, EdgeIsSeamMap seams,
-                         const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Seam_report> cut_to_disks(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                    const NamedParameters& np = parameters::default_values())
 {
   namespace ABF = internal::ABF;
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
-  Seam_report report;
+  Mesh_report<TriangleMesh, Seam_report> report;
   if(!ABF::can_reach_terminals(mesh, np, report))
     return report;
   return application.run([&](const ABF::Surface_part& part) {

@@ -12,13 +12,17 @@
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -35,9 +39,15 @@ namespace internal::ABF {
 
 // A halfedge on the longest border, or on any one if lengths are not finite; the null halfedge for a closed surface
 template <typename TriangleMesh>
-typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_on_border(const TriangleMesh& mesh)
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
+halfedge_on_border(const TriangleMesh& mesh, const Vertex_points<TriangleMesh>& given_points)
 {
-  const auto longest = Polygon_mesh_processing::longest_border(mesh).first;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  const auto points = boost::make_function_property_map<vertex_descriptor>(
+      [&](const vertex_descriptor& v) { return given_points(v, mesh); });
+  const auto longest =
+      given_points ? Polygon_mesh_processing::longest_border(mesh, parameters::vertex_point_map(points)).first
+                   : Polygon_mesh_processing::longest_border(mesh).first;
   if(longest != boost::graph_traits<TriangleMesh>::null_halfedge())
     return longest;
   const auto all = halfedges(mesh);
@@ -67,23 +77,37 @@ if(report.status != Diagnosis::NOTHING_WRONG)
 \tparam VertexUVMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a `Point_2` of any kernel as value type
 \tparam Parameterizer `ABF_plus_plus_parameterizer_3` or `Hierarchical_parameterizer_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh
 \param uvmap receives the planar coordinates; on any error it is unchanged
 \param parameterizer the parameterizer, with its options
+\param np optional named parameters:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_points()`}
+    \cgalParamDefault{those of the parameterizer}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \return the report of the parameterizer. `error_code()` returns the error code of its diagnosis.
 */
 template <typename TriangleMesh, typename VertexUVMap,
-          typename Parameterizer = ABF_plus_plus_parameterizer_3<TriangleMesh>>
+          typename Parameterizer = ABF_plus_plus_parameterizer_3<TriangleMesh>,
+          typename NamedParameters = parameters::Default_named_parameters>
 #ifndef DOXYGEN_RUNNING
 std::decay_t<decltype(std::declval<Parameterizer&>().report())>
 #else
-Report
+Mesh_report<TriangleMesh, Flattening_report>
 #endif
-flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameterizer = Parameterizer())
+flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameterizer = Parameterizer(),
+                const NamedParameters& np = parameters::default_values())
 {
-  const auto border = internal::ABF::halfedge_on_border(mesh);
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+    parameterizer.set_points(parameters::get_parameter(np, internal_np::vertex_point));
+  const auto border = internal::ABF::halfedge_on_border(mesh, internal::ABF::given_points<TriangleMesh>(np));
   if(border != boost::graph_traits<TriangleMesh>::null_halfedge()) {
     parameterize(mesh, parameterizer, border, uvmap);
     return parameterizer.report();

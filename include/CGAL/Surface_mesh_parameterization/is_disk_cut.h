@@ -68,6 +68,7 @@ Disk_cut_report<TriangleMesh> is_disk_cut(const TriangleMesh& mesh, EdgeIsSeamMa
   if(report.defective_part < report.parts.size()) {
     report.status = report.parts[report.defective_part].status;
     report.message = internal::ABF::message(report.parts[report.defective_part], mesh);
+    internal::ABF::name_offenders(report.parts[report.defective_part], mesh, report);
   }
   return report;
 }

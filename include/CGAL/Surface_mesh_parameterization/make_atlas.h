@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_maker.h>
 
 #include <cstddef>
@@ -103,9 +104,10 @@ With `CGAL::TBB_support`, parts are flattened in parallel. The result does not d
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Atlas_report make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
-                        const Atlas_options& options = Atlas_options(),
-                        const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                   HalfedgeUVMap uv, FaceChartMap charts,
+                                                   const Atlas_options& options = Atlas_options(),
+                                                   const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Atlas_maker<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap,
                                     NamedParameters>(mesh, seams, uv, charts, options, np)
@@ -124,9 +126,9 @@ if(const auto report = make_atlas(mesh, uv); !report)
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Atlas_report make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
-                        const Atlas_options& options = Atlas_options(),
-                        const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
+                                                   const Atlas_options& options = Atlas_options(),
+                                                   const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Atlas_maker<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t,
                                     NamedParameters>(mesh, nullptr, uv, nullptr, options, np)

@@ -10,22 +10,24 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/opened_surface.h>
 
 // `Seam_mesh` calls only functions of meshes that were declared before it.
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -73,24 +75,17 @@ void mark_vertices(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMa
   }
 }
 
-// Around a marked vertex, `Seam_mesh` searches for a seam or border without end.
+// A halfedge to a marked vertex that faces surround; or the null halfedge. Around such a vertex, `Seam_mesh` searches for a seam or border
+// without end.
 template <typename TriangleMesh, typename VertexIsSeamMap, typename EdgeIsSeamMap>
-void refuse_marked_vertices_within_faces(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMap marks)
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
+halfedge_to_surrounded_mark(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMap marks)
 {
   const Opened_surface<TriangleMesh> surface(mesh, seams);
-  for(std::size_t side : surface.first_side) {
-    const auto v = target(surface.halfedge_of[side], mesh);
-    if(surface.is_on_border(side) || !get(marks, v))
-      continue;
-    std::size_t rank = 0;
-    for(auto w : vertices(mesh)) {
-      if(w == v)
-        break;
-      ++rank;
-    }
-    throw std::invalid_argument("vertex " + std::to_string(rank) +
-                                " is surrounded by faces, and is also on a seam or border of other faces");
-  }
+  for(std::size_t side : surface.first_side)
+    if(!surface.is_on_border(side) && get(marks, target(surface.halfedge_of[side], mesh)))
+      return surface.halfedge_of[side];
+  return boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
 template <typename Point>
@@ -102,11 +97,14 @@ double distance(const Point& p, const Point& q)
 }
 
 // A halfedge on the longest border cycle along these faces; the first one found if lengths are not comparable.
-template <typename SeamMesh, typename FaceRange>
-typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, const FaceRange& faces)
+template <typename SeamMesh, typename FaceRange, typename NamedParameters>
+typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, const FaceRange& faces,
+                                                      const NamedParameters& np)
 {
   typedef typename SeamMesh::halfedge_descriptor halfedge_descriptor;
-  const auto points = get(CGAL::vertex_point, mesh);
+  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                   get_const_property_map(CGAL::vertex_point, mesh.mesh()));
+  const auto point = [&](const halfedge_descriptor& h) { return get(points, target(h.tmhd, mesh.mesh())); };
   std::unordered_set<halfedge_descriptor> visited;
   halfedge_descriptor longest;
   double largest_length = -1;
@@ -117,7 +115,7 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
         continue;
       double length = 0;
       for(halfedge_descriptor h = border; visited.insert(h).second; h = next(h, mesh))
-        length += distance(get(points, source(h, mesh)), get(points, target(h, mesh)));
+        length += distance(point(opposite(h, mesh)), point(h));
       if(longest == halfedge_descriptor() || length > largest_length) {
         longest = border;
         largest_length = length;
@@ -131,16 +129,29 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the `Seam_mesh` of a surface with marked seams, for the parameterizers.
+/// What `make_seam_mesh()` returns.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`.
+template <typename TriangleMesh>
+struct Seam_mesh_report : Mesh_report<TriangleMesh>
+{
+  Cut_mesh<TriangleMesh> mesh; ///< The seam mesh. It has no seams if anything is wrong.
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the `Seam_mesh` of a surface with marked seams, which the parameterizers take as it is.
 ///
 /// \code{.cpp}
-/// auto seam_mesh = make_seam_mesh(mesh, seams);
-/// typedef decltype(seam_mesh) Seam_mesh;
-/// parameterize(seam_mesh, ABF_plus_plus_parameterizer_3<Seam_mesh>(), border_halfedge(seam_mesh), uvmap);
+/// auto cut = make_seam_mesh(mesh, seams);
+/// if(!cut)
+///   std::cerr << cut.message << "\n";
+/// typedef Cut_mesh<Mesh> Seam_mesh;
+/// parameterize(cut.mesh, ABF_plus_plus_parameterizer_3<Seam_mesh>(), border_halfedge(cut.mesh), uvmap);
 /// \endcode
 ///
-/// Coordinates belong to halfedges of `mesh`: the key `target(h, seam_mesh)`, which converts to a halfedge of `mesh`,
-/// has the coordinates of the target of `h` in the face of `h`. Only such keys of `uvmap` get coordinates.
+/// The coordinates belong to halfedges of `mesh`: those of the corner of a face at the target of `h` are at the key
+/// `target(h, cut.mesh)`, which converts to a halfedge of `mesh`. `uvmap` has these keys only.
 ///
 /// The seam mesh has its own copies of the marks: it does not change with `seams`. It refers to `mesh`, which must
 /// exist as long as the seam mesh. It knows its number of seams, whereas the constructor of `Seam_mesh` assumes 0 for
@@ -159,10 +170,10 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 /// \param mesh the surface.
 /// \param seams is `true` for the edges to be cut open. They need not leave disks.
 ///
-/// \exception std::invalid_argument if a vertex is surrounded by faces, and is also on a seam or border of other faces
-/// (`Diagnosis::NON_MANIFOLD_VERTEX`).
+/// \return the seam mesh, or what is wrong: a vertex is surrounded by faces, and is on a seam or border of other faces as well
+/// (`Diagnosis::NON_MANIFOLD_VERTEX`). The offending vertex is that one.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
-Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
+Seam_mesh_report<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
   const auto edge_marks = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   std::size_t number_of_seams = 0;
@@ -173,18 +184,29 @@ Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap se
   }
   const auto vertex_marks = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
   internal::ABF::mark_vertices(mesh, edge_marks, vertex_marks);
-  internal::ABF::refuse_marked_vertices_within_faces(mesh, edge_marks, vertex_marks);
+  const auto wrong = internal::ABF::halfedge_to_surrounded_mark(mesh, edge_marks, vertex_marks);
 
-  Cut_mesh<TriangleMesh> result(mesh, edge_marks, vertex_marks);
-  result.set_seam_edges_number(
-      static_cast<typename Cut_mesh<TriangleMesh>::edges_size_type>(number_of_seams));
+  Seam_mesh_report<TriangleMesh> result{{}, Cut_mesh<TriangleMesh>(mesh, edge_marks, vertex_marks)};
+  if(wrong == boost::graph_traits<TriangleMesh>::null_halfedge()) {
+    result.mesh.set_seam_edges_number(
+        static_cast<typename Cut_mesh<TriangleMesh>::edges_size_type>(number_of_seams));
+    return result;
+  }
+  for(auto e : edges(mesh))
+    put(edge_marks, e, false);
+  for(auto v : vertices(mesh))
+    put(vertex_marks, v, false);
+  result.status = Diagnosis::NON_MANIFOLD_VERTEX;
+  result.offending_vertices = {target(wrong, mesh)};
+  result.message = "vertex " + internal::ABF::rank_text(vertices(mesh), target(wrong, mesh)) +
+                   " is surrounded by faces, and is on a seam or border of other faces";
   return result;
 }
 
 #ifndef DOXYGEN_RUNNING
 // The seam mesh refers to the mesh.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
-Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh&& mesh, EdgeIsSeamMap seams) = delete;
+Seam_mesh_report<TriangleMesh> make_seam_mesh(const TriangleMesh&& mesh, EdgeIsSeamMap seams) = delete;
 #endif
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -192,12 +214,25 @@ Cut_mesh<TriangleMesh> make_seam_mesh(const TriangleMesh&& mesh, EdgeIsSeamMap s
 /// returns a halfedge on the longest border of a seam mesh, for the parameterizers; the null halfedge if there is no
 /// border. The time is linear.
 ///
-/// \tparam TM, SEM, SVM the arguments of any `Seam_mesh`. Points are those of `TM`.
-template <typename TM, typename SEM, typename SVM>
+/// \tparam TM, SEM, SVM the arguments of any `Seam_mesh`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param seam_mesh the seam mesh.
+/// \param np optional named parameters:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `seam_mesh.mesh()`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, seam_mesh.mesh())`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <typename TM, typename SEM, typename SVM, typename CGAL_NP_TEMPLATE_PARAMETERS>
 typename CGAL::Seam_mesh<TM, SEM, SVM>::halfedge_descriptor
-border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh)
+border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh,
+                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::ABF::longest_border(seam_mesh, faces(seam_mesh));
+  return internal::ABF::longest_border(seam_mesh, faces(seam_mesh), np);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -206,14 +241,15 @@ border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh)
 /// seams. It is the null halfedge if the part is closed.
 ///
 /// The time is \cgalBigO{m \log m} if the part has \f$m\f$ faces.
-template <typename TM, typename SEM, typename SVM>
+template <typename TM, typename SEM, typename SVM, typename CGAL_NP_TEMPLATE_PARAMETERS>
 typename CGAL::Seam_mesh<TM, SEM, SVM>::halfedge_descriptor
 border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh,
-                typename boost::graph_traits<TM>::face_descriptor f)
+                typename boost::graph_traits<TM>::face_descriptor f,
+                const CGAL_NP_CLASS& np = parameters::default_values())
 {
   std::vector<typename boost::graph_traits<TM>::face_descriptor> part;
   Polygon_mesh_processing::connected_component(f, seam_mesh, std::back_inserter(part));
-  return internal::ABF::longest_border(seam_mesh, part);
+  return internal::ABF::longest_border(seam_mesh, part, np);
 }
 
 } // namespace Surface_mesh_parameterization

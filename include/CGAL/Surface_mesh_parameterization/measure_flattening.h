@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -52,28 +51,42 @@ namespace Surface_mesh_parameterization {
 ///         value type. Coordinates are converted to `double`.
 /// \tparam FaceVisitor a function object that can be called with a
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor` and a `const Flattening_face_measures&`.
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a triangulated surface.
 /// \param bhd a halfedge on the border of `mesh`: one without a face.
 /// \param uvmap the map to be measured. It may have any size and flipped triangles.
 /// \param visitor is called once for each face of the component, with the measures of the face, by the calling
 /// thread.
+/// \param np optional named parameters:
 ///
-/// \return the measures of the whole component.
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
-/// \exception std::invalid_argument if `bhd` is not a border halfedge of a triangulated component, or a point of
-///            the component has a coordinate that is not finite.
-template <typename TriangleMesh, typename VertexUVMap, typename FaceVisitor>
-Flattening_measures measure_flattening(const TriangleMesh& mesh,
-                                       typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                                       VertexUVMap uvmap, FaceVisitor visitor)
+/// \return the measures of the whole component, or what is wrong: `bhd` is not a border halfedge (`Diagnosis::NOT_ON_BORDER`) or has no face on
+/// the other side (`Diagnosis::EMPTY_MESH`), a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a point of the component has a
+/// coordinate that is not finite (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
+template <typename TriangleMesh, typename VertexUVMap, typename FaceVisitor,
+          typename NamedParameters = parameters::Default_named_parameters>
+Flattening_measures_report<TriangleMesh>
+measure_flattening(const TriangleMesh& mesh,
+                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
+                   FaceVisitor visitor, const NamedParameters& np = parameters::default_values())
 {
-  internal::ABF::Chart_reader<TriangleMesh> reader(mesh);
-  if(const internal::ABF::Chart_defect defect = reader.read(bhd))
-    throw std::invalid_argument(defect.message);
-  if(const internal::ABF::Chart_defect defect = internal::ABF::find_non_finite_point(reader.chart))
-    throw std::invalid_argument(defect.message);
-
+  Flattening_measures_report<TriangleMesh> report;
+  internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np));
+  internal::ABF::Chart_defect defect = reader.read(bhd);
+  if(!defect)
+    defect = internal::ABF::find_non_finite_point(reader.chart);
+  if(defect) {
+    internal::ABF::report_defect(defect, reader, report);
+    return report;
+  }
   std::vector<internal::ABF::Chart::Point_2> uv;
   uv.reserve(reader.vertex_descriptors.size());
   double largest = 0;
@@ -86,18 +99,20 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
       internal::ABF::power_of_two(largest); // of the layout; the measures do not depend on it
   for(internal::ABF::Chart::Point_2& p : uv)
     p = internal::ABF::Chart::Point_2(p.x() / scale, p.y() / scale);
-  return internal::ABF::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
-    visitor(reader.face_of_triangle(t), face);
-  });
+  static_cast<Flattening_measures&>(report) =
+      internal::ABF::measure_chart(reader.chart, uv, [&](int t, const Flattening_face_measures& face) {
+        visitor(reader.face_of_triangle(t), face);
+      });
+  return report;
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// measures the distortion of a map, as above.
 template <typename TriangleMesh, typename VertexUVMap>
-Flattening_measures measure_flattening(const TriangleMesh& mesh,
-                                       typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                                       VertexUVMap uvmap)
+Flattening_measures_report<TriangleMesh>
+measure_flattening(const TriangleMesh& mesh,
+                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap)
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   return measure_flattening(mesh, bhd, uvmap, [](face_descriptor, const Flattening_face_measures&) {});
@@ -133,15 +148,14 @@ Flattening_measures measure_flattening(const TriangleMesh& mesh,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the measures of the whole surface.
-///
-/// \exception std::invalid_argument if the mesh has no faces, a face is not a triangle, or a point has a coordinate
-///   that is not finite.
+/// \return the measures of the whole surface, or what is wrong: the mesh has no faces (`Diagnosis::EMPTY_MESH`), a face is not a triangle
+/// (`Diagnosis::NOT_TRIANGULATED`), or a point has a coordinate that is not finite (`Diagnosis::NON_FINITE_POINT`). The visitor is not
+/// called then.
 template <typename TriangleMesh, typename UVMap, typename FaceVisitor, typename NamedParameters>
 #ifndef DOXYGEN_RUNNING
 internal::ABF::Measures_of_surface<TriangleMesh, UVMap>
 #else
-Flattening_measures
+Flattening_measures_report<TriangleMesh>
 #endif
 measure_flattening(const TriangleMesh& mesh, UVMap uvmap, FaceVisitor visitor, const NamedParameters& np)
 {
@@ -157,7 +171,7 @@ template <typename TriangleMesh, typename UVMap>
 #ifndef DOXYGEN_RUNNING
 internal::ABF::Measures_of_surface<TriangleMesh, UVMap>
 #else
-Flattening_measures
+Flattening_measures_report<TriangleMesh>
 #endif
 measure_flattening(const TriangleMesh& mesh, UVMap uvmap)
 {

@@ -45,12 +45,12 @@ FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map,
 ///
 /// writes the faces of `mesh` that overlap other faces in the plane to `out`.
 ///
-/// Two faces overlap if their images, as closed triangles, have more in common than the faces on the surface: two
-/// different points have the same image. Faces that touch only in a common vertex or edge do not overlap; faces that
-/// touch anywhere else do. Hence `is_injective()` is true if and only if there are neither flipped nor overlapping
-/// faces. A flipped face counts as if it had the other orientation, and overlaps its neighbours that are not flipped.
-/// Faces that have collinear vertices in the plane, or a coordinate that is infinite or not a number, overlap no face;
-/// they are in `flipped_faces()`.
+/// Two faces overlap if their images, as closed triangles, have more in common than the faces have on the surface: a point of one
+/// and another point of the other have the same image. Faces that touch in a common vertex or edge only do not overlap; faces that touch
+/// anywhere else do, so that `is_injective()` is true if and only if there are neither flipped nor overlapping faces.
+/// Flipped faces count as those with the other orientation. A flipped face overlaps its neighbours that are not. Faces whose vertices are
+/// collinear in the plane, those with a coordinate that is infinite or not a number, and those with more than three vertices overlap none; they
+/// are in `flipped_faces()`.
 ///
 /// Pairs of faces are found by their bounding boxes, and tested by exact predicates. For \f$n\f$ faces and \f$k\f$
 /// pairs of boxes that intersect, the time is \cgalBigO{n \log n + k}, and the memory is linear in \f$n\f$.
@@ -63,15 +63,14 @@ FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map,
 /// \tparam FaceOutputIterator a model of `OutputIterator` that accepts
 ///         `boost::graph_traits<TriangleMesh>::%face_descriptor`.
 ///
-/// \param mesh a triangulated surface; a `Seam_mesh` if it is cut open along seams.
-/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges, from any parameterizer. A halfedge
-///        stores the coordinates of its target in its face, as `make_atlas()` writes them. The surface is then cut open
-///        along the edges whose two sides have different coordinates, and all charts are checked.
+/// \param mesh a surface; a `Seam_mesh` if it is cut open along seams.
+/// \param uvmap the coordinates of all vertices of faces, or of all their halfedges. It does not matter which
+///        parameterizer computed them. A halfedge of a face has the coordinates of its target at that face, as
+///        `make_atlas()` writes them. The surface is then cut open along the edges whose two sides have different
+///        coordinates, and each chart between them counts.
 /// \param out receives the faces, each once, in the order of the mesh.
 ///
 /// \return `out` after the last face.
-///
-/// \exception std::invalid_argument if a face is not a triangle.
 ///
 /// \sa `split_overlaps()`
 template <typename TriangleMesh, typename UVMap, typename FaceOutputIterator>

@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Packing_options.h>
 #include <CGAL/Surface_mesh_parameterization/Packing_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack_mesh.h>
@@ -74,9 +75,10 @@ result does not depend on the number of threads.
 */
 template <typename TriangleMesh, typename FaceChartMap, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Packing_report pack_charts(const TriangleMesh& mesh, FaceChartMap charts, HalfedgeUVMap uv,
-                           const Packing_options& options = Packing_options(),
-                           const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Packing_report>
+pack_charts(const TriangleMesh& mesh, FaceChartMap charts, HalfedgeUVMap uv,
+            const Packing_options& options = Packing_options(),
+            const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Chart_packer<TriangleMesh, FaceChartMap, HalfedgeUVMap, NamedParameters>(
              mesh, charts, uv, options, np)

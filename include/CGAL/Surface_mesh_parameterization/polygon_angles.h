@@ -10,6 +10,9 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_config.h>
@@ -23,7 +26,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -89,44 +91,68 @@ private:
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the angles of a polygon with the given corners on a border of `mesh`: the given inner angle at each corner,
-/// and \f$\pi\f$ at all other vertices of this border, which are then on straight sides.
+/// What `polygon_angles()` and `rectangle_angles()` return.
+///
+/// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
+template <typename TriangleMesh>
+struct Polygon_report : Mesh_report<TriangleMesh>
+{
+  Vertex_angles<TriangleMesh> angles; ///< The angles; none if anything is wrong.
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns the angles of a polygon whose corners are some vertices of a border of `mesh`: at each corner the given inner angle, and
+/// \f$\pi\f$ at all other vertices of that border, so that they are on straight sides.
 ///
 /// The inner angles of a polygon with \f$k\f$ corners sum to \f$(k - 2)\pi\f$. This function does not check the angles;
 /// `ABF_plus_plus_parameterizer_3::parameterize()` checks whether the polygon is possible. The time is linear, up to a
 /// factor of \cgalBigO{\log b} for \f$b\f$ border vertices.
 ///
-/// \tparam TriangleMesh a model of `HalfedgeListGraph` whose vertex descriptors are ordered by `<`
+/// \tparam TriangleMesh a model of `VertexListGraph` and `HalfedgeListGraph` whose vertex descriptors are ordered by `<`
 ///
 /// \param mesh a triangle mesh
 /// \param corners the corners with their angles in radians, in any order
 ///
-/// \exception std::invalid_argument if there is no corner, a corner occurs twice, or the corners are not on one border
+/// \return the angles, or what is wrong: there is no corner or a corner occurs twice (`Diagnosis::WRONG_OPTION`), or a corner is not on
+/// the border of the first one (`Diagnosis::NOT_ON_BORDER`). The offending vertex is the corner.
 template <typename TriangleMesh>
-Vertex_angles<TriangleMesh> polygon_angles(
+Polygon_report<TriangleMesh> polygon_angles(
     const TriangleMesh& mesh,
     const std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double>>&
         corners)
 {
-  if(corners.empty())
-    throw std::invalid_argument("a polygon needs corners");
+  Polygon_report<TriangleMesh> report;
+  const auto fail = [&](Diagnosis diagnosis, const auto& v, const char* what) {
+    report.status = diagnosis;
+    report.message = "vertex " + internal::ABF::rank_text(vertices(mesh), v) + what;
+    report.offending_vertices = {v};
+    return report;
+  };
+  if(corners.empty()) {
+    report.status = Diagnosis::WRONG_OPTION;
+    report.message = "a polygon needs corners";
+    return report;
+  }
   const auto all = halfedges(mesh);
   const auto start = std::find_if(all.begin(), all.end(), [&](auto h) {
     return CGAL::is_border(h, mesh) && target(h, mesh) == corners.front().first;
   });
   if(start == all.end())
-    throw std::invalid_argument("a corner is not on the border");
+    return fail(Diagnosis::NOT_ON_BORDER, corners.front().first, " is a corner, and is not on a border");
   Vertex_angles<TriangleMesh> angles;
   for(auto h : CGAL::halfedges_around_face(*start, mesh))
     angles.set(target(h, mesh), CGAL_PI);
   for(auto corner = corners.begin(); corner != corners.end(); ++corner) {
-    if(!angles[corner->first])
-      throw std::invalid_argument("the corners are not on one border");
-    if(std::any_of(corners.begin(), corner, [&](const auto& other) { return other.first == corner->first; }))
-      throw std::invalid_argument("a vertex is a corner twice");
-    angles.set(corner->first, corner->second);
+    const auto v = corner->first;
+    if(!angles[v])
+      return fail(Diagnosis::NOT_ON_BORDER, v, " is a corner, and is not on the border of the first corner");
+    if(std::any_of(corners.begin(), corner, [&](const auto& other) { return other.first == v; }))
+      return fail(Diagnosis::WRONG_OPTION, v, " is a corner twice");
+    angles.set(v, corner->second);
   }
-  return angles;
+  report.angles = angles;
+  return report;
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -134,9 +160,9 @@ Vertex_angles<TriangleMesh> polygon_angles(
 /// returns the angles of a rectangle whose corners are four vertices of a border of `mesh`, in any order. The surface
 /// determines the ratio of its sides.
 ///
-/// Requirements, exceptions and time are those of `polygon_angles()`.
+/// Requirements, report and time are those of `polygon_angles()`.
 template <typename TriangleMesh>
-Vertex_angles<TriangleMesh>
+Polygon_report<TriangleMesh>
 rectangle_angles(const TriangleMesh& mesh,
                  const std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 4>& corners)
 {

@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_selection_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_vertex_pairs.h>
 
@@ -18,6 +19,7 @@
 
 #include <cstddef>
 #include <fstream>
+#include <iterator>
 #include <istream>
 #include <ostream>
 #include <string>
@@ -68,14 +70,16 @@ vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 /// \param seams is set to `true` for the edges of the file, and unchanged for all other edges. On any error, it is
 ///        unchanged.
 ///
-/// \return what was read, or what is wrong, and in which line.
+/// \return what was read, or what is wrong in which line. The offending vertices are the two without an edge between them.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
-Seam_selection_report read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap seams)
+Mesh_report<TriangleMesh, Seam_selection_report>
+read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
+  Mesh_report<TriangleMesh, Seam_selection_report> report;
   std::size_t number_of_vertices = 0;
   const auto number_of = internal::ABF::vertex_numbers(mesh, number_of_vertices);
   std::vector<internal::ABF::Selection_number> numbers;
-  Seam_selection_report report = internal::ABF::read_numbers(in, number_of_vertices, numbers);
+  static_cast<Seam_selection_report&>(report) = internal::ABF::read_numbers(in, number_of_vertices, numbers);
   if(!report)
     return report;
 
@@ -92,11 +96,16 @@ Seam_selection_report read_seam_selection(std::istream& in, const TriangleMesh& 
       selected.push_back(e);
     }
   }
-  if(const std::size_t i = pairs.first_not_found(numbers.size()); i != numbers.size())
-    return internal::ABF::failure(Diagnosis::NO_SUCH_EDGE,
-                                  "there is no edge between vertices " + std::to_string(numbers[i].value) +
-                                      " and " + std::to_string(numbers[i + 1].value),
-                                  numbers[i].line, numbers[i].element);
+  if(const std::size_t i = pairs.first_not_found(numbers.size()); i != numbers.size()) {
+    static_cast<Seam_selection_report&>(report) =
+        internal::ABF::failure(Diagnosis::NO_SUCH_EDGE,
+                               "there is no edge between vertices " + std::to_string(numbers[i].value) +
+                                   " and " + std::to_string(numbers[i + 1].value),
+                               numbers[i].line, numbers[i].element);
+    for(std::size_t k : {i, i + 1})
+      report.offending_vertices.push_back(*std::next(vertices(mesh).begin(), numbers[k].value));
+    return report;
+  }
   for(auto e : selected)
     put(seams, e, true);
   return report;
@@ -106,13 +115,17 @@ Seam_selection_report read_seam_selection(std::istream& in, const TriangleMesh& 
 ///
 /// marks the edges of the selection file `file_name` as seams, as above.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
-Seam_selection_report read_seam_selection(const std::string& file_name, const TriangleMesh& mesh,
-                                          EdgeIsSeamMap seams)
+Mesh_report<TriangleMesh, Seam_selection_report>
+read_seam_selection(const std::string& file_name, const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
+  Mesh_report<TriangleMesh, Seam_selection_report> report;
   std::ifstream in(file_name);
-  if(!in)
-    return internal::ABF::failure(Diagnosis::CANNOT_OPEN, "cannot open " + file_name);
-  Seam_selection_report report = read_seam_selection(in, mesh, seams);
+  if(!in) {
+    static_cast<Seam_selection_report&>(report) =
+        internal::ABF::failure(Diagnosis::CANNOT_OPEN, "cannot open " + file_name);
+    return report;
+  }
+  report = read_seam_selection(in, mesh, seams);
   if(!report)
     report.message = file_name + ": " + report.message;
   return report;

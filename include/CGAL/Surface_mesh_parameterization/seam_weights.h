@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/visibility.h>
 
@@ -43,8 +44,8 @@ inline double seam_weight(double length, double factor)
 
 // `prepare(arrays, face_numbers)` returns a function that gives the factor of an edge and its ends.
 template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters, typename Prepare>
-void put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const NamedParameters& np,
-                      const Prepare& prepare)
+Mesh_report<TriangleMesh> put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
+                                           const NamedParameters& np, const Prepare& prepare)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -52,13 +53,17 @@ void put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Nam
                                        get_const_property_map(CGAL::vertex_point, mesh));
   const auto vertex_numbers = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   const auto face_numbers = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  const Triangle_arrays arrays = read_triangles(mesh, points, vertex_numbers, face_numbers);
+  Triangle_arrays arrays;
+  Mesh_report<TriangleMesh> report;
+  if(!read_triangles(mesh, points, vertex_numbers, face_numbers, arrays, report))
+    return report;
   const auto factor = prepare(arrays, face_numbers);
   for(auto e : edges(mesh)) {
     const std::size_t a = get(vertex_numbers, source(e, mesh)), b = get(vertex_numbers, target(e, mesh));
     const double length = std::sqrt(CGAL::squared_distance(arrays.points[a], arrays.points[b]));
     put(weights, e, seam_weight(length, factor(e, a, b)));
   }
+  return report;
 }
 
 } // namespace internal::ABF
@@ -90,14 +95,14 @@ void put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights, const Nam
 /// \param weights receives the weights, in units of the coordinates.
 /// \param np `vertex_point_map` gives points other than the internal ones. Coordinates are converted to `double`.
 ///
-/// \exception std::invalid_argument if a face is not a triangle, or a coordinate is not finite. `weights` is then
-/// unchanged.
+/// \return what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a coordinate is not finite
+/// (`Diagnosis::NON_FINITE_POINT`). `weights` is then unchanged.
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
-void compute_visibility_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
-                                const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
+                                                     const NamedParameters& np = parameters::default_values())
 {
-  internal::ABF::put_seam_weights(
+  return internal::ABF::put_seam_weights(
       mesh, weights, np, [](const internal::ABF::Triangle_arrays& arrays, const auto&) {
         return [visibility = internal::ABF::visibility(arrays)](const auto&, std::size_t a, std::size_t b) {
           return (visibility[a] + visibility[b]) / 2;
@@ -115,13 +120,13 @@ void compute_visibility_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
 /// length. Convex and concave creases count the same. The weight of border edges and of edges of degenerate faces is
 /// their length. A rounded crease consists of small bends, and hardly counts.
 ///
-/// Time and memory are linear. Parameters, requirements and exceptions are those of `compute_visibility_weights()`.
+/// Time and memory are linear. Parameters, requirements and the report are those of `compute_visibility_weights()`.
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
-void compute_crease_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
-                            const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
+                                                 const NamedParameters& np = parameters::default_values())
 {
-  internal::ABF::put_seam_weights(
+  return internal::ABF::put_seam_weights(
       mesh, weights, np, [&mesh](const internal::ABF::Triangle_arrays& arrays, const auto& face_numbers) {
         return [&arrays, &mesh, face_numbers](const auto& e, std::size_t, std::size_t) {
           if(CGAL::is_border(e, mesh))

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Seam_options.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
@@ -82,12 +83,12 @@ may become seams leave no way to cut.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Seam_report select_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
-                         const Seam_options& options = Seam_options(),
-                         const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Seam_report> select_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                    const Seam_options& options = Seam_options(),
+                                                    const NamedParameters& np = parameters::default_values())
 {
   namespace ABF = internal::ABF;
-  Seam_report report;
+  Mesh_report<TriangleMesh, Seam_report> report;
   report.message = ABF::wrong_option(options);
   if(!report.message.empty()) {
     report.status = Diagnosis::WRONG_OPTION;

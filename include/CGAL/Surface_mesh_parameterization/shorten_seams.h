@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
@@ -59,8 +60,8 @@ Searches visit each vertex 100 times at most.
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Seam_report shorten_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
-                          const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Seam_report> shorten_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                     const NamedParameters& np = parameters::default_values())
 {
   namespace ABF = internal::ABF;
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, false);

@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Overlap_split_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/split_charts.h>
 
@@ -82,9 +83,9 @@ threads.
 */
 template <typename TriangleMesh, typename UVMap, typename EdgeIsSeamMap, typename FaceChartMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Overlap_split_report split_overlaps(const TriangleMesh& mesh, UVMap uv, EdgeIsSeamMap seams,
-                                    FaceChartMap charts,
-                                    const NamedParameters& np = parameters::default_values())
+Mesh_report<TriangleMesh, Overlap_split_report>
+split_overlaps(const TriangleMesh& mesh, UVMap uv, EdgeIsSeamMap seams, FaceChartMap charts,
+               const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Chart_splitter<TriangleMesh, EdgeIsSeamMap, UVMap, NamedParameters>(mesh, seams, uv,
                                                                                             np)

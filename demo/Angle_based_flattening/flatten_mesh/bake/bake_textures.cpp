@@ -142,14 +142,14 @@ Baked_surface bake_textures(const Command_line& command, Atlas_input& input, con
                                            np::vertex_color_map(fine.colors))
                        : SMP::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts);
   if(!baked.textures) {
-    throw Input_error("cannot bake '" + command.atlas.bake_from + "': " + baked.textures.report.message);
+    throw Input_error("cannot bake '" + command.atlas.bake_from + "': " + baked.textures.message);
   }
   baked.record = {command.atlas.bake_from,
                   fine.mesh.number_of_faces(),
                   fine.has_colors,
                   baked.textures.least_displacement,
                   baked.textures.greatest_displacement,
-                  baked.textures.report,
+                  baked.textures,
                   timer.time()};
   look_at_rays(baked.record, notes);
   tell_what_is_replaced(input.model, baked.record, notes);

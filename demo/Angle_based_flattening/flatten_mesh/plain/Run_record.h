@@ -114,7 +114,6 @@ struct Run_record
   std::vector<std::string> written;
   std::vector<std::string> notes;
   std::vector<Skipped_part> skipped; // faces of the file that are left out
-  bool has_area = true;
 };
 
 // The name of a diagnosis, "OK" for none.

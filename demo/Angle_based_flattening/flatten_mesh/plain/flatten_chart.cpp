@@ -47,15 +47,15 @@ std::string vertices_text(const Chart& chart, const std::vector<Vertex>& vertice
 template <class Parameterizer>
 std::string place_text(const Mesh& mesh, const Chart& chart, const Parameterizer& parameterizer)
 {
-  if(!parameterizer.offending_vertices().empty()) {
-    return " (" + vertices_text(chart, parameterizer.offending_vertices()) + ")";
+  if(!parameterizer.report().offending_vertices.empty()) {
+    return " (" + vertices_text(chart, parameterizer.report().offending_vertices) + ")";
   }
-  if(!parameterizer.offending_faces().empty()) {
-    const Halfedge h = mesh.halfedge(parameterizer.offending_faces().front());
+  if(!parameterizer.report().offending_faces.empty()) {
+    const Halfedge h = mesh.halfedge(parameterizer.report().offending_faces.front());
     const auto vertices = mesh.vertices_around_face(h);
     return " (the triangle of " +
            vertices_text(chart, std::vector<Vertex>(vertices.begin(), vertices.end())) +
-           (parameterizer.offending_faces().size() > 1 ? ", and others)" : ")");
+           (parameterizer.report().offending_faces.size() > 1 ? ", and others)" : ")");
   }
   return "";
 }

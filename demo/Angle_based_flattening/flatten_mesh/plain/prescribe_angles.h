@@ -67,7 +67,7 @@ inline void split_edges(Mesh& mesh, Chart& chart)
 {
   const auto is_diagonal = diagonals(mesh);
   const auto old_faces = mesh.number_of_faces();
-  chart.split_edges = SMP::split_flat_chords(mesh, chart.border, *chart.angles);
+  chart.split_edges = SMP::split_flat_chords(mesh, chart.border, *chart.angles).edges;
   for(const auto& split : chart.split_edges) {
     chart.vertices.push_back(split.middle);
     for(const Halfedge h : CGAL::halfedges_around_target(split.middle, mesh)) {
@@ -94,7 +94,7 @@ inline std::optional<Flattening> prescribe_angles(Mesh& mesh, Chart& chart, cons
     if(!corners) {
       return attempt;
     }
-    chart.angles = SMP::rectangle_angles(mesh, *corners);
+    chart.angles = SMP::rectangle_angles(mesh, *corners).angles;
   }
   chart.corners = corners_of(*chart.angles, outer_border(mesh, chart));
   for(const Vertex v : chart.corners) {

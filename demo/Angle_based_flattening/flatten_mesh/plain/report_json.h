@@ -107,14 +107,11 @@ inline std::string report_json(const Run_record& record)
   using internal::json_number;
   using internal::json_text;
   const SMP::ABF_plus_plus_report& report = record.flattening.report;
-  const bool succeeds = record.flattening.succeeded(), has_skipped = succeeds && !record.skipped.empty();
+  const bool has_skipped = record.flattening.succeeded() && !record.skipped.empty();
   internal::Json_object json;
-  json.add("status", json_text(succeeds && !record.has_area ? "NO_AREA"
-                               : has_skipped                ? "SOMETHING_SKIPPED"
-                                                            : status_name(report)));
-  json.add("message", json_text(succeeds && !record.has_area ? "the surface has no area"
-                                : has_skipped                ? record.skipped.front().message
-                                                             : report.message + record.flattening.place));
+  json.add("status", json_text(has_skipped ? "SOMETHING_SKIPPED" : status_name(report)));
+  json.add("message", json_text(has_skipped ? record.skipped.front().message
+                                            : report.message + record.flattening.place));
   json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
   json.add("vertices", json_number(record.vertices));

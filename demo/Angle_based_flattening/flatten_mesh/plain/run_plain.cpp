@@ -15,7 +15,6 @@
 #include "flatten_mesh/peak_memory.h"
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/plain/Seamed_component.h"
-#include "flatten_mesh/plain/area.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/plain/choose_seams.h"
@@ -201,18 +200,12 @@ Exit_status tell_diagnosis(const Command_line& command, const Flattening& flatte
   return is_failure_of_computation(flattening.report) ? COMPUTATION_FAILED : WRONG_INPUT;
 }
 
-// A surface without area can be laid out, but then the plane says nothing about its shape.
-void look_at_area(const Surface& surface, Run_record& record, Notes& notes)
+void look_at_area(const Run_record& record, Notes& notes)
 {
-  const Missing_area missing = missing_area(surface.input, surface.component);
-  record.has_area = !missing.of_all;
-  if(missing.of_all) {
-    notes.add(std::string("the surface has no area: all its vertices lie ") +
-              (missing.is_point ? "at one point" : "on a line") +
-              "; the layout and the measures are meaningless, and the exit status is " +
-              std::to_string(WITHOUT_AREA));
-  } else if(missing.triangles > 0) {
-    notes.add(count_text(missing.triangles, "triangle") + " of " + std::to_string(record.triangles) +
+  const SMP::Flattening_report& report = record.flattening.report;
+  if(report && report.degenerate_triangles > 0) {
+    notes.add(count_text(static_cast<std::size_t>(report.degenerate_triangles), "triangle") + " of " +
+              std::to_string(report.triangles) +
               " without area: some measures are infinite, others ignore these triangles");
   }
 }
@@ -414,7 +407,6 @@ Exit_status run_plain(const Command_line& command)
   Run_record record = record_of(command, surface);
   record.read_seconds = timer.time();
   progress.stage("read", record.read_seconds, std::to_string(record.triangles) + " triangles to flatten");
-  look_at_area(surface, record, notes);
 
   if(surface.seamed) {
     cut_surface(command, surface, record, progress, notes);
@@ -424,6 +416,7 @@ Exit_status run_plain(const Command_line& command)
                           ? flatten_with_angles(command, surface, record, progress, notes)
                           : flatten_chart(surface.input, surface.chart, command, progress);
   record.peak_memory_mb = peak_memory_mb();
+  look_at_area(record, notes);
   record.borders = surface.chart.borders.size();
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);
@@ -450,7 +443,6 @@ Exit_status run_plain(const Command_line& command)
   }
   files.publish();
   return !record.flattening.succeeded() ? tell_diagnosis(command, record.flattening)
-         : !record.has_area             ? WITHOUT_AREA
          : !record.skipped.empty()      ? WRONG_INPUT
                                         : SUCCESS;
 }

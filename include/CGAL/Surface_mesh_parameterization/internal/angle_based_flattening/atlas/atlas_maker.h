@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
@@ -56,7 +57,7 @@ class Atlas_maker
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
-  typedef Atlas_report Report;
+  typedef Mesh_report<TriangleMesh, Atlas_report> Report;
   static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
   static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
   static constexpr bool has_polygons =
@@ -68,6 +69,7 @@ class Atlas_maker
     std::size_t component;
     Diagnosis status;
     std::string message;
+    face_descriptor face; // that is wrong
   };
 
 public:
@@ -112,11 +114,12 @@ private:
       return report;
     const Linear_solvers solvers = linear_solvers(m_np);
     m_atlas = build_atlas(m_reader.parts(), m_weight, m_options, solvers, &round_to_points<Point>);
-    report = std::move(m_atlas.report);
+    static_cast<Atlas_report&>(report) = std::move(m_atlas.report);
     report.seconds.read = seconds;
     if(m_options.pack_into_square)
       report.scale /= m_weight_scale;
     list_parts(report);
+    name_bad_charts(report);
     if(!report.has_atlas())
       return report;
     measure_seams(report);
@@ -164,7 +167,7 @@ private:
     }
     const auto is_given = [this](edge_descriptor e) { return is_given_seam(e); };
     const auto is_skipped = [this](face_descriptor f) { return m_is_bad[get(m_component, f)]; };
-    Seam_report reading;
+    Mesh_report<TriangleMesh, Seam_report> reading;
     if(m_reader.read(is_given, is_skipped, reading) &&
        m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading)) {
       if constexpr(has_polygons)
@@ -172,6 +175,7 @@ private:
       return read_weights(report);
     }
     report.message = reading.message;
+    report.offending_edges = reading.offending_edges;
     report.status = reading.status == Diagnosis::EMPTY_MESH     ? Diagnosis::EMPTY_MESH
                     : reading.status == Diagnosis::WRONG_WEIGHT ? Diagnosis::WRONG_WEIGHT
                                                                 : Diagnosis::TOO_LARGE;
@@ -197,7 +201,7 @@ private:
       if(diagnosis == Diagnosis::NOTHING_WRONG)
         continue;
       m_is_bad[component] = true;
-      m_bad.push_back({component, diagnosis, message(f, diagnosis)});
+      m_bad.push_back({component, diagnosis, message(f, diagnosis), f});
     }
     return rank > 0;
   }
@@ -237,6 +241,7 @@ private:
           m_weight.push_back(CGAL::to_double(get(weights, f)));
           if(!(m_weight.back() >= 0 && CGAL::is_finite(m_weight.back()))) {
             report.status = Diagnosis::WRONG_WEIGHT;
+            report.offending_faces = {f};
             report.message = "face " + std::to_string(get(m_rank, f)) + " has the weight " +
                              std::to_string(m_weight.back()) +
                              ", and weights must be finite and not negative";
@@ -255,6 +260,7 @@ private:
   {
     typename Report::Skipped part; // with a diagnosis if it is skipped
     bool is_read;
+    face_descriptor face; // that is wrong, or the first one
   };
 
   std::vector<Listed_part> listed_parts() const
@@ -265,13 +271,15 @@ private:
       if(size[get(m_component, f)]++ == 0)
         first[get(m_component, f)] = get(m_rank, f);
     for(const Bad_component& bad : m_bad)
-      parts.push_back({{0, first[bad.component], size[bad.component], bad.status, bad.message}, false});
+      parts.push_back(
+          {{0, first[bad.component], size[bad.component], bad.status, bad.message}, false, bad.face});
     for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
       parts.push_back({{0, get(m_rank, m_reader.face_of(part.first_triangle)),
                         static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas.parts[i].status,
                         m_atlas.parts[i].message},
-                       true});
+                       true,
+                       m_reader.face_of(part.first_triangle)});
     }
     std::sort(parts.begin(), parts.end(), [](const Listed_part& p, const Listed_part& q) {
       return p.part.first_face < q.part.first_face;
@@ -288,8 +296,10 @@ private:
       parts[i].part.part = i;
       if(parts[i].is_read)
         numbers.push_back(i);
-      if(parts[i].part.status != Diagnosis::NOTHING_WRONG)
+      if(parts[i].part.status != Diagnosis::NOTHING_WRONG) {
         report.skipped.push_back(parts[i].part);
+        report.offending_faces.push_back(parts[i].face);
+      }
     }
     report.number_of_parts = parts.size();
     for(typename Report::Chart& chart : report.charts)
@@ -298,6 +308,23 @@ private:
       report.status = Diagnosis::SOMETHING_SKIPPED;
       report.message = std::to_string(report.skipped.size()) + " of " + std::to_string(parts.size()) +
                        " parts of the surface have no charts; the first: " + report.skipped.front().message;
+    }
+  }
+
+  // The first face of each chart that is not good, if that is what is wrong
+  void name_bad_charts(Report& report) const
+  {
+    if(report.status != Diagnosis::STRETCH_BOUND_MISSED)
+      return;
+    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
+      const Part_atlas& atlas = m_atlas.parts[i];
+      for(std::size_t p = 0; p < atlas.pieces.size(); ++p) {
+        if(report.charts[m_atlas.first_chart[i] + p].is_good)
+          continue;
+        const auto first = std::find(atlas.piece.begin(), atlas.piece.end(), static_cast<int>(p));
+        report.offending_faces.push_back(m_reader.face_of(m_reader.parts()[i].first_triangle +
+                                                          static_cast<int>(first - atlas.piece.begin())));
+      }
     }
   }
 
@@ -367,7 +394,7 @@ private:
   const Atlas_settings m_options;
   const NamedParameters& m_np;
   Vertex_point_map m_points;
-  Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
+  Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
       m_component,
       m_rank; // of each face

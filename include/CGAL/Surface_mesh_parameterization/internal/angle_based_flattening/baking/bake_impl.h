@@ -215,7 +215,7 @@ private:
 
   void report(const Distance_statistics& total)
   {
-    Baking_report& report = m_textures.report;
+    Baking_report& report = m_textures;
     report.number_of_chart_texels = total.texels;
     report.number_of_back_faces = total.back_faces;
     report.number_of_missed_rays = total.missed;

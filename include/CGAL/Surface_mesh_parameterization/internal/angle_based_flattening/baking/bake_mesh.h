@@ -43,7 +43,7 @@ class Mesh_baker
   typedef Shaded_mesh_reader<TriangleMesh, NamedParameters> Reader;
   typedef Shaded_mesh_reader<FineMesh, FineNamedParameters> Fine_reader;
   typedef typename Reader::face_descriptor face_descriptor;
-  typedef Baking_report Report;
+  typedef Baked_surface<TriangleMesh, FineMesh> Result;
   static constexpr bool all_have_charts =
       parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
@@ -58,19 +58,24 @@ public:
         m_fine_reader(fine_mesh, fine_np), m_options(options)
   {}
 
-  Baked_textures run()
+  Result run()
   {
-    Baked_textures textures;
+    Result result;
+    Baked_textures& textures = result;
     if(!check_options() || !read_simple() || !read_fine()) {
-      textures.report = m_report;
-      return textures;
+      static_cast<Baking_report&>(textures) = m_report ? Baking_report(m_fine_report) : m_report;
+      result.offending_vertices = m_report.offending_vertices;
+      result.offending_faces = m_report.offending_faces;
+      result.offending_fine_vertices = m_fine_report.offending_vertices;
+      result.offending_fine_faces = m_fine_report.offending_faces;
+      return result;
     }
     move_and_scale();
     Baking baking = bake(std::move(m_simple), std::move(m_fine), m_options);
     write_frames(baking.frames);
     textures = std::move(baking.textures);
     scale_back(textures);
-    return textures;
+    return result;
   }
 
 private:
@@ -112,9 +117,8 @@ private:
       return fail(Diagnosis::EMPTY_MESH, "no face of the simple surface has a chart");
     for(std::size_t v = 0; v < m_simple.points.size(); ++v)
       if(!(m_simple.points[v].array().abs() < largest_point).all())
-        return fail(Diagnosis::NON_FINITE_POINT, "the vertex at " +
-                                                     m_reader.point_text(m_reader.vertices_read()[v]) +
-                                                     " has a coordinate that is not finite, or above 1e37");
+        return m_reader.fail_at(m_reader.vertices_read()[v], m_report, Diagnosis::NON_FINITE_POINT,
+                                " has a coordinate that is not finite, or above 1e37");
     if constexpr(!all_have_charts)
       for(const face_descriptor f : m_reader.faces_read())
         m_simple.chart.push_back(
@@ -130,11 +134,11 @@ private:
         const auto& p = get(m_uv, m_reader.halfedge_to(f, k));
         m_simple.uv.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
         if(!m_simple.uv.back().allFinite())
-          return fail(Diagnosis::NO_TEXTURE_COORDINATES,
-                      m_reader.face_text(f) + " has texture coordinates that are not finite");
+          return m_reader.fail_at(f, m_report, Diagnosis::NO_TEXTURE_COORDINATES,
+                                  " has texture coordinates that are not finite");
         if(m_simple.uv.back().minCoeff() < 0 || m_simple.uv.back().maxCoeff() > 1)
-          return fail(Diagnosis::OUTSIDE_SQUARE,
-                      m_reader.face_text(f) + " has texture coordinates outside of the unit square");
+          return m_reader.fail_at(f, m_report, Diagnosis::OUTSIDE_SQUARE,
+                                  " has texture coordinates outside of the unit square");
       }
       const Planar_point* uv = &m_simple.uv[m_simple.uv.size() - 3];
       has_area = has_area || cross(uv[1] - uv[0], uv[2] - uv[0]) != 0;
@@ -146,16 +150,15 @@ private:
   bool read_fine()
   {
     if(!m_fine_reader.read([](auto) { return true; }, m_fine, Diagnosis::FINE_MESH_NOT_TRIANGULATED,
-                           m_report))
+                           m_fine_report))
       return false;
     read_scale();
     for(std::size_t v = 0; v < m_fine.points.size(); ++v) {
       m_fine.points[v] = moved(m_fine.points[v]);
       if(!(m_fine.points[v].array().abs() < largest_coordinate).all())
-        return fail(Diagnosis::WRONG_FINE_POINT,
-                    "the vertex at " + m_fine_reader.point_text(m_fine_reader.vertices_read()[v]) +
-                        " of the fine surface has a coordinate that is not finite, or too far from the "
-                        "simple surface");
+        return m_fine_reader.fail_at(
+            m_fine_reader.vertices_read()[v], m_fine_report, Diagnosis::WRONG_FINE_POINT,
+            " of the fine surface has a coordinate that is not finite, or too far from the simple surface");
     }
     remove_triangles_without_area();
     if(m_fine.vertex.empty())
@@ -220,9 +223,9 @@ private:
       scale(displacement);
     scale(textures.least_displacement);
     scale(textures.greatest_displacement);
-    scale(textures.report.ray_length);
-    scale(textures.report.largest_distance);
-    scale(textures.report.mean_distance);
+    scale(textures.ray_length);
+    scale(textures.largest_distance);
+    scale(textures.mean_distance);
   }
 
   void write_frames(const std::vector<Tangent_frame>& frames)
@@ -245,7 +248,8 @@ private:
   Reader m_reader;
   Fine_reader m_fine_reader;
   Baking_options m_options;
-  Report m_report;
+  typename Reader::Report m_report;
+  typename Fine_reader::Report m_fine_report;
   Charted_surface m_simple;
   Painted_surface m_fine;
   Space_vector m_origin = Space_vector::Zero();

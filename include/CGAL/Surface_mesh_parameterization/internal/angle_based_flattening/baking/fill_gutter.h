@@ -43,7 +43,7 @@ public:
         filled[row] += fill(row, column);
     });
     for(const std::size_t number : filled)
-      m_textures.report.number_of_gutter_texels += number;
+      m_textures.number_of_gutter_texels += number;
   }
 
 private:

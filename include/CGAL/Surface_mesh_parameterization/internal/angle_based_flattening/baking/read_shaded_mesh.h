@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Baking_report.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/shaded_surfaces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
@@ -37,6 +38,7 @@ class Shaded_mesh_reader
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
 
 public:
+  typedef Mesh_report<TriangleMesh, Baking_report> Report;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
@@ -70,7 +72,7 @@ public:
 
   // Reads the faces with `is_read(f)`. A point that is not finite is not looked for.
   template <typename IsRead>
-  bool read(const IsRead& is_read, Shaded_surface& surface, Diagnosis not_triangulated, Baking_report& report)
+  bool read(const IsRead& is_read, Shaded_surface& surface, Diagnosis not_triangulated, Report& report)
   {
     for(const vertex_descriptor v : vertices(m_mesh))
       put(m_number, v, -1);
@@ -78,7 +80,7 @@ public:
       if(!is_read(f))
         continue;
       if(halfedge_to(f, 3) != halfedge_to(f, 0))
-        return fail(report, not_triangulated, face_text(f) + " is not a triangle");
+        return fail_at(f, report, not_triangulated, " is not a triangle");
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
         return fail(report, Diagnosis::TOO_LARGE, "a surface has more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
@@ -96,7 +98,19 @@ public:
     return text.str();
   }
 
-  static bool fail(Baking_report& report, Diagnosis diagnosis, const std::string& message)
+  bool fail_at(face_descriptor f, Report& report, Diagnosis diagnosis, const std::string& message) const
+  {
+    report.offending_faces = {f};
+    return fail(report, diagnosis, face_text(f) + message);
+  }
+
+  bool fail_at(vertex_descriptor v, Report& report, Diagnosis diagnosis, const std::string& message) const
+  {
+    report.offending_vertices = {v};
+    return fail(report, diagnosis, "the vertex at " + point_text(v) + message);
+  }
+
+  static bool fail(Report& report, Diagnosis diagnosis, const std::string& message)
   {
     report.status = diagnosis;
     report.message = message;
@@ -122,7 +136,7 @@ private:
     return number;
   }
 
-  bool read_normals(Shaded_surface& surface, Baking_report& report) const
+  bool read_normals(Shaded_surface& surface, Report& report) const
   {
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value) {
       (void)surface;
@@ -132,8 +146,7 @@ private:
       for(const vertex_descriptor v : m_vertices) {
         const Space_vector normal = vector_of(get(normals, v));
         if(!normal.allFinite() || normal.isZero(0))
-          return fail(report, Diagnosis::WRONG_NORMAL,
-                      "the normal of the vertex at " + point_text(v) + " is zero or not finite");
+          return fail_at(v, report, Diagnosis::WRONG_NORMAL, " has a normal that is zero or not finite");
         surface.normals.push_back(normal.stableNormalized());
       }
     }

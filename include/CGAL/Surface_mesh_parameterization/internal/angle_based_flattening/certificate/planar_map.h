@@ -17,13 +17,14 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -80,15 +81,17 @@ class Planar_map
 public:
   typedef typename Convert::type Point_2;
 
-  // `faces` must consist of connected components. Throws `std::invalid_argument` if a face is not a triangle.
+  // `faces` must consist of connected components. Faces that are not triangles are set aside.
   template <typename FaceRange>
   Planar_map(const TriangleMesh& mesh, const FaceRange& faces, UVMap uvmap)
       : m_mesh(mesh), m_coordinates(mesh, uvmap)
   {
     for(face_descriptor f : faces) {
       const halfedge_descriptor h = halfedge(f, mesh), g = next(h, mesh), i = next(g, mesh);
-      if(next(i, mesh) != h)
-        throw std::invalid_argument("a face is not a triangle");
+      if(next(i, mesh) != h || i == h) {
+        polygons.emplace_back(face_descriptors.size(), f);
+        continue;
+      }
       face_descriptors.push_back(f);
       m_halfedges.insert(m_halfedges.end(), {h, g, i});
     }
@@ -103,22 +106,25 @@ public:
     }
   }
 
-  // Of each corner: that of the opposite halfedge, or -1 at borders
+  // Of each corner: that of the opposite halfedge, or -1 at borders and polygons
   std::vector<int> opposite_corners() const
   {
+    const int number_of_corners = static_cast<int>(m_halfedges.size());
     const auto corner = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
-    for(std::size_t c = 0; c < m_halfedges.size(); ++c)
-      put(corner, m_halfedges[c], static_cast<int>(c));
+    number_corners(corner);
     std::vector<int> result;
     result.reserve(m_halfedges.size());
-    for(halfedge_descriptor h : m_halfedges)
-      result.push_back(m_coordinates.is_at_border(h) ? -1 : get(corner, opposite(h, m_mesh)));
+    for(halfedge_descriptor h : m_halfedges) {
+      const int across = m_coordinates.is_at_border(h) ? -1 : get(corner, opposite(h, m_mesh));
+      result.push_back(across < number_of_corners ? across : -1);
+    }
     return result;
   }
 
   bool is_locally_injective() const
   {
-    return flipped_triangles(vertex, points).empty() && is_injective_at_vertices(vertex, border, points);
+    return polygons.empty() && flipped_triangles(vertex, points).empty() &&
+           is_injective_at_vertices(vertex, border, points);
   }
 
   // Theorem. The map is injective and keeps the orientation if and only if every triangle is positively oriented, no
@@ -137,16 +143,31 @@ public:
   // two sheets glued crosswise along a cut have two that turn left.
   bool is_injective() const
   {
-    return flipped_triangles(vertex, points).empty() && bounds_region(border, points);
+    return polygons.empty() && flipped_triangles(vertex, points).empty() && bounds_region(border, points);
   }
 
-  std::vector<face_descriptor> face_descriptors;     // of each triangle
+  std::vector<face_descriptor> face_descriptors; // of each triangle
+  std::vector<std::pair<std::size_t, face_descriptor>>
+      polygons; // other faces, each with the number of triangles before it
   std::vector<halfedge_descriptor> border_halfedges; // of each border edge
   std::vector<Point_2> points;                       // of each vertex
   std::vector<int> vertex;                           // of each corner: the target of a halfedge
   std::vector<Border_edge> border;
 
 private:
+  // Numbers the corners of triangles, and behind them those of polygons. Returns how many there are.
+  template <typename CornerMap>
+  std::size_t number_corners(CornerMap corner) const
+  {
+    int count = 0;
+    for(halfedge_descriptor h : m_halfedges)
+      put(corner, h, count++);
+    for(const auto& polygon : polygons)
+      for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(polygon.second, m_mesh), m_mesh))
+        put(corner, h, count++);
+    return static_cast<std::size_t>(count);
+  }
+
   // In the order of their first corners
   void number_vertices()
   {
@@ -164,12 +185,18 @@ private:
         vertex.push_back(i);
       }
     } else {
+      const auto corner = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
       Disjoint_sets fans(
-          m_halfedges.size()); // of corners between two borders, or around a vertex of the mesh
-      const std::vector<int> across = opposite_corners();
-      for(std::size_t c = 0; c < m_halfedges.size(); ++c)
-        if(across[c] >= 0) // the corner before it has the same target
-          fans.union_set(static_cast<int>(c), across[c] % 3 == 0 ? across[c] + 2 : across[c] - 1);
+          number_corners(corner)); // of corners between two borders, or around a vertex of the mesh
+      const auto join = [&](halfedge_descriptor h) {
+        if(!m_coordinates.is_at_border(h)) // the halfedge before the opposite one has the same target
+          fans.union_set(get(corner, h), get(corner, prev(opposite(h, m_mesh), m_mesh)));
+      };
+      for(halfedge_descriptor h : m_halfedges)
+        join(h);
+      for(const auto& polygon : polygons)
+        for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(polygon.second, m_mesh), m_mesh))
+          join(h);
       std::vector<int> number(m_halfedges.size(), -1);
       for(std::size_t c = 0; c < m_halfedges.size(); ++c) {
         int& v = number[fans.find_set(c)];

@@ -52,6 +52,12 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Corner_table&
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Chart& chart);
 
+// The triangles whose vertices are on a line, up to the rounding of their coordinates
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int> degenerate_triangles(const Chart& chart);
+
+// What is wrong if all triangles are degenerate
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_no_area(const Chart& chart);
+
 // Walks once around every vertex. A second fan of triangles at a vertex, or a neighbour met twice, is an error:
 // by Fary's theorem a disk can be drawn in the plane exactly if its edge graph has no loop and no parallel edges.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& chart);

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -42,6 +44,48 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Char
                 {v},
                 {}};
   return {};
+}
+
+// Each component of the normal is compared with how much it changes if coordinates change by their last digit: where one axis has much
+// smaller coordinates than others, so are its errors.
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int> degenerate_triangles(const Chart& chart)
+{
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const auto is_degenerate = [&](int t) {
+    const Chart::Point_3& p = chart.points[chart.vertex[3 * t]];
+    double side[2][3], error[2][3];
+    for(int k = 0; k < 2; ++k)
+      for(int i = 0; i < 3; ++i) {
+        const double x = chart.points[chart.vertex[3 * t + k + 1]][i];
+        side[k][i] = x - p[i];
+        error[k][i] = epsilon * (std::abs(x) + std::abs(p[i]));
+      }
+    for(int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      double bound = 0;
+      for(const auto& [a, b] : {std::pair(i, j), std::pair(j, i)})
+        bound += std::abs(side[0][a]) * error[1][b] + error[0][a] * std::abs(side[1][b]) +
+                 error[0][a] * error[1][b];
+      if(std::abs(side[0][i] * side[1][j] - side[0][j] * side[1][i]) > bound)
+        return false;
+    }
+    return true;
+  };
+  std::vector<int> result;
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    if(is_degenerate(t))
+      result.push_back(t);
+  return result;
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_no_area(const Chart& chart)
+{
+  std::vector<int> degenerate = degenerate_triangles(chart);
+  if(static_cast<int>(degenerate.size()) < chart.number_of_triangles())
+    return {};
+  const std::string text = "the surface has no area: all " + std::to_string(degenerate.size()) +
+                           " triangles are degenerate, with the vertices on a line or at a point";
+  return {Diagnosis::NO_AREA, text, {}, std::move(degenerate)};
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& chart)

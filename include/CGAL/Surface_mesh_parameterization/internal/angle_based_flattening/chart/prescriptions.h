@@ -73,6 +73,7 @@ struct Prescriptions
   Vertex_angle_sums<TriangleMesh> angle_sums;
   Halfedge_seam_sides<TriangleMesh> seam_sides;
   std::optional<bool> equal_seam_lengths;
+  Vertex_points<TriangleMesh> points; // of the mesh if it is empty
 
   // Seams of equal lengths, unless the border of the cut mesh is prescribed
   bool wants_equal_seams() const

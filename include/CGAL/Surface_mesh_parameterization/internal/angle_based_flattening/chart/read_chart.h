@@ -17,13 +17,19 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/entered_faces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,8 +75,43 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
   }
 };
 
-// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in
-// a hash table.
+template <typename Point>
+Chart::Point_3 point_in_doubles(const Point& p)
+{
+  return Chart::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
+
+// The points of the vertices of a mesh. It hides the type of the caller's property map.
+template <typename TriangleMesh>
+using Vertex_points = std::function<Chart::Point_3(
+    const typename boost::graph_traits<TriangleMesh>::vertex_descriptor&, const TriangleMesh&)>;
+
+// The keys are vertices of the mesh, or of a seam mesh also those of the mesh below it.
+template <typename TriangleMesh, typename VertexPointMap>
+Vertex_points<TriangleMesh> vertex_points(VertexPointMap map)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::property_traits<VertexPointMap>::key_type Key;
+  if constexpr(std::is_same_v<Key, typename Seam_sides<TriangleMesh>::surface_vertex_descriptor>)
+    return [map](const vertex_descriptor& v, const TriangleMesh& mesh) {
+      return point_in_doubles(get(map, Seam_sides<TriangleMesh>::surface_vertex(v, mesh)));
+    };
+  else
+    return [map](const vertex_descriptor& v, const TriangleMesh&) { return point_in_doubles(get(map, v)); };
+}
+
+// Those that named parameters give; empty if they give none
+template <typename TriangleMesh, typename NamedParameters>
+Vertex_points<TriangleMesh> given_points(const NamedParameters& np)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value) {
+    (void)np;
+    return {};
+  } else
+    return vertex_points<TriangleMesh>(parameters::get_parameter(np, internal_np::vertex_point));
+}
+
+// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in a hash table.
 template <typename Index>
 class Vertex_ranks
 {
@@ -105,7 +146,10 @@ class Chart_reader
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
 public:
-  Chart_reader(const TriangleMesh& mesh) : m_mesh(mesh), m_faces(mesh) {}
+  // Without `points`, they are those of the mesh.
+  explicit Chart_reader(const TriangleMesh& mesh, Vertex_points<TriangleMesh> points = {})
+      : m_mesh(mesh), m_points(std::move(points)), m_faces(mesh)
+  {}
 
   // `vimap` maps each vertex to an integer of its own; these need not be consecutive.
   template <typename VertexIndexMap>
@@ -226,8 +270,7 @@ private:
     double largest = 0;
     chart.points.reserve(vertex_descriptors.size());
     for(vertex_descriptor v : vertex_descriptors) {
-      const auto& p = get(points, v);
-      chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      chart.points.push_back(m_points ? m_points(v, m_mesh) : point_in_doubles(get(points, v)));
       for(int i = 0; i < 3; ++i)
         largest = (std::max)(largest, std::abs(chart.points.back()[i]));
     }
@@ -237,8 +280,21 @@ private:
   }
 
   const TriangleMesh& m_mesh;
+  Vertex_points<TriangleMesh> m_points;
   Entered_faces<TriangleMesh> m_faces;
 };
+
+// Says in a report what is wrong with the chart that was read.
+template <typename TriangleMesh, typename Report>
+void report_defect(const Chart_defect& defect, const Chart_reader<TriangleMesh>& reader, Report& report)
+{
+  report.status = defect.status;
+  report.message = defect.message;
+  for(int v : defect.vertices)
+    report.offending_vertices.push_back(reader.vertex_descriptors[v]);
+  for(int t : defect.triangles)
+    report.offending_faces.push_back(reader.face_of_triangle(t));
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -73,10 +73,11 @@ public:
     for(const auto& e : edges(m_mesh))
       put(m_marks, e, false);
     const auto cones = m_result.cones.vertices();
-    m_result.seams =
+    const auto seams =
         cut_to_disks(m_mesh, m_marks, m_np.vertex_is_constrained_map(CGAL::make_boolean_property_map(cones)));
-    if(!m_result.seams) {
-      fail(m_result.seams);
+    m_result.seams = seams;
+    if(!seams) {
+      fail(seams);
       return std::move(m_result);
     }
     with_threads(m_options.threads, [&]() {
@@ -87,16 +88,34 @@ public:
       }
     });
     m_result.map.peak_memory = peak_resident_size();
-    if(!m_result.map)
-      fail(m_result.map);
+    if(!m_result.map) {
+      m_result.status = m_result.map.status;
+      m_result.message = m_result.map.message;
+    }
     return std::move(m_result);
   }
 
 private:
-  void fail(const Report& part)
+  template <typename PartReport>
+  void fail(const PartReport& part)
   {
     m_result.status = part.status;
     m_result.message = part.message;
+    m_result.offending_vertices = part.offending_vertices;
+    m_result.offending_edges = part.offending_edges;
+    m_result.offending_faces = part.offending_faces;
+  }
+
+  // Of vertices and triangles of the surface, cut open, whose corners are those of the surface
+  void name_offenders(const Chart& chart, const std::vector<int>& offending_vertices,
+                      const std::vector<int>& triangles)
+  {
+    for(int v : offending_vertices) {
+      const auto corner = std::find(chart.vertex.begin(), chart.vertex.end(), v) - chart.vertex.begin();
+      m_result.offending_vertices.push_back(target(m_reader.halfedge_to(static_cast<int>(corner)), m_mesh));
+    }
+    for(int t : triangles)
+      m_result.offending_faces.push_back(m_reader.face_of(t));
   }
 
   bool are_free() const { return m_cone_options.angles == Cone_angles::FREE; }
@@ -111,8 +130,10 @@ private:
     Flattening<ABF_plus_plus_report> flattening =
         flatten_chart(chart, m_options, solvers, &round_to_points<Point>);
     m_result.map = std::move(flattening.report);
-    if(m_result.map.status != Diagnosis::NOTHING_WRONG)
+    if(!m_result.map) {
+      name_offenders(chart, {}, flattening.invalid);
       return;
+    }
     for(const auto& e : edges(m_mesh))
       put(m_seams, e, bool(get(m_marks, e)));
     for(int c = 0; c < chart.number_of_corners(); ++c) {
@@ -130,17 +151,21 @@ private:
     Chart chart;
     Chart_defect defect = find_wrong_option();
     if(!defect) {
-      Seam_report report; // the surface was read before without complaint
+      Mesh_report<TriangleMesh, Seam_report> report; // the surface was read before without complaint
       m_reader.read([](const auto&) { return false; }, report);
       chart = cut_open(m_reader.parts().front().chart);
       defect = diagnose(chart, false);
     }
+    if(!defect)
+      defect = find_no_area(chart);
     if(!defect && m_options.equal_seam_lengths.value_or(true))
       defect = equalize_seams(chart);
     if(!defect && !are_free() && chart.has_equal_seams)
       defect = optional_angle_sums(sums_at_seams(chart), chart);
-    if(defect)
+    if(defect) {
       ABF::fail(m_result.map, defect.status, defect.message);
+      name_offenders(chart, defect.vertices, defect.triangles);
+    }
     return chart;
   }
 
@@ -183,7 +208,7 @@ private:
   const ABF_plus_plus_options& m_options;
   const NamedParameters& m_np;
   Marks m_marks; // of the seams
-  Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
+  Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
   Cone_flattening<TriangleMesh> m_result;
 };
 

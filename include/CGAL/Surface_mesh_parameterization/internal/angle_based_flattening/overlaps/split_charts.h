@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Overlap_split_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
@@ -43,7 +44,7 @@ class Chart_splitter
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  typedef Overlap_split_report Report;
+  typedef Mesh_report<TriangleMesh, Overlap_split_report> Report;
   typedef Exact_point<typename boost::property_traits<UVMap>::value_type> Convert;
   typedef typename Convert::type Point;
 
@@ -90,12 +91,14 @@ private:
       const int v = chart.vertex[c];
       const Point p = Convert::get(m_uv[m_reader.halfedge_to(3 * part.first_triangle + c)]);
       if(!is_finite_point(p)) {
+        report.offending_vertices = {m_reader.vertex_of(part, v)};
         m_reader.fail(report, Diagnosis::NON_FINITE_COORDINATE,
                       "the vertex at " + position_text(chart, v) +
                           " has coordinates in the plane that are not all finite numbers");
         return false;
       }
       if(is_read[v] && uv[v] != p) {
+        report.offending_vertices = {m_reader.vertex_of(part, v)};
         m_reader.fail(report, Diagnosis::INCONSISTENT_COORDINATES,
                       "the vertex at " + position_text(chart, v) +
                           " has different coordinates at faces that no seam separates");
@@ -111,6 +114,7 @@ private:
   {
     const Chart& chart = part.chart;
     const int c = 3 * separation.triangle;
+    report.offending_faces = {m_reader.face_of(part.first_triangle + separation.triangle)};
     const std::string face = "the face with the vertices at " + position_text(chart, chart.vertex[c]) + ", " +
                              position_text(chart, chart.vertex[c + 1]) + " and " +
                              position_text(chart, chart.vertex[c + 2]);

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Packing_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
@@ -47,7 +48,7 @@ class Chart_packer
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   typedef typename boost::property_traits<FaceChartMap>::value_type Chart_number;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point_2;
-  typedef Packing_report Report;
+  typedef Mesh_report<TriangleMesh, Packing_report> Report;
 
 public:
   Chart_packer(const TriangleMesh& mesh, FaceChartMap chart_map, HalfedgeUVMap uv,
@@ -80,6 +81,20 @@ private:
     return false;
   }
 
+  bool fail_at(face_descriptor f, Diagnosis diagnosis, const std::string& message)
+  {
+    m_report.offending_faces = {f};
+    return fail(diagnosis, face_text(f) + message);
+  }
+
+  bool fail_in_chart(int chart, Diagnosis diagnosis, const std::string& message)
+  {
+    for(std::size_t t = 0; t < m_faces.size(); ++t)
+      if(m_chart[t] == chart)
+        m_report.offending_faces.push_back(m_faces[t]);
+    return fail(diagnosis, "chart " + std::to_string(m_numbers[chart]) + message);
+  }
+
   std::string face_text(face_descriptor f) const
   {
     std::ostringstream text;
@@ -94,8 +109,6 @@ private:
     return text.str();
   }
 
-  std::string chart_text(int chart) const { return "chart " + std::to_string(m_numbers[chart]); }
-
   // Charts get numbers from 0 on, in the order of their own numbers.
   bool read_charts()
   {
@@ -105,7 +118,7 @@ private:
         continue;
       const std::array<halfedge_descriptor, 3> h = halfedges_of(f);
       if(next(h[2], m_mesh) != h[0])
-        return fail(Diagnosis::NOT_TRIANGULATED, face_text(f) + " is not a triangle");
+        return fail_at(f, Diagnosis::NOT_TRIANGULATED, " is not a triangle");
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
         return fail(Diagnosis::TOO_LARGE, "the charts have more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
@@ -140,13 +153,14 @@ private:
       for(const halfedge_descriptor h : halfedges_of(f))
         for(const double x : coordinates(h)) {
           if(!std::isfinite(x))
-            return fail(Diagnosis::NON_FINITE_POINT, face_text(f) + " has a point that is not finite");
+            return fail_at(f, Diagnosis::NON_FINITE_POINT, " has a point that is not finite");
           largest_coordinate = (std::max)(largest_coordinate, std::abs(x));
         }
       const double w = weight(f);
       if(!(w >= 0) || !std::isfinite(w))
-        return fail(Diagnosis::WRONG_WEIGHT, face_text(f) + " has the weight " + std::to_string(w) +
-                                                 ", and weights must be finite and not negative");
+        return fail_at(f, Diagnosis::WRONG_WEIGHT,
+                       " has the weight " + std::to_string(w) +
+                           ", and weights must be finite and not negative");
       largest_weight = (std::max)(largest_weight, w);
     }
     m_scale = power_of_two(largest_coordinate);
@@ -177,8 +191,8 @@ private:
         const auto& p = get(m_uv, h);
         m_corners.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
         if(!m_corners.back().allFinite())
-          return fail(Diagnosis::NON_FINITE_COORDINATE,
-                      face_text(f) + " has coordinates in the plane that are not all finite numbers");
+          return fail_at(f, Diagnosis::NON_FINITE_COORDINATE,
+                         " has coordinates in the plane that are not all finite numbers");
       }
     return true;
   }
@@ -219,21 +233,19 @@ private:
     const Packing_check check = certify_packing(m_corners, m_chart, static_cast<int>(m_numbers.size()),
                                                 m_options.resolution, m_options.gutter);
     if(check.status != Packing_check::CERTIFIED)
-      fail(Diagnosis::NOT_CERTIFIED,
-           face_text(m_faces[check.triangle]) + (check.status == Packing_check::OUTSIDE
-                                                     ? " is not certified to be in the square"
-                                                     : " is not certified to be apart from other charts"));
+      fail_at(m_faces[check.triangle], Diagnosis::NOT_CERTIFIED,
+              check.status == Packing_check::OUTSIDE ? " is not certified to be in the square"
+                                                     : " is not certified to be apart from other charts");
     return placed;
   }
 
   void explain_failure(const Packing& packing)
   {
     if(packing.status == Packing::DEGENERATE_CHART)
-      fail(Diagnosis::DEGENERATE_CHART,
-           chart_text(packing.chart) + " has no area in the plane, or its area is too large to be computed");
+      fail_in_chart(packing.chart, Diagnosis::DEGENERATE_CHART,
+                    " has no area in the plane, or one that is too large to be computed");
     else if(packing.status == Packing::NON_FINITE)
-      fail(Diagnosis::NON_FINITE_COORDINATE,
-           chart_text(packing.chart) + " has coordinates that are too large");
+      fail_in_chart(packing.chart, Diagnosis::NON_FINITE_COORDINATE, " has coordinates that are too large");
     else if(packing.status == Packing::NO_AREA)
       fail(Diagnosis::NO_AREA, "no face has both an area in space and a weight above 0");
     else

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
@@ -42,7 +43,8 @@ auto terminal_map(const NamedParameters& np)
 
 // Vertices without faces cannot be reached.
 template <typename TriangleMesh, typename NamedParameters>
-bool can_reach_terminals(const TriangleMesh& mesh, const NamedParameters& np, Seam_report& report)
+bool can_reach_terminals(const TriangleMesh& mesh, const NamedParameters& np,
+                         Mesh_report<TriangleMesh, Seam_report>& report)
 {
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::vertex_is_constrained_t>::value) {
@@ -51,6 +53,7 @@ bool can_reach_terminals(const TriangleMesh& mesh, const NamedParameters& np, Se
     for(const auto v : vertices(mesh)) {
       if(get(is_terminal, v) && halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) {
         report.status = Diagnosis::WRONG_OPTION;
+        report.offending_vertices = {v};
         report.message = "vertex " + std::to_string(rank) + " has no face, and so no seam can reach it";
         return false;
       }
@@ -67,6 +70,7 @@ class Seam_application
 {
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef Mesh_report<TriangleMesh, Seam_report> Report;
 
 public:
   Seam_application(const TriangleMesh& mesh, EdgeIsSeamMap seams, const NamedParameters& np, bool keeps_seams)
@@ -76,9 +80,9 @@ public:
   {}
 
   template <typename Find>
-  Seam_report run(const Find& find)
+  Report run(const Find& find)
   {
-    Seam_report report;
+    Report report;
     if(!m_reader.read([&](edge_descriptor e) { return m_keeps_seams && get(m_seams, e); }, report) ||
        !m_reader.read_costs(seam_cost<edge_descriptor>(m_np), report))
       return report;
@@ -121,8 +125,9 @@ public:
   }
 
 private:
-  void explain_failure(const Surface_part& part, Seams::Status status, Seam_report& report) const
+  void explain_failure(const Surface_part& part, Seams::Status status, Report& report) const
   {
+    report.offending_faces = {m_reader.face_of(part.first_triangle)};
     const std::string where = "the part of the surface with the vertex at " + position_text(part.chart, 0);
     if(status == Seams::NO_CUT)
       m_reader.fail(
@@ -148,7 +153,7 @@ private:
   }
 
   // Seams lie between two corners, of one part or of two.
-  void measure(const std::vector<Seams>& results, Seam_report& report) const
+  void measure(const std::vector<Seams>& results, Report& report) const
   {
     double area = 0, sides = 0;
     for(std::size_t i = 0; i < results.size(); ++i) {
@@ -204,7 +209,7 @@ private:
   EdgeIsSeamMap m_seams;
   const NamedParameters& m_np;
   bool m_keeps_seams;
-  Surface_reader<TriangleMesh, Vertex_point_map, Seam_report> m_reader;
+  Surface_reader<TriangleMesh, Vertex_point_map, Report> m_reader;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -13,11 +13,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Disk_cut_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/opened_surface.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -164,13 +163,6 @@ private:
       m_sectors_at; // of each vertex: how many
 };
 
-// The position of an element in a range of the mesh
-template <typename Range, typename Descriptor>
-std::string rank_text(const Range& range, const Descriptor& descriptor)
-{
-  return std::to_string(std::distance(range.begin(), std::find(range.begin(), range.end(), descriptor)));
-}
-
 template <typename TriangleMesh>
 std::string edge_text(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                       const TriangleMesh& mesh)
@@ -195,6 +187,24 @@ std::string border_text(const typename Disk_cut_report<TriangleMesh>::Part& part
                                             : ", ") +
             edge_text(part.borders[i], mesh);
   return text + (part.borders.size() > most ? " and others" : "");
+}
+
+template <typename TriangleMesh>
+void name_offenders(const typename Disk_cut_report<TriangleMesh>::Part& part, const TriangleMesh& mesh,
+                    Disk_cut_report<TriangleMesh>& report)
+{
+  switch(part.status) {
+  case Diagnosis::NON_MANIFOLD_VERTEX:
+    report.offending_vertices = {target(part.where, mesh)};
+    break;
+  case Diagnosis::SEVERAL_BORDERS:
+  case Diagnosis::SHORT_BORDER:
+  case Diagnosis::PARALLEL_EDGES:
+    report.offending_edges = {edge(part.where, mesh)};
+    break;
+  default:
+    report.offending_faces = {face(part.where, mesh)};
+  }
 }
 
 template <typename TriangleMesh>

@@ -11,7 +11,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
-#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
@@ -29,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -41,24 +39,25 @@ template <typename TriangleMesh, typename VertexPointMap, typename UVMap>
 class Mapped_surface
 {
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef Flattening_measures_report<TriangleMesh> Report;
 
 public:
   Mapped_surface(const TriangleMesh& mesh, VertexPointMap points, UVMap uvmap)
       : m_coordinates(mesh, uvmap), m_reader(mesh, points)
   {
-    Seam_report report;
     const auto is_cut = [&](edge_descriptor e) {
       return !CGAL::is_border(e, mesh) && m_coordinates.is_at_border(halfedge(e, mesh));
     };
-    if(!m_reader.read(is_cut, report))
-      throw std::invalid_argument(report.message);
-    read_coordinates();
+    if(m_reader.read(is_cut, m_report))
+      read_coordinates();
   }
 
-  // Calls `visit(f, measures)` for each face.
+  // Calls `visit(f, measures)` for each face, if the surface could be read.
   template <typename FaceVisitor>
-  Flattening_measures measure(FaceVisitor& visit) const
+  Report measure(FaceVisitor& visit) const
   {
+    if(!m_report)
+      return m_report;
     int triangles = 0;
     Total_areas areas;
     for(std::size_t i = 0; i < m_uv.size(); ++i) {
@@ -75,9 +74,10 @@ public:
         visit(m_reader.face_of(first + t), face);
       });
     }
-    Flattening_measures measures = totals.measures();
-    measures.border_is_simple = is_border_simple();
-    return measures;
+    Report report;
+    static_cast<Flattening_measures&>(report) = totals.measures();
+    report.border_is_simple = is_border_simple();
+    return report;
   }
 
 private:
@@ -120,7 +120,8 @@ private:
   }
 
   const Corner_coordinates<TriangleMesh, UVMap> m_coordinates;
-  Surface_reader<TriangleMesh, VertexPointMap, Seam_report> m_reader;
+  Surface_reader<TriangleMesh, VertexPointMap, Report> m_reader;
+  Report m_report;                               // of reading
   std::vector<std::vector<Chart::Point_2>> m_uv; // of the vertices of each part
 };
 
@@ -128,7 +129,7 @@ private:
 template <typename TriangleMesh, typename UVMap>
 using Measures_of_surface = std::enable_if_t<
     !std::is_convertible<UVMap, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>::value,
-    Flattening_measures>;
+    Flattening_measures_report<TriangleMesh>>;
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

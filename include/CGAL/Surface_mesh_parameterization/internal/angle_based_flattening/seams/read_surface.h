@@ -50,6 +50,7 @@ class Surface_reader
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
 
 public:
   Surface_reader(const TriangleMesh& mesh, VertexPointMap points)
@@ -80,6 +81,14 @@ public:
   // The one to a corner of the surface, in its face
   halfedge_descriptor halfedge_to(int corner) const { return m_faces.halfedge_to(corner); }
 
+  // The vertex of the mesh that a vertex of a part is. Searches for it.
+  vertex_descriptor vertex_of(const Surface_part& part, int v) const
+  {
+    const std::vector<int>& vertex = part.chart.vertex;
+    const auto corner = std::find(vertex.begin(), vertex.end(), v) - vertex.begin();
+    return target(halfedge_to(3 * part.first_triangle + static_cast<int>(corner)), m_mesh);
+  }
+
   // The edge that a corner of the surface faces
   edge_descriptor edge_of(int corner) const { return edge(m_faces.faced_halfedge(corner), m_mesh); }
 
@@ -97,6 +106,7 @@ public:
         }
         part.cost[c] = cost_of(edge_of(3 * part.first_triangle + c), edge_length(chart, c));
         if(!(part.cost[c] >= 0)) {
+          report.offending_edges = {edge_of(3 * part.first_triangle + c)};
           fail(report, Diagnosis::WRONG_WEIGHT,
                "the edge from " + position_text(chart, chart.edge_source(c)) + " to " +
                    position_text(chart, chart.edge_target(c)) + " has the weight " +
@@ -177,6 +187,7 @@ private:
     for(int t = first; t < m_faces.size(); ++t) {
       if(!m_faces.is_triangle(t)) {
         const auto p = get(m_points, target(m_faces.entry(t), m_mesh));
+        report.offending_faces = {face_of(t)};
         fail(report, Diagnosis::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
         return false;
       }
@@ -253,10 +264,12 @@ private:
     double largest = 0;
     for(Surface_part& part : m_parts) {
       number_vertices(part);
-      for(const Chart::Point_3& p : part.chart.points)
+      for(int v = 0; v < part.chart.number_of_vertices(); ++v)
         for(int i = 0; i < 3; ++i) {
+          const Chart::Point_3& p = part.chart.points[v];
           largest = (std::max)(largest, std::abs(p[i]));
           if(!std::isfinite(p[i])) {
+            report.offending_vertices = {vertex_of(part, v)};
             fail(report, Diagnosis::NON_FINITE_POINT,
                  "a vertex has coordinates " + point_text(p) + ", which are not all finite numbers");
             return false;

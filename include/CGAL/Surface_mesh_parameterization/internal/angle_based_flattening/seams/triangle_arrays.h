@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -19,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,35 +41,41 @@ struct Triangle_arrays
   }
 };
 
-// Reads the points of a mesh, and numbers vertices and faces.
+// Reads the points of a mesh, and numbers vertices and faces. Returns whether that is possible, and says why if it is not.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexNumberMap, typename FaceNumberMap>
-Triangle_arrays read_triangles(const TriangleMesh& mesh, VertexPointMap points,
-                               VertexNumberMap vertex_numbers, FaceNumberMap face_numbers)
+bool read_triangles(const TriangleMesh& mesh, VertexPointMap points, VertexNumberMap vertex_numbers,
+                    FaceNumberMap face_numbers, Triangle_arrays& arrays, Mesh_report<TriangleMesh>& report)
 {
-  Triangle_arrays result;
   for(auto v : vertices(mesh)) {
     const auto& p = get(points, v);
-    result.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    const std::size_t number = result.points.size() - 1;
+    arrays.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    const std::size_t number = arrays.points.size() - 1;
     put(vertex_numbers, v, number);
     for(int i = 0; i < 3; ++i)
-      if(!std::isfinite(result.points.back()[i]))
-        throw std::invalid_argument("vertex " + std::to_string(number) +
-                                    " has a coordinate that is not finite");
+      if(!std::isfinite(arrays.points.back()[i])) {
+        report.status = Diagnosis::NON_FINITE_POINT;
+        report.message = "vertex " + std::to_string(number) + " has a coordinate that is not finite";
+        report.offending_vertices = {v};
+        return false;
+      }
   }
   for(auto f : faces(mesh)) {
-    const std::size_t number = result.triangles.size();
+    const std::size_t number = arrays.triangles.size();
     put(face_numbers, f, number);
-    if(!CGAL::is_triangle(halfedge(f, mesh), mesh))
-      throw std::invalid_argument("face " + std::to_string(number) + " is not a triangle");
-    result.triangles.emplace_back();
+    if(!CGAL::is_triangle(halfedge(f, mesh), mesh)) {
+      report.status = Diagnosis::NOT_TRIANGULATED;
+      report.message = "face " + std::to_string(number) + " is not a triangle";
+      report.offending_faces = {f};
+      return false;
+    }
+    arrays.triangles.emplace_back();
     auto h = halfedge(f, mesh);
-    for(std::size_t& v : result.triangles.back()) {
+    for(std::size_t& v : arrays.triangles.back()) {
       v = get(vertex_numbers, target(h, mesh));
       h = next(h, mesh);
     }
   }
-  return result;
+  return true;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

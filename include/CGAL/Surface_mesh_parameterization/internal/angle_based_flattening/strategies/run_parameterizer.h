@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Containers_filler.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
@@ -41,9 +42,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 template <typename TriangleMesh, typename Report>
 struct Outcome
 {
-  Report report;
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> offending_vertices;
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> offending_faces;
+  Mesh_report<TriangleMesh, Report> report;
   std::shared_ptr<const Planar_angles> angles; // of the last map, if a later run is to start there
 
   // That of a run which an exception ends
@@ -58,9 +57,9 @@ struct Outcome
                       const std::vector<int>& triangles)
   {
     for(int v : vertices)
-      offending_vertices.push_back(reader.vertex_descriptors[v]);
+      report.offending_vertices.push_back(reader.vertex_descriptors[v]);
     for(int t : triangles)
-      offending_faces.push_back(reader.face_of_triangle(t));
+      report.offending_faces.push_back(reader.face_of_triangle(t));
   }
 };
 
@@ -126,6 +125,8 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
   if(!defect)
     defect = diagnose(reader.chart, holes != Flattening_options::REFUSE);
   if(!defect)
+    defect = find_no_area(reader.chart);
+  if(!defect)
     defect = read_importance(reader, prescriptions.importance);
   if(!defect && prescriptions.seam_sides) {
     reader.link_seams([&](typename Graph_traits::halfedge_descriptor h) {
@@ -165,7 +166,7 @@ run_parameterizer(const TriangleMesh& mesh,
     return outcome;
   }
   const auto run = [&] {
-    Chart_reader<TriangleMesh> reader(mesh);
+    Chart_reader<TriangleMesh> reader(mesh, prescriptions.points);
     {
       const Stage stage(options.visitor, Flattening_visitor::READ, report.seconds.read);
       const Chart_defect defect =
@@ -174,14 +175,18 @@ run_parameterizer(const TriangleMesh& mesh,
       report.triangles = reader.number_of_faces();
       report.borders = static_cast<int>(reader.chart.borders.size());
       if(defect) {
+        if(defect.status == Diagnosis::NO_AREA)
+          report.degenerate_triangles = report.triangles;
         fail(report, defect.status, defect.message);
         outcome.name_offenders(reader, defect.vertices, defect.triangles);
         return;
       }
+      report.degenerate_triangles = static_cast<int>(degenerate_triangles(reader.chart).size());
     }
     Flattening<Report> flattening =
         flatten(reader.chart, &round_to_points<typename boost::property_traits<VertexUVmap>::value_type>);
     flattening.report.seconds += report.seconds;
+    flattening.report.degenerate_triangles = report.degenerate_triangles;
     report = std::move(flattening.report);
     outcome.angles = std::move(flattening.angles);
     if(report.status != Diagnosis::NOTHING_WRONG) {
