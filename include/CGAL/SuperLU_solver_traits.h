@@ -137,8 +137,9 @@ public:
   typedef FT NT;
   /// the type of vectors
   typedef CGAL::Eigen_vector<NT> Vector;
-  /// the type of matrices: an `Eigen_sparse_matrix<NT>`, whose dimensions can be integers of any type. If it was constructed
-  /// with `is_symmetric` equal to `true`, so that it stores one triangle only, then it stands for the whole symmetric matrix.
+  /// the type of matrices: an `Eigen_sparse_matrix<NT>`, whose dimensions can be integers of any type. If it was
+  /// constructed with `is_symmetric` equal to `true`, so that it stores one triangle only, then it stands for the whole
+  /// symmetric matrix.
   typedef Sparse_matrix Matrix;
   /// the type of indices
   typedef Eigen::Index Index;

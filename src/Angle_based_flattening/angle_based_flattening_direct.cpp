@@ -7,6 +7,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/all_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map_impl.h>
 
 template std::shared_ptr<const CGAL::Surface_mesh_parameterization::internal::ABF::Solver_source>
 CGAL::Surface_mesh_parameterization::internal::ABF::solver_source(const CGAL::SuperLU_solver_traits<>&);

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/one_to_one.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
@@ -21,7 +22,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -102,15 +105,15 @@ public:
     m_prescriptions.equal_seam_lengths = options.equal_seam_lengths;
   }
 
-  /// sets the points of the vertices, from the next call of `parameterize()` on. Without a call of this function, they are
-  /// `get(CGAL::vertex_point, mesh)`.
+  /// sets the points of the vertices, from the next call of `parameterize()` on. Without a call of this function, they
+  /// are `get(CGAL::vertex_point, mesh)`.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
   ///
   /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with
-  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a `Point_3` of any kernel as value type. For a
-  ///         `Seam_mesh`, the key type can also be the vertex descriptor of the mesh that it cuts.
+  ///   `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a `Point_3` of any kernel as value
+  ///   type. For a `Seam_mesh`, the key type can also be the vertex descriptor of the mesh that it cuts.
   template <typename VertexPointMap>
   void set_points(VertexPointMap points)
   {
@@ -128,8 +131,8 @@ public:
   ///
   /// The importance of every face of the flattened component must be in [0.1, 10]. It has no unit. Otherwise,
   /// `parameterize()` returns `ERROR_WRONG_PARAMETER` with the diagnosis `Diagnosis::WRONG_WEIGHT`, and the
-  /// `Mesh_report::offending_faces` of `report()` are these faces. If neighbouring faces differ by a factor of 100, the solver may take
-  /// 25 times as many steps.
+  /// `Mesh_report::offending_faces` of `report()` are these faces. If neighbouring faces differ by a factor of 100, the
+  /// solver may take 25 times as many steps.
   ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each face.
@@ -157,9 +160,10 @@ public:
   /// - `Diagnosis::WRONG_ANGLE_SUM`: an angle is not positive and finite, is not at the outer border, or is as large
   ///   as the triangles at its vertex do not allow, which have less than \f$\pi\f$ each. `offending_vertices`
   ///   are the vertices.
-  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be
-  ///   \f$(m - 2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other vertices must be positive,
-  ///   and less than \f$\pi\f$ for each triangle there. `offending_vertices` are these other vertices.
+  /// - `Diagnosis::WRONG_ANGLE_TOTAL`: if \f$m\f$ border vertices all have prescribed angles, their sum must be \f$(m -
+  ///   2)\pi\f$, up to \f$10^{-6}\f$, which is put onto the largest angle. Otherwise, what is left to the other
+  ///   vertices must be positive, and less than \f$\pi\f$ for each triangle there. `offending_vertices` are these other
+  ///   vertices.
   /// - `Diagnosis::FLAT_CHORD`: an edge joins two border vertices, and the border does not turn towards it between
   ///   them. That is so where a straight side runs along a triangle with two border edges. `offending_vertices`
   ///   are the two vertices of each such edge. `split_flat_chords()` splits these edges.
@@ -214,10 +218,50 @@ public:
     m_prescriptions.seam_sides = [sides](const halfedge_descriptor& h) { return get(sides, h); };
   }
 
+  /// sets positions of vertices in the plane, from the next call of `parameterize()` on. Without a call of this
+  /// function, the map has the area of the surface, and its bounding box starts at the origin.
+  ///
+  /// - One pin moves the map by a translation.
+  /// - Two pins move, turn and scale it: they are exactly at their positions, and no angle changes.
+  /// - More pins change angles. The map of least change has all pins exactly at their positions, or near to them if
+  ///   `Flattening_options::pin_weight` is finite. Change is spread where triangles would be flipped otherwise.
+  ///
+  /// The coordinates are certified after that. `Flattening_report::largest_pin_distance` says how far the worst pin is
+  /// from its position, and `Flattening_report::largest_pin_angle_change` and
+  /// `Flattening_report::mean_pin_angle_change` what pins cost. Energy, steps, and contacts of injective maps in the
+  /// report are those before pins.
+  ///
+  /// Errors are:
+  /// - `Diagnosis::WRONG_PIN`: a position is not finite, or two pins have the same position. `offending_vertices`
+  ///   are these vertices.
+  /// - `Diagnosis::INFEASIBLE_PINS`: with more than two pins, triangles would be flipped, which `offending_faces`
+  ///   are, or an injective map (`Flattening_options::injective`) would overlap itself. `offending_vertices` are the
+  ///   pin that is farthest from where the map without change has it, or all pins if a mirrored map would be nearer.
+  /// - `Diagnosis::PRECISION_EXCEEDED`: the positions are so near to one another, or so far from the origin, that the
+  ///   numbers of the coordinates cannot hold the map.
+  /// - `Diagnosis::WRONG_OPTION`: there are more than two pins, and prescribed angles (`set_angle_sums()`). With equal
+  ///   seam lengths, more than two pins make them differ (`ABF_plus_plus_report::largest_seam_jump`).
+  ///
+  /// Each copy of a vertex on a seam of a `Seam_mesh` is a vertex of its own, with or without a pin. Pins of other
+  /// components have no effect. A call of the member `parameterize()` can also pass pins in `uvmap` and `vpmap`, as the
+  /// concept `Parameterizer_3` has it.
+  ///
+  /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
+  /// once for each vertex.
+  ///
+  /// \tparam VertexPinMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and `std::optional` of a
+  ///         two-dimensional point as value type.
+  template <typename VertexPinMap>
+  void set_pins(VertexPinMap pins)
+  {
+    m_prescriptions.pins = internal::ABF::vertex_pins<Triangle_mesh>(pins);
+  }
+
   /// flattens the connected component of `bhd`.
   ///
-  /// The result has the area of the surface and positive orientation. Its bounding box starts at the origin. On any
-  /// error `uvmap` is unchanged. `mesh` is only read.
+  /// The result has positive orientation. Without pins, it has the area of the surface, and its bounding box starts at
+  /// the origin. On any error `uvmap` is unchanged. `mesh` is only read.
   ///
   /// Computations are in `double`. Points are converted to `double`, and coordinates are converted to the number type
   /// of `VertexUVmap`.
@@ -233,13 +277,17 @@ public:
   /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with
   ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and
   ///         a unique integer as value type. The integers need not be consecutive.
-  /// \tparam VertexParameterizedMap is not used: no vertex is fixed beforehand.
+  /// \tparam VertexParameterizedMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a value type that is convertible
+  ///         to `bool`.
   ///
   /// \param mesh a surface whose component at `bhd` is a triangulated disk. All requirements are checked.
   /// \param bhd a halfedge on the border of `mesh`: one without a face.
-  /// \param uvmap receives the coordinates of the component's vertices. Nothing is read from it. The coordinates of
-  /// other vertices are unchanged.
+  /// \param uvmap receives the coordinates of the component's vertices. Only positions of pins are read from it. The
+  /// coordinates of other vertices are unchanged.
   /// \param vimap the indices of the vertices.
+  /// \param vpmap `true` for vertices that are parameterized already: they are pinned at their coordinates in `uvmap`,
+  /// as by `set_pins()`, which may pin others. It is only read.
   ///
   /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`:
   /// - `ERROR_EMPTY_MESH`: there is no face at `bhd`;
@@ -249,21 +297,27 @@ public:
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), no valid map was found, or
   ///   a visitor stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
-  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, no triangle has an area, there are more than
-  ///    153 million triangles, the importance of a face is out of its range, prescribed angles are not possible, or an option is out of its range
-  ///    or does not apply.
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, no triangle has an area, there
+  ///   are more than 153 million triangles, the importance of a face is out of its range, pins are not finite or not
+  ///   apart, prescribed angles are not possible, or an option is out of its range or does not apply.
   ///
   /// \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
-                          VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
+                          VertexIndexMap vimap, VertexParameterizedMap vpmap)
   {
     const std::shared_ptr<const internal::ABF::Planar_angles> last = m_outcome.angles();
     m_outcome.set(Outcome::interrupted());
+    internal::ABF::Prescriptions<Triangle_mesh> prescriptions = m_prescriptions;
+    prescriptions.pins =
+        internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_prescriptions.pins, uvmap, vpmap);
     Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
-        mesh, bhd, uvmap, vimap, m_prescriptions, m_options,
+        mesh, bhd, uvmap, vimap, prescriptions, m_options,
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
-          return internal::ABF::flatten_chart(chart, m_options, m_solvers, round, last.get());
+          return internal::ABF::flatten_to_pins(
+              chart, m_options, m_solvers, round, [&](internal::ABF::Rounding rounding) {
+                return internal::ABF::flatten_chart(chart, m_options, m_solvers, rounding, last.get());
+              });
         });
     if(outcome.angles == nullptr)
       outcome.angles = last;
@@ -271,7 +325,27 @@ public:
     return error_code(outcome.report.status);
   }
 
-  /// returns the given traits object. Its copies factor the matrices.
+  /// returns whether the map is one-to-one on the connected component of `bhd`, in the sense of `is_injective()`: no
+  /// triangle is flipped or degenerate, and no two points of the component have the same image. The result is `false`,
+  /// too, if `bhd` is not on a border or a face is not a triangle.
+  ///
+  /// The coordinates in `uvmap` may come from any parameterizer. They are converted to `double`, and the answer is
+  /// exact for these numbers; for more precise numbers, use `is_injective()` instead. Unlike functions of this name in
+  /// \cgal, this one refuses a map that is mirrored as a whole. The result of `parameterize()` need not pass: it is
+  /// locally injective (`is_locally_injective()`), and passes if and only if `Flattening_report::border_is_simple` is
+  /// `true`.
+  ///
+  /// \tparam VertexUVmap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and a two-dimensional point as value
+  ///         type.
+  template <typename VertexUVmap>
+  bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd,
+                             const VertexUVmap uvmap) const
+  {
+    return internal::ABF::is_one_to_one(mesh, bhd, uvmap);
+  }
+
+  /// returns the given traits object. Copies of it factor the matrices.
   const Solver_traits& solver_traits() const
   {
     return m_linear_algebra;
@@ -280,10 +354,10 @@ public:
   /// returns the report of the last call of `parameterize()`, on this parameterizer or on a copy. The next call
   /// changes the report, so do not read it while a copy runs.
   ///
-  /// The offending vertices are a vertex that is pinched, is on a second border, or has a coordinate that is not finite, the two
-  /// that parallel edges join, or what `set_angle_sums()` says. The offending faces are a face that is not a triangle or
-  /// is at a parallel edge, all faces whose importance is out of its range, or all faces that would be flipped or wind around
-  /// a vertex more than once.
+  /// The offending vertices are a vertex that is pinched, is on a second border, or has a coordinate that is not
+  /// finite, the two that parallel edges join, or what `set_angle_sums()` says. The offending faces are a face that is
+  /// not a triangle or is at a parallel edge, all faces whose importance is out of its range, or all faces that would
+  /// be flipped or wind around a vertex more than once.
   const Mesh_report<Triangle_mesh, ABF_plus_plus_report>& report() const
   {
     return m_outcome.get().report;
@@ -311,8 +385,10 @@ Error_code parameterize(TriangleMesh& mesh,
                         ABF_plus_plus_parameterizer_3<TriangleMesh, SolverTraits> parameterizer, HD bhd,
                         VertexUVmap uvmap)
 {
-  return parameterizer.parameterize(mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
-                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+  return parameterizer.parameterize(
+      mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
+      CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(
+          false));
 }
 
 } // namespace Surface_mesh_parameterization

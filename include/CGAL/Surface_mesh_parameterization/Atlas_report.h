@@ -93,9 +93,9 @@ struct Atlas_report : Report
   /// A part of the surface that has no charts.
   struct Skipped
   {
-    std::size_t part = 0;            ///< The number of the part.
-    std::size_t first_face = 0;      ///< Its first face: a position, from 0, in the sequence of faces of the mesh.
-    std::size_t number_of_faces = 0; ///< The number of faces.
+    std::size_t part = 0;       ///< The number of the part.
+    std::size_t first_face = 0; ///< Its first face: a position, from 0, in the sequence of faces of the mesh.
+    std::size_t number_of_faces = 0;             ///< The number of faces.
     Diagnosis status = Diagnosis::NOTHING_WRONG; ///< What is wrong.
     std::string message;                         ///< A sentence that says what is wrong, and where.
   };

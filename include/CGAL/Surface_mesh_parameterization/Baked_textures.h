@@ -43,8 +43,9 @@ struct Tangent_frame
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is that at \f$v = 1\f$, the
-/// last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$ of a texture of \f$n^2\f$ texels have their centre at
+/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is
+/// that at \f$v = 1\f$, the last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$
+/// of a texture of \f$n^2\f$ texels have their centre at
 /// \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
 struct Baked_textures : Baking_report
 {
@@ -122,7 +123,8 @@ private:
 ///
 /// The textures that `bake_surface()` makes of two meshes, and what is wrong with these.
 ///
-/// \tparam TriangleMesh a model of `FaceGraph`: the simple surface, which `offending_vertices` and `offending_faces` are of
+/// \tparam TriangleMesh a model of `FaceGraph`: the simple surface, which `offending_vertices` and `offending_faces`
+///   are of
 /// \tparam FineMesh a model of `FaceGraph`: the fine surface
 template <typename TriangleMesh, typename FineMesh>
 struct Baked_surface : Mesh_report<TriangleMesh, Baked_textures>

@@ -23,8 +23,8 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `flatten_with_cones()` reports. If anything is wrong, `status`, `message` and the offending elements are those of the first part that
-/// failed.
+/// What `flatten_with_cones()` reports. If anything is wrong, `status`, `message` and the offending elements are those
+/// of the first part that failed.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
 template <typename TriangleMesh>

@@ -57,6 +57,7 @@ enum class Diagnosis
   WRONG_ANGLE_TOTAL,
   /// An edge joins two border vertices, and the prescribed border leaves no room beside it.
   FLAT_CHORD,
+  WRONG_PIN,             ///< A pin has a position that is not finite, or that of another pin.
   INFEASIBLE_ANGLE_SUMS, ///< The triangles near some vertices cannot have the angles that are prescribed there.
   NO_CUT_ALLOWED,        ///< The edges that may become seams leave no way to cut.
 
@@ -65,6 +66,7 @@ enum class Diagnosis
   NO_CONVERGENCE,       ///< The solver did not satisfy the constraints, and the layout has flipped triangles.
   SCALE_TOO_LARGE,      ///< The map of a surface with several borders would need a range of scale above 1e10.
   FLIPPED_TRIANGLES,    ///< A triangle is not positively oriented in the plane.
+  INFEASIBLE_PINS,      ///< With the pins at their positions, triangles are flipped or overlap.
   OVERLAPPING,          ///< The map overlaps itself, but should be injective.
   PRECISION_EXCEEDED,   ///< There is a valid map, but the number type of the coordinates cannot hold it.
   NOT_CERTIFIED,        ///< Exact predicates did not confirm the result.
@@ -130,12 +132,14 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "WRONG_ANGLE_SUM",
                                    "WRONG_ANGLE_TOTAL",
                                    "FLAT_CHORD",
+                                   "WRONG_PIN",
                                    "INFEASIBLE_ANGLE_SUMS",
                                    "NO_CUT_ALLOWED",
                                    "LINEAR_SYSTEM_FAILED",
                                    "NO_CONVERGENCE",
                                    "SCALE_TOO_LARGE",
                                    "FLIPPED_TRIANGLES",
+                                   "INFEASIBLE_PINS",
                                    "OVERLAPPING",
                                    "PRECISION_EXCEEDED",
                                    "NOT_CERTIFIED",

@@ -23,11 +23,12 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise,
-/// `status` and `message` are about the first part that is not one. If a part has several defects, its status is the
-/// first of `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`, `SEVERAL_BORDERS`,
-/// `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order of the mesh. The offending
-/// element is the face, the vertex or the edge that `Part::where` is in, or `Part::face` for closed parts and handles.
+/// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise, `status`
+/// and `message` are about the first part that is not one. If a part has several defects, its status is the first of
+/// `EMPTY_MESH`, `NOT_TRIANGULATED`, `NON_MANIFOLD_VERTEX`, `NO_BORDER`, `NONZERO_GENUS`, `SEVERAL_BORDERS`,
+/// `SHORT_BORDER` and `PARALLEL_EDGES`. The message numbers faces and vertices from 0, in the order of the mesh. The
+/// offending element is the face, the vertex or the edge that `Part::where` is in, or `Part::face` for closed parts and
+/// handles.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>

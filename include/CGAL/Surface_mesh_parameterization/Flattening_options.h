@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <limits>
+
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
@@ -69,7 +71,13 @@ struct Flattening_options
   /// the edges there; above 0 and at most 1.
   double clearance = 0.25;
 
-  /// If not null, this visitor follows the progress and may cancel the computation. A coarse parameterizer and
+  /// How much more than two pins (`ABF_plus_plus_parameterizer_3::set_pins()`) count against angles. If it is infinite,
+  /// they are exactly at their positions. Otherwise, they are drawn there: with the weight 1, pins that are missed by a
+  /// tenth of the width of the map cost as much as a change of all angles by about a tenth of a radian. The weight has
+  /// no unit and must be positive.
+  double pin_weight = (std::numeric_limits<double>::infinity)();
+
+  /// If not null, this visitor follows the progress and may stop the computation. A coarse parameterizer and
   /// `Hierarchical_options::polish_options` have visitors of their own.
   Flattening_visitor* visitor = nullptr;
 };

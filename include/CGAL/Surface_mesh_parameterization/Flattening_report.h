@@ -89,10 +89,16 @@ struct Flattening_report : Report
   /// Moves and steps that were refused because the border would have touched itself.
   int border_rejections = 0;
 
+  int pins = 0; ///< Vertices with given positions (`ABF_plus_plus_parameterizer_3::set_pins()`).
+  double largest_pin_distance = 0; ///< Largest distance of such a vertex from its position, in the plane.
+  double largest_pin_angle_change =
+      0; ///< Largest difference of a planar angle from that of the map without pins, in radians.
+  double mean_pin_angle_change = 0; ///< Mean difference of the planar angles, in radians.
+
   Seconds seconds; ///< Time of each stage.
 
-  /// Largest resident size of the process until the end of the run, in bytes, as `getrusage()` has it; 0 if the system does not
-  /// report it. On Linux, it is at least the size of the process that started this one.
+  /// Largest resident size of the process until the end of the run, in bytes, as `getrusage()` has it; 0 if the system
+  /// does not report it. On Linux, it is at least the size of the process that started this one.
   std::size_t peak_memory = 0;
 };
 
@@ -127,6 +133,7 @@ inline Error_code error_code(Diagnosis diagnosis)
   case Diagnosis::WRONG_ANGLE_SUM:
   case Diagnosis::WRONG_ANGLE_TOTAL:
   case Diagnosis::FLAT_CHORD:
+  case Diagnosis::WRONG_PIN:
   case Diagnosis::INFEASIBLE_ANGLE_SUMS:
     return ERROR_WRONG_PARAMETER;
   default:

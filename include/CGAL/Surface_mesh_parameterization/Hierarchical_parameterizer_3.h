@@ -15,14 +15,17 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_report.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/one_to_one.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -214,10 +217,20 @@ public:
     m_importance = internal::ABF::face_importance<Triangle_mesh>(fimap);
   }
 
+  /// sets positions of vertices in the plane, from the next call of `parameterize()` on; see
+  /// `ABF_plus_plus_parameterizer_3::set_pins()`. The finished map is moved there, as by the direct method. The coarse
+  /// parameterizer knows nothing of pins.
+  template <typename VertexPinMap>
+  void set_pins(VertexPinMap pins)
+  {
+    m_pins = internal::ABF::vertex_pins<Triangle_mesh>(pins);
+  }
+
   /// flattens the connected component of `bhd`.
   ///
-  /// The result has the area of the surface and positive orientation. Its bounding box starts at the origin. On any
-  /// error `uvmap` is unchanged. Time and memory are linear in the size of the surface, except for sorting and the
+  /// The result has positive orientation. Without pins, it has the area of the surface, and its bounding box starts at
+  /// the origin. On any error `uvmap` is unchanged. Time and memory are linear in the size of the surface, except for
+  /// sorting and the
   /// coarse parameterizer.
   ///
   /// Parameters, requirements and exceptions are those of `ABF_plus_plus_parameterizer_3::parameterize()`.
@@ -228,19 +241,38 @@ public:
   /// are not errors of this function.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
-                          VertexIndexMap vimap, VertexParameterizedMap /* vpmap */)
+                          VertexIndexMap vimap, VertexParameterizedMap vpmap)
   {
     m_outcome.set(Outcome::interrupted());
     const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap,
-        internal::ABF::Prescriptions<Triangle_mesh>{m_importance, {}, {}, false, m_points}, m_options,
-        [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+        internal::ABF::Prescriptions<Triangle_mesh>{
+            m_importance,
+            {},
+            {},
+            false,
+            m_points,
+            internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap)},
+        m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
-          return internal::ABF::flatten_chart_hierarchically(std::move(chart), m_options, flatten_coarse,
-                                                             m_linear_algebra, round);
+          return internal::ABF::flatten_to_pins(
+              chart, m_options, m_linear_algebra, round, [&](internal::ABF::Rounding rounding) {
+                return internal::ABF::flatten_chart_hierarchically(
+                    chart.pins.empty() ? std::move(chart) : internal::ABF::Chart(chart), m_options,
+                    flatten_coarse, m_linear_algebra, rounding);
+              });
         });
     m_outcome.set(outcome);
     return error_code(outcome.report.status);
+  }
+
+  /// returns whether the map is one-to-one on the connected component of `bhd`; see
+  /// `ABF_plus_plus_parameterizer_3::is_one_to_one_mapping()`.
+  template <typename VertexUVmap>
+  bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd,
+                             const VertexUVmap uvmap) const
+  {
+    return internal::ABF::is_one_to_one(mesh, bhd, uvmap);
   }
 
   /// returns the traits object that solves the linear systems of polishing.
@@ -271,6 +303,7 @@ private:
   Solver_traits m_linear_algebra;
   internal::ABF::Face_importance<Triangle_mesh> m_importance;
   internal::ABF::Vertex_points<Triangle_mesh> m_points;
+  internal::ABF::Vertex_pins<Triangle_mesh> m_pins;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 
@@ -288,8 +321,10 @@ parameterize(TriangleMesh& mesh,
              Hierarchical_parameterizer_3<TriangleMesh, CoarseParameterizer, SolverTraits> parameterizer,
              HD bhd, VertexUVmap uvmap)
 {
-  return parameterizer.parameterize(mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
-                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+  return parameterizer.parameterize(
+      mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
+      CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(
+          false));
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -22,8 +22,8 @@ namespace Surface_mesh_parameterization {
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// A report with the elements of a mesh that its diagnosis is about. Those that a diagnosis is not about are empty, and all
-/// are if nothing is wrong. Section \ref ABF_errors of the manual says which diagnosis names what.
+/// A report with the elements of a mesh that its diagnosis is about. Those that a diagnosis is not about are empty, and
+/// all are if nothing is wrong. Section \ref ABF_errors of the manual says which diagnosis names what.
 ///
 /// \tparam Mesh a model of `FaceGraph`
 /// \tparam Report_ `Report`, or what derives from it

@@ -77,8 +77,9 @@ HalfedgePairOutputIterator crossing_border_edges(const Planar_map<TriangleMesh, 
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the faces of `mesh` that are no positively oriented triangles in the plane to `out`: those that are flipped, those
-/// whose vertices are collinear, those with a coordinate that is infinite or not a number, and those with more than three vertices.
+/// writes the faces of `mesh` that are no positively oriented triangles in the plane to `out`: those that are flipped,
+/// those whose vertices are collinear, those with a coordinate that is infinite or not a number, and those with more
+/// than three vertices.
 ///
 /// Nothing is rounded: like all functions of this header, the function uses exact predicates on the stored
 /// coordinates. It takes linear time.
@@ -125,7 +126,8 @@ FaceOutputIterator flipped_faces(const TriangleMesh& mesh,
 /// - the faces around each border vertex take less than a full turn; if they form several fans, the fans have only the
 ///   vertex in common.
 ///
-/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters and requirements are those of `flipped_faces()`.
+/// The time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Parameters and requirements are
+/// those of `flipped_faces()`.
 template <typename TriangleMesh, typename UVMap>
 bool is_locally_injective(const TriangleMesh& mesh, UVMap uvmap)
 {
@@ -184,11 +186,10 @@ bool is_injective(const TriangleMesh& mesh, typename boost::graph_traits<Triangl
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There
-/// is no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
-/// they meet on the surface. Edges with a
-/// coordinate that is infinite or not a number, and those of faces with more than three vertices are left out. Their faces are in
-/// `flipped_faces()`.
+/// writes to `out` all pairs of border edges that have a point in common in the plane, except a common vertex. There is
+/// no such pair if and only if the borders are simple polygons that do not touch one another, except in vertices where
+/// they meet on the surface. Edges with a coordinate that is infinite or not a number, and those of faces with more
+/// than three vertices are left out. Their faces are in `flipped_faces()`.
 ///
 /// If there is no such pair, the time is \cgalBigO{n + b \log b} for \f$n\f$ faces and \f$b\f$ border edges. Otherwise
 /// it depends on the number of pairs of edges whose bounding boxes intersect.

@@ -75,8 +75,8 @@ void mark_vertices(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMa
   }
 }
 
-// A halfedge to a marked vertex that faces surround; or the null halfedge. Around such a vertex, `Seam_mesh` searches for a seam or border
-// without end.
+// A halfedge to a marked vertex that faces surround; or the null halfedge. Around such a vertex, `Seam_mesh` searches
+// for a seam or border without end.
 template <typename TriangleMesh, typename VertexIsSeamMap, typename EdgeIsSeamMap>
 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
 halfedge_to_surrounded_mark(const TriangleMesh& mesh, EdgeIsSeamMap seams, VertexIsSeamMap marks)
@@ -170,8 +170,8 @@ struct Seam_mesh_report : Mesh_report<TriangleMesh>
 /// \param mesh the surface.
 /// \param seams is `true` for the edges to be cut open. They need not leave disks.
 ///
-/// \return the seam mesh, or what is wrong: a vertex is surrounded by faces, and is on a seam or border of other faces as well
-/// (`Diagnosis::NON_MANIFOLD_VERTEX`). The offending vertex is that one.
+/// \return the seam mesh, or what is wrong: a vertex is surrounded by faces, and is on a seam or border of other faces
+///   as well (`Diagnosis::NON_MANIFOLD_VERTEX`). The offending vertex is that one.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Seam_mesh_report<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {

@@ -68,9 +68,10 @@ namespace Surface_mesh_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the measures of the whole component, or what is wrong: `bhd` is not a border halfedge (`Diagnosis::NOT_ON_BORDER`) or has no face on
-/// the other side (`Diagnosis::EMPTY_MESH`), a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a point of the component has a
-/// coordinate that is not finite (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
+/// \return the measures of the whole component, or what is wrong: `bhd` is not a border halfedge
+///   (`Diagnosis::NOT_ON_BORDER`) or has no face on the other side (`Diagnosis::EMPTY_MESH`), a face is not a triangle
+///   (`Diagnosis::NOT_TRIANGULATED`), or a point of the component has a coordinate that is not finite
+///   (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
 template <typename TriangleMesh, typename VertexUVMap, typename FaceVisitor,
           typename NamedParameters = parameters::Default_named_parameters>
 Flattening_measures_report<TriangleMesh>
@@ -148,9 +149,9 @@ measure_flattening(const TriangleMesh& mesh,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the measures of the whole surface, or what is wrong: the mesh has no faces (`Diagnosis::EMPTY_MESH`), a face is not a triangle
-/// (`Diagnosis::NOT_TRIANGULATED`), or a point has a coordinate that is not finite (`Diagnosis::NON_FINITE_POINT`). The visitor is not
-/// called then.
+/// \return the measures of the whole surface, or what is wrong: the mesh has no faces (`Diagnosis::EMPTY_MESH`), a face
+///   is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a point has a coordinate that is not finite
+///   (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
 template <typename TriangleMesh, typename UVMap, typename FaceVisitor, typename NamedParameters>
 #ifndef DOXYGEN_RUNNING
 internal::ABF::Measures_of_surface<TriangleMesh, UVMap>

@@ -45,12 +45,12 @@ FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map,
 ///
 /// writes the faces of `mesh` that overlap other faces in the plane to `out`.
 ///
-/// Two faces overlap if their images, as closed triangles, have more in common than the faces have on the surface: a point of one
-/// and another point of the other have the same image. Faces that touch in a common vertex or edge only do not overlap; faces that touch
-/// anywhere else do, so that `is_injective()` is true if and only if there are neither flipped nor overlapping faces.
-/// Flipped faces count as those with the other orientation. A flipped face overlaps its neighbours that are not. Faces whose vertices are
-/// collinear in the plane, those with a coordinate that is infinite or not a number, and those with more than three vertices overlap none; they
-/// are in `flipped_faces()`.
+/// Two faces overlap if their images, as closed triangles, have more in common than the faces have on the surface: a
+/// point of one and another point of the other have the same image. Faces that touch in a common vertex or edge only do
+/// not overlap; faces that touch anywhere else do, so that `is_injective()` is true if and only if there are neither
+/// flipped nor overlapping faces. Flipped faces count as those with the other orientation. A flipped face overlaps its
+/// neighbours that are not. Faces whose vertices are collinear in the plane, those with a coordinate that is infinite
+/// or not a number, and those with more than three vertices overlap none; they are in `flipped_faces()`.
 ///
 /// Pairs of faces are found by their bounding boxes, and tested by exact predicates. For \f$n\f$ faces and \f$k\f$
 /// pairs of boxes that intersect, the time is \cgalBigO{n \log n + k}, and the memory is linear in \f$n\f$.

@@ -102,20 +102,22 @@ struct Polygon_report : Mesh_report<TriangleMesh>
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the angles of a polygon whose corners are some vertices of a border of `mesh`: at each corner the given inner angle, and
+/// returns the angles of a polygon whose corners are some vertices of a border of `mesh`: at each corner the given
+/// inner angle, and
 /// \f$\pi\f$ at all other vertices of that border, so that they are on straight sides.
 ///
 /// The inner angles of a polygon with \f$k\f$ corners sum to \f$(k - 2)\pi\f$. This function does not check the angles;
 /// `ABF_plus_plus_parameterizer_3::parameterize()` checks whether the polygon is possible. The time is linear, up to a
 /// factor of \cgalBigO{\log b} for \f$b\f$ border vertices.
 ///
-/// \tparam TriangleMesh a model of `VertexListGraph` and `HalfedgeListGraph` whose vertex descriptors are ordered by `<`
+/// \tparam TriangleMesh a model of `VertexListGraph` and `HalfedgeListGraph` whose vertex descriptors are ordered by
+///   `<`
 ///
 /// \param mesh a triangle mesh
 /// \param corners the corners with their angles in radians, in any order
 ///
-/// \return the angles, or what is wrong: there is no corner or a corner occurs twice (`Diagnosis::WRONG_OPTION`), or a corner is not on
-/// the border of the first one (`Diagnosis::NOT_ON_BORDER`). The offending vertex is the corner.
+/// \return the angles, or what is wrong: there is no corner or a corner occurs twice (`Diagnosis::WRONG_OPTION`), or a
+///   corner is not on the border of the first one (`Diagnosis::NOT_ON_BORDER`). The offending vertex is the corner.
 template <typename TriangleMesh>
 Polygon_report<TriangleMesh> polygon_angles(
     const TriangleMesh& mesh,

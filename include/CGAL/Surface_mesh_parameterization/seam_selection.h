@@ -70,7 +70,8 @@ vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 /// \param seams is set to `true` for the edges of the file, and unchanged for all other edges. On any error, it is
 ///        unchanged.
 ///
-/// \return what was read, or what is wrong in which line. The offending vertices are the two without an edge between them.
+/// \return what was read, or what is wrong in which line. The offending vertices are the two without an edge between
+///   them.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Mesh_report<TriangleMesh, Seam_selection_report>
 read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap seams)

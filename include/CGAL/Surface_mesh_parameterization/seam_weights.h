@@ -95,8 +95,8 @@ Mesh_report<TriangleMesh> put_seam_weights(const TriangleMesh& mesh, EdgeWeightM
 /// \param weights receives the weights, in units of the coordinates.
 /// \param np `vertex_point_map` gives points other than the internal ones. Coordinates are converted to `double`.
 ///
-/// \return what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a coordinate is not finite
-/// (`Diagnosis::NON_FINITE_POINT`). `weights` is then unchanged.
+/// \return what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a coordinate is not
+///   finite (`Diagnosis::NON_FINITE_POINT`). `weights` is then unchanged.
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, EdgeWeightMap weights,

@@ -103,8 +103,8 @@ struct Split_edges_report : Mesh_report<TriangleMesh>
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the edges that were split, or what is wrong with the surface or with the prescribed angles in another way, as
-/// `ABF_plus_plus_parameterizer_3::report()` says it.
+/// \return the edges that were split, or what is wrong with the surface or with the prescribed angles in another way,
+///   as `ABF_plus_plus_parameterizer_3::report()` says it.
 template <typename TriangleMesh, typename VertexAngleSumMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Split_edges_report<TriangleMesh>

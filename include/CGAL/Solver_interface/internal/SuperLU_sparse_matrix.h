@@ -13,8 +13,8 @@
 namespace CGAL {
 namespace internal {
 
-// `Eigen_sparse_matrix` with dimensions of any integer type. Its own constructors take `int` and `std::size_t`, so that a
-// matrix of `unsigned int` rows, as `Poisson_reconstruction_function` has, is ambiguous.
+// `Eigen_sparse_matrix` with dimensions of any integer type. Its own constructors take `int` and `std::size_t`, so that
+// a matrix of `unsigned int` rows, as `Poisson_reconstruction_function` has, is ambiguous.
 template <class FT>
 struct SuperLU_sparse_matrix : public Eigen_sparse_matrix<FT>
 {

@@ -46,6 +46,13 @@ struct Loop_crossing
 // What the planar angles of a chart must fulfil, and how much each triangle matters
 struct Angle_constraints
 {
+  // A vertex with a given position in the plane
+  struct Pin
+  {
+    int vertex;
+    Corner_table::Point_2 position;
+  };
+
   std::vector<double> weight;  // of each triangle in the energy; empty if all are 1
   std::vector<double> targets; // of each corner, unless they are the angles of the surface
   // Prescribed sums of the planar angles at vertices of the outer border; NaN at others; empty if there are none.
@@ -68,6 +75,7 @@ struct Angle_constraints
   // - one for each vertex of a hole, in the order of `borders`
   std::vector<Constraint_node> nodes;
   int number_of_bound_nodes = 0; // those of the holes, of whose equations only four sums hold
+  std::vector<Pin> pins;         // the finished map is moved there
 
   int number_of_nodes() const { return static_cast<int>(nodes.size()); }
   int number_of_free_nodes() const { return number_of_nodes() - number_of_bound_nodes; }

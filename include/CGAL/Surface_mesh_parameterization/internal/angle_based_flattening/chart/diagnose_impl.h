@@ -46,8 +46,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Char
   return {};
 }
 
-// Each component of the normal is compared with how much it changes if coordinates change by their last digit: where one axis has much
-// smaller coordinates than others, so are its errors.
+// Each component of the normal is compared with how much it changes if coordinates change by their last digit: where
+// one axis has much smaller coordinates than others, so are its errors.
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int> degenerate_triangles(const Chart& chart)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();

@@ -20,7 +20,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The planar angles of a map, and the multipliers of their constraints: where a later run on the same triangles can start
+// The planar angles of a map, and the multipliers of their constraints: where a later run on the same triangles can
+// start
 struct Planar_angles
 {
   std::vector<int> vertex, node;   // as in the chart: of the same triangles and constraints
@@ -33,7 +34,8 @@ template <typename Report>
 struct Flattening
 {
   std::vector<Chart::Point_2> uv;
-  std::vector<int> invalid; // the triangles that make the map invalid, if that is what is wrong
+  std::vector<int> invalid;            // the triangles that make the map invalid, if that is what is wrong
+  std::vector<int> offending_vertices; // those of pins to which no valid map was found
   Report report;
   std::shared_ptr<const Planar_angles> angles; // if they were asked for
 

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What callers prescribe for a mesh: importance of faces, sums of angles, and both sides of seams, with the types of
-// their maps hidden. `run_parameterizer.h`, cones and atlas charts take it into the chart, before target angles are
-// computed.
+// What callers prescribe for a mesh: importance of faces, sums of angles, positions, and both sides of seams, with the
+// types of their maps hidden.
+// `run_parameterizer.h`, cones and atlas charts take it into the chart, before target angles are computed.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -74,6 +75,7 @@ struct Prescriptions
   Halfedge_seam_sides<TriangleMesh> seam_sides;
   std::optional<bool> equal_seam_lengths;
   Vertex_points<TriangleMesh> points; // of the mesh if it is empty
+  Vertex_pins<TriangleMesh> pins;
 
   // Seams of equal lengths, unless the border of the cut mesh is prescribed
   bool wants_equal_seams() const

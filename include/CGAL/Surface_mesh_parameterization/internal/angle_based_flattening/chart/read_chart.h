@@ -111,7 +111,8 @@ Vertex_points<TriangleMesh> given_points(const NamedParameters& np)
     return vertex_points<TriangleMesh>(parameters::get_parameter(np, internal_np::vertex_point));
 }
 
-// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in a hash table.
+// Ranks by integers of the caller's, which need not be consecutive: those in [0, limit) are in an array, all others in
+// a hash table.
 template <typename Index>
 class Vertex_ranks
 {

@@ -80,8 +80,8 @@ public:
   virtual std::unique_ptr<Linear_solver> copy() const = 0;
 };
 
-// The caller's traits with the analysis of the last pattern, for the solvers of this and later runs. Where a matrix has another
-// pattern, factorization analyzes that.
+// The caller's traits with the analysis of the last pattern, for the solvers of this and later runs. Where a matrix has
+// another pattern, factorization analyzes that.
 template <typename SolverTraits>
 class Analyzed_traits
 {

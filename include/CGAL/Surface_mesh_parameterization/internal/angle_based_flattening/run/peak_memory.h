@@ -19,8 +19,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The largest resident size of the process so far, in bytes; 0 if the system does not tell. On Linux, the count starts with the size of
-// the parent process.
+// The largest resident size of the process so far, in bytes; 0 if the system does not tell. On Linux, the count starts
+// with the size of the parent process.
 inline std::size_t peak_resident_size()
 {
 #if defined(__unix__) || defined(__APPLE__)

@@ -38,6 +38,8 @@ inline std::string wrong_option(const Flattening_options& options)
     return "the area weight must be at least 0 and at most 1";
   if(!(options.clearance > 0 && options.clearance <= 1))
     return "the clearance must be above 0 and at most 1";
+  if(!(options.pin_weight > 0))
+    return "the weight of pins must be positive";
   if(options.threads < 0)
     return "the number of threads must not be negative";
   return std::string();

@@ -41,7 +41,8 @@ struct Triangle_arrays
   }
 };
 
-// Reads the points of a mesh, and numbers vertices and faces. Returns whether that is possible, and says why if it is not.
+// Reads the points of a mesh, and numbers vertices and faces. Returns whether that is possible, and says why if it is
+// not.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexNumberMap, typename FaceNumberMap>
 bool read_triangles(const TriangleMesh& mesh, VertexPointMap points, VertexNumberMap vertex_numbers,
                     FaceNumberMap face_numbers, Triangle_arrays& arrays, Mesh_report<TriangleMesh>& report)

@@ -21,12 +21,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+
+#include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -143,6 +146,8 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
     defect = equalize_seams(reader.chart, prescriptions.equal_seam_lengths.has_value());
   if(!defect)
     defect = read_angle_sums(reader.vertex_descriptors, prescriptions.angle_sums, mesh, reader.chart);
+  if(!defect)
+    defect = read_pins<TriangleMesh>(reader.vertex_descriptors, prescriptions.pins, reader.chart);
   return defect;
 }
 
@@ -190,7 +195,7 @@ run_parameterizer(const TriangleMesh& mesh,
     report = std::move(flattening.report);
     outcome.angles = std::move(flattening.angles);
     if(report.status != Diagnosis::NOTHING_WRONG) {
-      outcome.name_offenders(reader, {}, flattening.invalid);
+      outcome.name_offenders(reader, flattening.offending_vertices, flattening.invalid);
       return;
     }
     const Stage stage(options.visitor, Flattening_visitor::WRITE, report.seconds.write);
