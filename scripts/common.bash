@@ -21,7 +21,7 @@ configure() { # DIR [CMAKE_OPTION...]
   local dir=$1
   shift
   mkdir -p "$dir"
-  quietly "$dir/configure.log" cmake -S "$root" -B "$dir" -DABF_INSTALL_CORE=OFF \
+  quietly "$dir/configure.log" cmake -S "$root" -B "$dir" -DABF_INSTALL_CORE=OFF -DABF_PROGRAM_PARTS=all \
     -DABF_WARNINGS_AS_ERRORS="$([[ ${CI:-} == true ]] && echo ON || echo OFF)" "$@"
 }
 

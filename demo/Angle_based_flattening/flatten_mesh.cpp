@@ -15,6 +15,7 @@
 #include "flatten_mesh/help_text.h"
 #include "flatten_mesh/parse_command_line.h"
 #include "flatten_mesh/atlas/run_atlas.h"
+#include "flatten_mesh/parts/check_parts.h"
 #include "flatten_mesh/plain/run_plain.h"
 
 #include <CGAL/assertions.h>
@@ -54,6 +55,7 @@ Exit_status understand_and_run(const int argc, char* argv[])
       Output_file(standard_output).write(command.help ? help_text() : version_text());
       return SUCCESS;
     }
+    check_parts(command);
   } catch(...) {
     return tell_failure(command, current_failure());
   }
