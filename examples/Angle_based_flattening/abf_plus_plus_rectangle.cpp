@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 
 #include <array>
 #include <cmath>

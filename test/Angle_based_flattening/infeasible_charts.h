@@ -8,7 +8,7 @@
 
 #include "hard_charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 
 #include <limits>
 #include <map>

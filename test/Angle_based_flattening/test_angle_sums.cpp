@@ -8,7 +8,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 
 #include "mesh_of_chart.h"
 #include "random_charts.h"

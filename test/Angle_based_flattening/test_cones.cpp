@@ -11,7 +11,7 @@
 #include "test_data.h"
 #include "test_options.h"
 
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>

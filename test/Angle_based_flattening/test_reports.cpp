@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/bake_surface.h>
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
@@ -22,9 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 #include <CGAL/Surface_mesh_parameterization/select_cones.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/shorten_seams.h>
-#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 #include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>

@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>

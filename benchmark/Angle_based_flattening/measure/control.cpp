@@ -9,12 +9,12 @@
 #include "flatten_mesh/plain/choose_corners.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/select_cones.h>
-#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,12 +8,11 @@
 #include "subcommands.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -8,7 +8,7 @@
 
 #include "Measurement.h"
 
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <cstddef>
 #include <string>

@@ -8,8 +8,7 @@
 
 #include "read_mesh.h"
 
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
-#include <CGAL/Surface_mesh_parameterization/shorten_seams.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 
 #include <CGAL/number_utils.h>
 

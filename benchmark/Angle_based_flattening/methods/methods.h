@@ -9,7 +9,7 @@
 #include "../measure/Measurement.h"
 #include "../measure/read_mesh.h"
 
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <map>
 #include <string>

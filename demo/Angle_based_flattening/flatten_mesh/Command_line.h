@@ -6,8 +6,7 @@
 #ifndef FLATTEN_MESH_COMMAND_LINE_H
 #define FLATTEN_MESH_COMMAND_LINE_H
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

@@ -8,14 +8,37 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Packing_options.h>
-#include <CGAL/Surface_mesh_parameterization/Seam_options.h>
-
 /// \file Atlas_options.h
 
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// Options of `select_seams()`.
+struct Seam_options
+{
+  /// The largest predicted \f$L_2\f$ stretch of a disk; at least 1. With infinity, the surface is only cut to disks.
+  double stretch_bound = 1.1;
+
+  /// The largest number of terminals of each part: vertices that seams lead to because of their scale. At least 0.
+  int maximum_number_of_terminals = 100;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// Options of `pack_charts()`.
+struct Packing_options
+{
+  int resolution = 1024; ///< Number of texels along each side of the unit square, from 1 to 32768.
+
+  /// Number of free texels between two charts, from 0 to 1024. Half as many, rounded up, are free at the border of the
+  /// square.
+  int gutter = 2;
+
+  int number_of_rotations = 32; ///< Number of directions that are tried for large charts, from 1 to 1024.
+};
 
 class Atlas_visitor;
 

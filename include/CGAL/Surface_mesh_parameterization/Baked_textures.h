@@ -8,8 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Baking_report.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -19,6 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 /// \file Baked_textures.h
@@ -26,6 +27,61 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The options of `bake_surface()`.
+struct Baking_options
+{
+  int resolution = 1024; ///< Texels along each side of the square, from 1 to 16384.
+
+  /// Number of texels around charts that are filled, from 0 to 1024. It should be at most `Packing_options::gutter`;
+  /// between charts that are closer than two gutters, each texel belongs to the nearest chart.
+  int gutter = 2;
+
+  /// Length of rays to each side of the simple surface, in units of the surface; finite and above 0. If unset, the
+  /// length is a twentieth of the diagonal of the bounding box of the simple surface.
+  std::optional<double> ray_length;
+
+  /// Whether normals are in the coordinates of the surface, instead of in tangent space.
+  bool normals_in_object_space = false;
+
+  int threads = 0; ///< As `Flattening_options::threads`.
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The report of `bake_surface()`.
+struct Baking_report : Report
+{
+  /// The number of texels that a chart touches. Each got its values from the fine surface.
+  std::size_t number_of_chart_texels = 0;
+
+  /// The number of texels around the charts, which got the values of the nearest texel of a chart.
+  std::size_t number_of_gutter_texels = 0;
+
+  /// The number of texels of charts whose ray met only faces of the fine surface with a normal against the ray. The
+  /// normal was reversed.
+  std::size_t number_of_back_faces = 0;
+
+  /// The number of texels of charts whose ray met nothing. They got the values of the closest point of the fine
+  /// surface.
+  std::size_t number_of_missed_rays = 0;
+
+  double ray_length = 0; ///< The length of rays to each side, in units of the surface.
+
+  /// The largest distance between a point of the simple surface and its point of the fine surface, in units of the
+  /// surface.
+  double largest_distance = 0;
+
+  double mean_distance = 0; ///< The mean of these distances.
+
+  /// returns the number of texels of charts whose ray met a face with a normal along the ray.
+  std::size_t number_of_front_faces() const
+  {
+    return number_of_chart_texels - number_of_back_faces - number_of_missed_rays;
+  }
+};
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///

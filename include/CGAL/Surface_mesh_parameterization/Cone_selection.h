@@ -8,13 +8,16 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,35 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// How `select_cones()` finds the angles of the cones.
+enum class Cone_angles
+{
+  PREDICTED,     ///< The predicted scale is 1 at all cones.
+  LEAST_SQUARES, ///< The predicted scale varies as little as possible, in the mean over the area.
+
+  /// The map determines the angles: all are `free_cone_angle`. A sphere may then have fewer than three cones.
+  FREE
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// The options of `select_cones()` and `flatten_with_cones()`.
+struct Cone_options
+{
+  Cone_angles angles = Cone_angles::PREDICTED; ///< How the angles of the cones are found.
+
+  /// If not 0, the angles of the cones are multiples of this angle, in radians; \f$2\pi\f$ must be a multiple of it.
+  /// With \f$\pi/2\f$, a grid continues across all seams. The surface must be a sphere or a disk, and `angles` must not
+  /// be `FREE`.
+  double angle_multiple = 0;
+
+  /// The options of ABF++ in `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` only
+  /// with free angles.
+  ABF_plus_plus_options parameterizer;
+};
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
@@ -66,6 +98,20 @@ struct Cone_selection : Mesh_report<TriangleMesh, Cone_report>
       result.set(cone.first, cone.second);
     return result;
   }
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What `flatten_with_cones()` reports. If anything is wrong, `status`, `message` and the offending elements are those
+/// of the first part that failed.
+///
+/// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
+template <typename TriangleMesh>
+struct Cone_flattening : Mesh_report<TriangleMesh>
+{
+  Cone_selection<TriangleMesh> cones; ///< the cones with their angles
+  Seam_report seams;                  ///< the seams through the cones
+  ABF_plus_plus_report map;           ///< the map
 };
 
 } // namespace Surface_mesh_parameterization

@@ -8,7 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+
 #include <array>
+#include <cstddef>
 #include <string>
 
 /// \file OBJ_material.h
@@ -37,6 +40,19 @@ struct OBJ_material
 
   /// The displacement that is white in the picture, such as `Baked_textures::greatest_displacement`.
   double greatest_displacement = 1;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What `IO::read_OBJ()` and `IO::write_OBJ()` return. Like the `bool` of \cgal's functions for files, it converts to
+/// `true` on success.
+struct OBJ_report : Report
+{
+  /// The line with the error, from 1; 0 if there is none. Of a line that is continued, it is the first.
+  std::size_t line = 0;
+
+  std::size_t number_of_faces_without_coordinates =
+      0; ///< The faces that have no texture coordinates in the file.
 };
 
 } // namespace Surface_mesh_parameterization

@@ -11,7 +11,6 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
-#include <CGAL/Surface_mesh_parameterization/Baking_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake_mesh.h>
 
 /// \file bake_surface.h

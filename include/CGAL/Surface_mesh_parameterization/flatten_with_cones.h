@@ -10,8 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/Cone_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/Cone_options.h>
+#include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/cone_flattener.h>
 
 #include <CGAL/Named_function_parameters.h>

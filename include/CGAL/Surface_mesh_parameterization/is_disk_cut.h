@@ -10,7 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/Disk_cut_report.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/check_parts.h>
 
 #include <cstddef>

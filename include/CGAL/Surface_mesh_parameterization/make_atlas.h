@@ -13,8 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_maker.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/mesh_atlas_builder.h>
 
 #include <cstddef>
 
@@ -109,7 +109,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::Atlas_maker<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap,
+  return internal::ABF::Mesh_atlas_builder<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap,
                                     NamedParameters>(mesh, seams, uv, charts, options, np)
       .run();
 }
@@ -130,7 +130,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::Atlas_maker<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t,
+  return internal::ABF::Mesh_atlas_builder<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t,
                                     NamedParameters>(mesh, nullptr, uv, nullptr, options, np)
       .run();
 }

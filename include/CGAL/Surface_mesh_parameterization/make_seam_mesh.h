@@ -10,7 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/opened_surface.h>
 

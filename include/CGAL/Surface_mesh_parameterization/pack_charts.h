@@ -10,9 +10,9 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
-#include <CGAL/Surface_mesh_parameterization/Packing_options.h>
-#include <CGAL/Surface_mesh_parameterization/Packing_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack_mesh.h>
 
 /// \file pack_charts.h

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Cone_options.h>
 #include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
 

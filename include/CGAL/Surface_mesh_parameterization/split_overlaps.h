@@ -10,8 +10,8 @@
 
 #include <CGAL/disable_warnings.h>
 
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
-#include <CGAL/Surface_mesh_parameterization/Overlap_split_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/split_charts.h>
 
 /// \file split_overlaps.h

@@ -10,7 +10,7 @@
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/Baking_report.h>
+#include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
 
 #include <cstddef>
 #include <string>

@@ -13,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/model/Skipped_part.h"
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_report.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 

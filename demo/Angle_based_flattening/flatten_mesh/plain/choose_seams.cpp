@@ -9,9 +9,8 @@
 #include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/cut_to_disks.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Surface_mesh_parameterization/select_cones.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 

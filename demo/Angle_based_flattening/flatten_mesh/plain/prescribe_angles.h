@@ -17,7 +17,7 @@
 #include "flatten_mesh/plain/flatten_chart.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
-#include <CGAL/Surface_mesh_parameterization/split_flat_chords.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,6 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/OBJ_material.h>
-#include <CGAL/Surface_mesh_parameterization/OBJ_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/build_obj_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/obj_soup.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/read_obj_soup.h>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Leads further seams to the vertices where a map stretches most.
-// `part_atlas_maker.h` calls it as long as the stretch of a chart is above the bound.
+// `part_atlas_builder.h` calls it as long as the stretch of a chart is above the bound.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ADD_TERMINALS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ADD_TERMINALS_H

@@ -11,10 +11,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
-#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The interface of the atlas without the caller's types, so that it can be compiled once in the library.
-// `Atlas_maker` calls `build_atlas()`; the definition is in `build_atlas_impl.h`.
+// `Mesh_atlas_builder` calls `build_atlas()`; the definition is in `build_atlas_impl.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_BUILD_ATLAS_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Finds seams that cut branches off the map of a chart, so that charts fill more of a page.
-// `part_atlas_maker.h` calls it if the option `cut_necks` is set; the map stays as it is.
+// `part_atlas_builder.h` calls it if the option `cut_necks` is set; the map stays as it is.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_NECKS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_NECKS_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The atlas of a connected surface: in one piece if that is good enough, otherwise of regions, whose atlases are joined
-// here. `build_atlas_impl.h` calls it for each part. `divide_surface.h` finds the regions, and `part_atlas_maker.h`
+// here. `build_atlas_impl.h` calls it for each part. `divide_surface.h` finds the regions, and `part_atlas_builder.h`
 // flattens them.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_DIVIDED_PART_ATLAS_H
@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/divide_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas_maker.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas_builder.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
@@ -92,7 +92,7 @@ public:
 
   Part_atlas run() const
   {
-    Part_atlas atlas = Part_atlas_maker(m_surface, m_cost, m_options, m_solvers, m_progress).run();
+    Part_atlas atlas = Part_atlas_builder(m_surface, m_cost, m_options, m_solvers, m_progress).run();
     if(!atlas.succeeded()) {
       if(!is_failure_of_computation(atlas.status))
         return atlas;

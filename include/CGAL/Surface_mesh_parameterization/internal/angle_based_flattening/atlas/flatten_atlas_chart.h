@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Decides which map a chart of an atlas gets: that of ABF++, direct or hierarchical, or an injective one if that
-// overlaps itself. `part_atlas_maker.h` calls it for each disk that the seams leave.
+// overlaps itself. `part_atlas_builder.h` calls it for each disk that the seams leave.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_FLATTEN_ATLAS_CHART_H

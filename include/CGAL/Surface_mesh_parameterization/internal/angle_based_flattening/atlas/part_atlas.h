@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The data that the stages of an atlas pass on: a part of the surface, opened along its seams, its map, and how each of
-// its charts was made. `part_atlas_maker.h` and `divided_part_atlas.h` make it; the builder, the certificate and the
+// its charts was made. `part_atlas_builder.h` and `divided_part_atlas.h` make it; the builder, the certificate and the
 // measures read it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_H

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/OBJ_report.h>
+#include <CGAL/Surface_mesh_parameterization/OBJ_material.h>
 
 #include <algorithm>
 #include <array>

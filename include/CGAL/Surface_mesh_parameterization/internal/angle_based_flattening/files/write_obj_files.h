@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/OBJ_material.h>
-#include <CGAL/Surface_mesh_parameterization/OBJ_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/obj_soup.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/write_obj_materials.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/write_obj_mesh.h>

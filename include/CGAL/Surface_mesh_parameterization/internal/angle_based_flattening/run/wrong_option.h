@@ -11,9 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_options.h>
 
 #include <cmath>
 #include <string>

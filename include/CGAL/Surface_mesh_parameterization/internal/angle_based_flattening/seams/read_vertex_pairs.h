@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Seam_selection_report.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 
 #include <algorithm>
 #include <charconv>

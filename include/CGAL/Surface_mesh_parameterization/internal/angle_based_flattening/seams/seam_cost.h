@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What an edge costs as a seam, from the named parameters: its length or weight, or infinity if it is constrained.
-// `apply_seams.h`, `overlaps/split_charts.h` and `atlas/atlas_maker.h` read costs by it, so that all follow the same
+// `apply_seams.h`, `overlaps/split_charts.h` and `atlas/mesh_atlas_builder.h` read costs by it, so that all follow the same
 // parameters.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SEAM_COST_H

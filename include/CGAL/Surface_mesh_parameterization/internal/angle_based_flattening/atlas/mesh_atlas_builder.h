@@ -7,13 +7,13 @@
 // coordinates and charts. Included by `make_atlas.h`. The atlas itself is made by `build_atlas()`, which sees only
 // charts.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_ATLAS_BUILDER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_ATLAS_BUILDER_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
@@ -49,7 +49,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // Reads a mesh for `make_atlas()`, and writes the results. Maps of seams and charts may be null pointers.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename NamedParameters>
-class Atlas_maker
+class Mesh_atlas_builder
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -73,7 +73,7 @@ class Atlas_maker
   };
 
 public:
-  Atlas_maker(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
+  Mesh_atlas_builder(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
               const Atlas_options& options, const NamedParameters& np)
       : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts), m_options{options}, m_np(np),
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
@@ -408,4 +408,4 @@ private:
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_MAKER_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_ATLAS_BUILDER_H

@@ -7,8 +7,8 @@
 // enough. `divided_part_atlas.h` calls it for the whole surface, and for each of its regions. Maps come from
 // `flatten_atlas_chart.h`.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_BUILDER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_BUILDER_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -54,11 +54,11 @@ inline bool is_failure_of_computation(Diagnosis diagnosis)
 
 // Cuts a connected surface open and flattens it, with more seams as long as the map stretches too much. If there is no
 // map, or the chart is not good, areas get a larger weight.
-class Part_atlas_maker
+class Part_atlas_builder
 {
 public:
   // `cost` is that of the edge that each corner of the surface faces.
-  Part_atlas_maker(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
+  Part_atlas_builder(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
                    const Linear_solvers& solvers, const Part_progress& progress)
       : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
         m_flattener(options, solvers, &m_progress)
@@ -291,4 +291,4 @@ private:
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>
 #endif
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_MAKER_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_BUILDER_H
