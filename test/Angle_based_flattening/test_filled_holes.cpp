@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(patches_weigh_as_much_as_their_surroundings)
   Chart filled = abf::fill_holes(chart, 0.1);
   BOOST_TEST(filled.weight.front() == 4);
   BOOST_TEST(filled.weight.back() == 0.4, boost::test_tools::tolerance(1e-12));
-  abf::stiffen_patches(chart, 10, filled);
+  filled = abf::stiffen_patches({filled, {}}, chart, 10).chart;
   BOOST_TEST(filled.weight.front() == 4);
   BOOST_TEST(filled.weight.back() == 4, boost::test_tools::tolerance(1e-12));
 }

@@ -433,7 +433,7 @@ BOOST_AUTO_TEST_CASE(copies_of_vertices_have_pins_of_their_own)
   CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   SMP::select_seams(mesh, seams);
-  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams);
+  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
   const auto border = SMP::border_halfedge(cut);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer;

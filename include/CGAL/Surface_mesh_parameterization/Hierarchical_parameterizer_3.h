@@ -69,16 +69,25 @@ struct Solver_traits_of<Parameterizer, true>
   typedef typename Parameterizer::Solver_traits type;
 };
 
-// A copy of the parameterizer's traits object if it has one of this type
+// Whether the parameterizer has a traits object of this type
+template <typename SolverTraits, typename Parameterizer, bool = Has_solver_traits<Parameterizer>::value>
+struct Has_traits_object : std::is_same<SolverTraits, typename Parameterizer::Solver_traits>
+{};
+
+template <typename SolverTraits, typename Parameterizer>
+struct Has_traits_object<SolverTraits, Parameterizer, false> : std::false_type
+{};
+
+// A copy of that object if there is one
 template <typename SolverTraits, typename Parameterizer>
 SolverTraits solver_traits_of(const Parameterizer& parameterizer)
 {
-  if constexpr(Has_solver_traits<Parameterizer>::value) {
-    if constexpr(std::is_same<SolverTraits, typename Parameterizer::Solver_traits>::value)
-      return parameterizer.solver_traits();
+  if constexpr(Has_traits_object<SolverTraits, Parameterizer>::value) {
+    return parameterizer.solver_traits();
+  } else {
+    (void)parameterizer;
+    return SolverTraits();
   }
-  (void)parameterizer;
-  return SolverTraits();
 }
 
 // A coarse parameterizer that takes what the hierarchical one takes: charts with holes, if they are solved

@@ -121,6 +121,10 @@ public:
       : m_traits(shared->get()), m_shared(std::move(shared))
   {}
 
+  Symmetric_system(SolverTraits traits, std::shared_ptr<Shared_traits> shared)
+      : m_traits(std::move(traits)), m_shared(std::move(shared))
+  {}
+
   explicit Symmetric_system(SolverTraits traits)
       : Symmetric_system(std::make_shared<Shared_traits>(std::move(traits)))
   {}
@@ -173,9 +177,7 @@ public:
 
   std::unique_ptr<Linear_solver> copy() const override
   {
-    std::unique_ptr<Symmetric_system> result = std::make_unique<Symmetric_system>(m_shared);
-    result->m_traits = m_traits;
-    return result;
+    return std::make_unique<Symmetric_system>(m_traits, m_shared);
   }
 
 private:
