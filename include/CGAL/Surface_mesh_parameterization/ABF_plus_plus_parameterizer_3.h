@@ -355,9 +355,9 @@ public:
   /// changes the report, so do not read it while a copy runs.
   ///
   /// The offending vertices are a vertex that is pinched, is on a second border, or has a coordinate that is not
-  /// finite, the two that parallel edges join, or what `set_angle_sums()` says. The offending faces are a face that is
-  /// not a triangle or is at a parallel edge, all faces whose importance is out of its range, or all faces that would
-  /// be flipped or wind around a vertex more than once.
+  /// finite, the two that parallel edges join, or what `set_angle_sums()`, `set_seam_sides()` and `set_pins()` say. The
+  /// offending faces are a face that is not a triangle or is at a parallel edge, all faces whose importance is out of
+  /// its range, or all faces that would be flipped or wind around a vertex more than once.
   const Mesh_report<Triangle_mesh, ABF_plus_plus_report>& report() const
   {
     return m_outcome.get().report;

@@ -92,7 +92,9 @@ if(report.status != Diagnosis::NOTHING_WRONG)
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the report of the parameterizer. `error_code()` returns the error code of its diagnosis.
+\return a copy of the report of the parameterizer, with all its members: a `Mesh_report` with an `ABF_plus_plus_report`
+or a `Hierarchical_report`, which are kinds of `Flattening_report`. `error_code()` returns the error code of its
+diagnosis.
 */
 template <typename TriangleMesh, typename VertexUVMap,
           typename Parameterizer = ABF_plus_plus_parameterizer_3<TriangleMesh>,

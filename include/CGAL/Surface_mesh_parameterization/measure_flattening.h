@@ -126,6 +126,8 @@ measure_flattening(const TriangleMesh& mesh,
 /// `Atlas_report::measures`, in contrast, scales each chart by itself. `Flattening_measures::border_is_simple` says
 /// whether the borders of all charts are simple and apart.
 ///
+/// With a visitor, named parameters must be given; `parameters::default_values()` stands for none.
+///
 /// The time is as above. The keys of the map of a `Seam_mesh` are its vertices, or halfedges of the mesh that it cuts.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
