@@ -423,15 +423,6 @@ BOOST_AUTO_TEST_CASE(names_are_text_wherever_they_stand)
   }
 }
 
-BOOST_AUTO_TEST_CASE(surfaces_without_area_give_valid_numbers)
-{
-  const Report_page page =
-      report(write("line.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n3 0 1 2\n3 0 2 3\n"), "--plain");
-  BOOST_TEST(status == 3);
-  BOOST_TEST((page.text.find(": nan") == std::string::npos && page.text.find(": inf") == std::string::npos));
-  BOOST_TEST(std::isfinite(page.json.get<double>("scale")));
-}
-
 BOOST_AUTO_TEST_CASE(large_and_small_coordinates)
 {
   for(const char* exponent : {"e60", "e-60"}) {

@@ -186,8 +186,8 @@ private:
       }
     } else {
       const auto corner = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
-      Disjoint_sets fans(
-          number_corners(corner)); // of corners between two borders, or around a vertex of the mesh
+      const std::size_t number_of_corners = number_corners(corner);
+      Disjoint_sets fans(number_of_corners); // of corners between two borders, or around a vertex of the mesh
       const auto join = [&](halfedge_descriptor h) {
         if(!m_coordinates.is_at_border(h)) // the halfedge before the opposite one has the same target
           fans.union_set(get(corner, h), get(corner, prev(opposite(h, m_mesh), m_mesh)));
@@ -197,7 +197,7 @@ private:
       for(const auto& polygon : polygons)
         for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(polygon.second, m_mesh), m_mesh))
           join(h);
-      std::vector<int> number(m_halfedges.size(), -1);
+      std::vector<int> number(number_of_corners, -1);
       for(std::size_t c = 0; c < m_halfedges.size(); ++c) {
         int& v = number[fans.find_set(c)];
         v = v < 0 ? count++ : v;

@@ -42,7 +42,7 @@ inline std::vector<Complex> complex_numbers(const std::vector<Chart::Point_2>& p
 }
 
 // Turns, scales and moves the plane.
-struct Similarity
+struct Complex_similarity
 {
   Complex factor = 1, from = 0, to = 0;
 
@@ -54,7 +54,7 @@ struct Similarity
 // only moves the plane, and two are met.
 struct Fit
 {
-  Similarity similarity;
+  Complex_similarity similarity;
   bool is_mirrored = false;
 };
 
