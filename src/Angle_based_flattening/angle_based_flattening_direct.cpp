@@ -5,6 +5,7 @@
 
 // The direct method and the default solver. Each file here compiles beside the others.
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/rectangle_corners_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/all_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map_impl.h>

@@ -40,7 +40,7 @@ enum class Diagnosis
   SEVERAL_COMPONENTS,  ///< The surface is not connected.
   NO_BORDER,           ///< The surface is closed: it must be cut open first.
   NOT_ON_BORDER,       ///< The given halfedge is null or not on a border, or a corner is not on the border.
-  SHORT_BORDER,        ///< A border has fewer than three edges.
+  SHORT_BORDER,        ///< A border has fewer than three edges, or fewer than four for a rectangle.
   SEVERAL_BORDERS,     ///< The surface has holes, but must be a disk.
   NONZERO_GENUS,       ///< The surface has handles: it is not a disk.
 

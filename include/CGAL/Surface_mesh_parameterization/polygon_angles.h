@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/rectangle_corners.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -168,7 +170,7 @@ Polygon_report<TriangleMesh> polygon_angles(
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// returns the angles of a rectangle whose corners are four vertices of a border of `mesh`, in any order. The surface
-/// determines the ratio of its sides.
+/// determines the ratio of its sides; the overload with a ratio chooses corners for it.
 ///
 /// Requirements, report and time are those of `polygon_angles()`.
 template <typename TriangleMesh>
@@ -180,6 +182,84 @@ rectangle_angles(const TriangleMesh& mesh,
   for(const auto& v : corners)
     right.emplace_back(v, CGAL_PI / 2);
   return polygon_angles(mesh, right);
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// What `rectangle_angles()` returns if it chooses the corners.
+///
+/// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
+template <typename TriangleMesh>
+struct Rectangle_report : Polygon_report<TriangleMesh>
+{
+  /// The corners, counterclockwise in the plane; without meaning if anything is wrong.
+  std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 4> corners = {};
+  /// The predicted length of the side from the first corner to the second one, divided by that of the next side; 0 if
+  /// anything is wrong.
+  double predicted_ratio = 0;
+};
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// chooses four corners on a border so that the sides of the rectangle have a given ratio, and returns its angles.
+///
+/// The first corner is the vertex that `bhd` points to. The third one is half the length of the border away. As the
+/// second corner moves away from the first, and the fourth from the third, the rectangle becomes wider. Harmonic
+/// functions predict the ratio of each rectangle, and a bisection finds the vertices where it is nearest to
+/// `aspect_ratio`. The map meets the ratio only approximately; Section \ref ABF_angles_ratio says how well, and how to
+/// remove the rest.
+///
+/// For \f$b\f$ border vertices, the function solves \f$2\log_2 b\f$ to \f$2\log_2 b + 24\f$ linear systems with
+/// nearly as many unknowns as there are vertices. This took up to seven times as long as the map.
+///
+/// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a triangle mesh
+/// \param bhd a halfedge on the border of `mesh`: one without a face
+/// \param aspect_ratio the length of the side from the first corner to the second one, divided by that of the next
+///   side
+/// \param np optional named parameters:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver of the linear systems}
+///     \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
+///     \cgalParamDefault{`SuperLU_solver_traits<>`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the corners and angles, or what is wrong with the surface, as
+///   `ABF_plus_plus_parameterizer_3::report()` says it; or with the ratio (`Diagnosis::WRONG_OPTION`): it is not
+///   positive and finite, or no rectangle with this first corner has it, which is the offending vertex. A border with
+///   three vertices is too short (`Diagnosis::SHORT_BORDER`, with its vertices).
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+Rectangle_report<TriangleMesh>
+rectangle_angles(const TriangleMesh& mesh,
+                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, double aspect_ratio,
+                 const NamedParameters& np = parameters::default_values())
+{
+  Rectangle_report<TriangleMesh> report;
+  internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np));
+  internal::ABF::Rectangle_corners chosen;
+  chosen.defect = reader.read(bhd);
+  if(!chosen.defect)
+    chosen = internal::ABF::choose_rectangle_corners(reader.chart, aspect_ratio,
+                                                     internal::ABF::linear_solvers(np));
+  if(chosen.defect) {
+    internal::ABF::report_defect(chosen.defect, reader, report);
+    return report;
+  }
+  for(int i = 0; i < 4; ++i)
+    report.corners[i] = reader.vertex_descriptors[chosen.vertices[i]];
+  report.predicted_ratio = chosen.aspect_ratio;
+  report.angles = rectangle_angles(mesh, report.corners).angles;
+  return report;
 }
 
 #ifndef DOXYGEN_RUNNING
