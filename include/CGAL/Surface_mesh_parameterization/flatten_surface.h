@@ -102,7 +102,7 @@ template <typename TriangleMesh, typename VertexUVMap,
 #ifndef DOXYGEN_RUNNING
 std::decay_t<decltype(std::declval<Parameterizer&>().report())>
 #else
-Mesh_report<TriangleMesh, Flattening_report>
+unspecified_type
 #endif
 flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameterizer = Parameterizer(),
                 const NamedParameters& np = parameters::default_values())

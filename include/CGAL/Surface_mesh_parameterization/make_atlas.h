@@ -110,7 +110,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
                                                    const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Mesh_atlas_builder<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap,
-                                    NamedParameters>(mesh, seams, uv, charts, options, np)
+                                           NamedParameters>(mesh, seams, uv, charts, options, np)
       .run();
 }
 
@@ -131,7 +131,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
                                                    const NamedParameters& np = parameters::default_values())
 {
   return internal::ABF::Mesh_atlas_builder<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t,
-                                    NamedParameters>(mesh, nullptr, uv, nullptr, options, np)
+                                           NamedParameters>(mesh, nullptr, uv, nullptr, options, np)
       .run();
 }
 

@@ -27,5 +27,7 @@ int main()
 
   auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  return SMP::parameterize(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver>(), border, uv) == SMP::OK ? 0 : 1;
+  return SMP::parameterize(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver>(), border, uv) == SMP::OK
+             ? 0
+             : 1;
 }

@@ -59,7 +59,7 @@ class Part_atlas_builder
 public:
   // `cost` is that of the edge that each corner of the surface faces.
   Part_atlas_builder(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
-                   const Linear_solvers& solvers, const Part_progress& progress)
+                     const Linear_solvers& solvers, const Part_progress& progress)
       : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
         m_flattener(options, solvers, &m_progress)
   {}
