@@ -24,7 +24,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -312,12 +311,9 @@ public:
     prescriptions.pins =
         internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_prescriptions.pins, uvmap, vpmap);
     Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
-        mesh, bhd, uvmap, vimap, prescriptions, m_options,
+        mesh, bhd, uvmap, vimap, prescriptions, m_options, m_solvers,
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
-          return internal::ABF::flatten_to_pins(
-              chart, m_options, m_solvers, round, [&](internal::ABF::Rounding rounding) {
-                return internal::ABF::flatten_chart(chart, m_options, m_solvers, rounding, last.get());
-              });
+          return internal::ABF::flatten_chart(chart, m_options, m_solvers, round, last.get());
         });
     if(outcome.angles == nullptr)
       outcome.angles = last;

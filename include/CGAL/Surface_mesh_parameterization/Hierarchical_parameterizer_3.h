@@ -25,7 +25,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -262,14 +261,11 @@ public:
             false,
             m_points,
             internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap)},
-        m_options, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+        m_options, m_linear_algebra, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
-          return internal::ABF::flatten_to_pins(
-              chart, m_options, m_linear_algebra, round, [&](internal::ABF::Rounding rounding) {
-                return internal::ABF::flatten_chart_hierarchically(
-                    chart.pins.empty() ? std::move(chart) : internal::ABF::Chart(chart), m_options,
-                    flatten_coarse, m_linear_algebra, rounding);
-              });
+          return internal::ABF::flatten_chart_hierarchically(
+              chart.pins.empty() ? std::move(chart) : internal::ABF::Chart(chart), m_options, flatten_coarse,
+              m_linear_algebra, round);
         });
     m_outcome.set(outcome);
     return error_code(outcome.report.status);

@@ -55,8 +55,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Char
 // The triangles whose vertices are on a line, up to the rounding of their coordinates
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int> degenerate_triangles(const Chart& chart);
 
-// What is wrong if all triangles are degenerate
-CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_no_area(const Chart& chart);
+// What is wrong if all triangles are among the `degenerate` ones
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_no_area(const Chart& chart, std::vector<int> degenerate);
 
 // Walks once around every vertex. A second fan of triangles at a vertex, or a neighbour met twice, is an error:
 // by Fary's theorem a disk can be drawn in the plane exactly if its edge graph has no loop and no parallel edges.

@@ -78,9 +78,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int> degenerate_triangles(const C
   return result;
 }
 
-CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_no_area(const Chart& chart)
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_no_area(const Chart& chart, std::vector<int> degenerate)
 {
-  std::vector<int> degenerate = degenerate_triangles(chart);
   if(static_cast<int>(degenerate.size()) < chart.number_of_triangles())
     return {};
   const std::string text = "the surface has no area: all " + std::to_string(degenerate.size()) +

@@ -157,7 +157,7 @@ private:
       defect = diagnose(chart, false);
     }
     if(!defect)
-      defect = find_no_area(chart);
+      defect = find_no_area(chart, degenerate_triangles(chart));
     if(!defect && m_options.equal_seam_lengths.value_or(true))
       defect = equalize_seams(chart);
     if(!defect && !are_free() && chart.has_equal_seams)

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The last step of a method where vertices have given positions: moves its map there, and certifies it again.
-// Both parameterizers call it. The bodies are in `pin_map_impl.h`, which the compiled library has.
+// `run_parameterizer.h` calls it. The bodies are in `pin_map_impl.h`, which the compiled library has.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_PIN_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_PIN_MAP_H
@@ -18,8 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
-#include <vector>
-
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Moves the map `result` of a chart with pins to these, and rounds it.
@@ -30,19 +28,6 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE void pin_map(const Chart& chart, const Flatte
 CGAL_ANGLE_BASED_FLATTENING_INLINE void pin_map(const Chart& chart, const Flattening_options& options,
                                                 const Linear_solvers& solvers, Rounding round,
                                                 Flattening<Hierarchical_report>& result);
-
-// The map that `flatten` makes, moved to the pins of the chart. It is rounded once, when it is there.
-template <typename Flatten>
-auto flatten_to_pins(const Chart& chart, const Flattening_options& options, const Linear_solvers& solvers,
-                     Rounding round, const Flatten& flatten)
-{
-  if(chart.pins.empty())
-    return flatten(round);
-  auto result = flatten([](std::vector<Chart::Point_2>&) {});
-  if(result.succeeded())
-    pin_map(chart, options, solvers, round, result);
-  return result;
-}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
@@ -28,6 +29,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 
 #include <CGAL/property_map.h>
 
@@ -116,19 +118,26 @@ private:
   std::shared_ptr<Link> m_link;
 };
 
-// Reads the chart of a border halfedge with all that is prescribed for it, and checks it.
+// Reads the chart of a border halfedge with all that is prescribed for it, and checks it. Counts in the report.
 template <typename TriangleMesh, typename VertexIndexMap>
 Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
                                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                                    VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
-                                   Flattening_options::Holes holes, Chart_reader<TriangleMesh>& reader)
+                                   Flattening_options::Holes holes, Chart_reader<TriangleMesh>& reader,
+                                   Flattening_report& report)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   Chart_defect defect = reader.read(bhd, vimap);
   if(!defect)
     defect = diagnose(reader.chart, holes != Flattening_options::REFUSE);
-  if(!defect)
-    defect = find_no_area(reader.chart);
+  report.vertices = reader.chart.number_of_vertices();
+  report.triangles = reader.number_of_faces();
+  report.borders = static_cast<int>(reader.chart.borders.size());
+  if(!defect) {
+    std::vector<int> degenerate = degenerate_triangles(reader.chart);
+    report.degenerate_triangles = static_cast<int>(degenerate.size());
+    defect = find_no_area(reader.chart, std::move(degenerate));
+  }
   if(!defect)
     defect = read_importance(reader, prescriptions.importance);
   if(!defect && prescriptions.seam_sides) {
@@ -152,14 +161,14 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
 }
 
 // Reads a chart, flattens it, and writes the coordinates if the map is valid. `flatten` is called with the chart, which
-// it may consume, and with what rounds its coordinates; it returns a `Flattening<Report>`.
+// it may consume if there are no pins, and with what rounds its coordinates; it returns a `Flattening<Report>`.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Options, typename Flatten>
 Outcome<TriangleMesh, Report>
 run_parameterizer(const TriangleMesh& mesh,
                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
                   VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
-                  const Options& options, const Flatten& flatten)
+                  const Options& options, const Linear_solvers& solvers, const Flatten& flatten)
 {
   Outcome<TriangleMesh, Report> outcome;
   Report& report = outcome.report;
@@ -175,21 +184,20 @@ run_parameterizer(const TriangleMesh& mesh,
     {
       const Stage stage(options.visitor, Flattening_visitor::READ, report.seconds.read);
       const Chart_defect defect =
-          read_prescribed_chart(mesh, bhd, vimap, prescriptions, options.holes, reader);
-      report.vertices = reader.chart.number_of_vertices();
-      report.triangles = reader.number_of_faces();
-      report.borders = static_cast<int>(reader.chart.borders.size());
+          read_prescribed_chart(mesh, bhd, vimap, prescriptions, options.holes, reader, report);
       if(defect) {
-        if(defect.status == Diagnosis::NO_AREA)
-          report.degenerate_triangles = report.triangles;
         fail(report, defect.status, defect.message);
         outcome.name_offenders(reader, defect.vertices, defect.triangles);
         return;
       }
-      report.degenerate_triangles = static_cast<int>(degenerate_triangles(reader.chart).size());
     }
+    // A map with pins is rounded when it has been moved to them.
+    const Rounding round = &round_to_points<typename boost::property_traits<VertexUVmap>::value_type>;
+    const bool has_pins = !reader.chart.pins.empty();
     Flattening<Report> flattening =
-        flatten(reader.chart, &round_to_points<typename boost::property_traits<VertexUVmap>::value_type>);
+        flatten(reader.chart, has_pins ? [](std::vector<Chart::Point_2>&) {} : round);
+    if(has_pins && flattening.succeeded())
+      pin_map(reader.chart, options, solvers, round, flattening);
     flattening.report.seconds += report.seconds;
     flattening.report.degenerate_triangles = report.degenerate_triangles;
     report = std::move(flattening.report);
