@@ -94,8 +94,8 @@ void twist(Mesh& mesh, double angle)
   }
 }
 
-// The second of two calls of one parameterizer, of which the first is not measured: with moved points from the last angles, or with
-// the same points from the target angles.
+// The second of two calls of one parameterizer, of which the first is not measured: with moved points from the last
+// angles, or with the same points from the target angles.
 template <bool warm>
 void again(Surface& surface, const SMP::Hierarchical_options&, Measurement& m)
 {
