@@ -3,8 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The targets of the package, and what they stand on. The package includes this, and so do its examples, demo and tests, which
-# can be built alone, as in CGAL.
+# The targets of the package, and what they stand on. The package includes this, and so do its examples, demo and tests,
+# which can be built alone, as in CGAL.
 include_guard(DIRECTORY)
 get_filename_component(ABF_PACKAGE_DIR ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
@@ -31,8 +31,8 @@ target_compile_features(CGAL_Angle_based_flattening_headers INTERFACE cxx_std_17
 target_include_directories(CGAL_Angle_based_flattening_headers INTERFACE
   $<BUILD_INTERFACE:${ABF_PACKAGE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE
-  CGAL::CGAL CGAL::Eigen3_support $<BUILD_INTERFACE:CGAL::SuperLU_support>) # the installed package looks for SuperLU itself
-if(TARGET CGAL::TBB_support) # and for TBB
+  CGAL::CGAL CGAL::Eigen3_support $<BUILD_INTERFACE:CGAL::SuperLU_support>)
+if(TARGET CGAL::TBB_support) # the installed package looks for both itself
   target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE $<BUILD_INTERFACE:CGAL::TBB_support>)
 endif()
 
@@ -48,8 +48,8 @@ endif()
 if(ABF_WARNINGS_AS_ERRORS)
   add_compile_options(-Wall -Wextra -Werror)
 endif()
-# Of the number types behind exact predicates, those of GMP are quicker to compile. All that is linked together has to agree on
-# them, users' programs with an installed library, too.
+# Of the number types behind exact predicates, those of GMP are quicker to compile. All that is linked together has to
+# agree on them, users' programs with an installed library, too.
 if(ABF_TOP_LEVEL AND NOT ABF_INSTALL_CORE)
   add_compile_definitions(CGAL_DO_NOT_USE_BOOST_MP)
 endif()
