@@ -145,7 +145,7 @@ struct ABF_plus_plus_options : Flattening_options
   ///
   /// Angles are found on the surface before the cut: the equations of lengths also hold around vertices of seams, and
   /// along loops through handles and around borders. Lengths are equal up to the tolerance. On models with 16 cones,
-  /// the distortion was hardly higher, and the time up to 1.3 times as long.
+  /// the distortion was hardly higher, and the time up to 1.25 times as long.
   ///
   /// A seam with a side on the border of a hole keeps different lengths; if this is `true`, it is an error. With
   /// `Flattening_options::injective`, lengths are equal only if the map of the direct method does not overlap itself;
