@@ -33,8 +33,8 @@ RATIOS_CAPTION = """
 ## Ratios
 
 Ours is `CGAL::SuperLU_solver_traits`; total is order + factor + solve. Targets: `Eigen::SuperLU` / ours at least \
-2 from 100,000 triangles on; ours / CHOLMOD at most 2.2 on the scalar block at 1,500,000; a second factorization \
-with the same pattern reuses the ordering.
+2 from 100,000 triangles on; ours / CHOLMOD at most 2.2 on the scalar block; a second factorization with the same \
+pattern reuses the ordering.
 
 """
 
