@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <random>
@@ -226,7 +227,8 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
 {
   std::mt19937 random(1);
   std::map<Diagnosis, int> tally;
-  for(unsigned seed = 0; seed < 400; ++seed) {
+  const unsigned int seeds = std::getenv("ABF_TEST_QUICK") ? 200 : 400;
+  for(unsigned int seed = 0; seed < seeds; ++seed) {
     const Surface surface = seam_surfaces::random_surface(seed);
     BOOST_TEST_CONTEXT(surface.name << ", seed " << seed)
     {

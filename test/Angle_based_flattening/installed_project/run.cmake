@@ -1,5 +1,5 @@
 # Installs the package into its build tree, then builds and runs the project in this folder against it.
-# Called by ctest with BUILD_DIR, NAME, GENERATOR, COMPILER, CONFIG and its FLAGS; with DPKG_DEB it is installed from a Debian package,
+# Called by ctest with BUILD_DIR, NAME, GENERATOR, COMPILER, STANDARD, CONFIG and its FLAGS; with DPKG_DEB it is installed from a Debian package,
 # with WITHOUT_TBB and WITHOUT_SUPERLU the project does not find these, and COMPONENTS is what it asks for.
 set(root ${BUILD_DIR}/${NAME}_root)
 set(project ${BUILD_DIR}/${NAME})
@@ -26,7 +26,8 @@ else()
 endif()
 
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${project} -G ${GENERATOR}
-  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS} -D CMAKE_PREFIX_PATH=${prefix}
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_STANDARD=${STANDARD} -D CMAKE_BUILD_TYPE=${CONFIG}
+  -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS} -D CMAKE_PREFIX_PATH=${prefix}
   -D CMAKE_DISABLE_FIND_PACKAGE_TBB=${WITHOUT_TBB} -D WITHOUT_TBB=${WITHOUT_TBB}
   -D CMAKE_DISABLE_FIND_PACKAGE_SuperLU=${WITHOUT_SUPERLU} -D WITHOUT_SUPERLU=${WITHOUT_SUPERLU})
 if(NOT COMPONENTS) # who asks for the compiled library is told how to get it
