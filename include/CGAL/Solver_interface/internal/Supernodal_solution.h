@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -55,6 +56,9 @@ private:
   static void forward(const Node& node, FT* x, FT* sums)
   {
     FT* top = x + node.first;
+    const bool is_zero = std::all_of(top, top + node.columns, [](FT value) { return value == 0; });
+    if(is_zero) // as most are of a unit vector
+      return;
     const int below = node.rows - node.columns;
     for(int i = 0; i < below; ++i)
       sums[i] = 0;
