@@ -85,6 +85,38 @@ struct Topology
   int handles, borders = 0, border_edges = 0;
 };
 
+// Whether the seams leave disks, and nothing else. The surface may consist of several parts.
+inline bool leaves_disks(const Sector_graph& surface)
+{
+  const Chart& chart = surface.surface();
+  const int triangles = chart.number_of_triangles();
+  Disjoint_sets parts(triangles);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(!surface.is_open(c))
+      parts.union_set(c / 3, chart.opposite[c] / 3);
+  std::vector<int> characteristic(triangles, 0), borders(triangles, 0); // of each part, the former twice
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    characteristic[parts.find_set(c / 3)] -= surface.is_open(c) ? 2 : 1;
+  int count = 0;
+  const std::vector<int> border = number_borders(surface, count);
+  std::vector<char> is_counted(count, false);
+  for(int x = 0; x < surface.number_of_nodes(); ++x)
+    if(surface.is_node(x)) {
+      const auto part = parts.find_set(surface.first_corner(x) / 3);
+      characteristic[part] += 2;
+      if(border[x] >= 0 && !is_counted[border[x]]) {
+        is_counted[border[x]] = true;
+        ++borders[part];
+      }
+    }
+  for(int t = 0; t < triangles; ++t)
+    characteristic[parts.find_set(t)] += 2;
+  for(int t = 0; t < triangles; ++t)
+    if(const auto part = parts.find_set(t); characteristic[part] != 2 || borders[part] != 1)
+      return false;
+  return true;
+}
+
 // Opens a connected surface until it is a disk that can be flattened, along short paths that reach all terminals.
 class Topological_cut
 {

@@ -130,7 +130,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Seams shorten_seams(const Chart& surface, con
   for(int c = 0; c < surface.number_of_corners(); ++c)
     if(opened.is_seam(c) && opened.seams_at(next_corner(c)).size() == 1)
       ends.push_back(surface.edge_source(c));
-  Path_shortening(opened, cost, ends).run(most_visits);
+  Path_shortening(opened, cost, ends, leaves_disks(opened)).run(most_visits);
   return seams_of(opened);
 }
 

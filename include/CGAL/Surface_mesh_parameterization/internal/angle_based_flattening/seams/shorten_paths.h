@@ -13,12 +13,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cross_annulus.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,9 +31,11 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Path_shortening
 {
 public:
-  Path_shortening(Sector_graph& surface, const std::vector<double>& cost, const std::vector<int>& terminals)
+  // With `leaves_disks`, the seams leave disks and nothing else, and exchanges take far less time.
+  Path_shortening(Sector_graph& surface, const std::vector<double>& cost, const std::vector<int>& terminals,
+                  bool leaves_disks = true)
       : m_surface(surface), m_cost(cost), m_is_terminal(surface.surface().points.size(), false),
-        m_paths(surface, cost)
+        m_leaves_disks(leaves_disks), m_paths(surface, cost)
   {
     for(int v : terminals)
       m_is_terminal[v] = true;
@@ -41,7 +45,12 @@ public:
   // shorter.
   bool run(int visits)
   {
-    m_visits_left = static_cast<std::int64_t>(visits) * m_surface.number_of_nodes();
+    const std::int64_t most_visits = static_cast<std::int64_t>(visits) * m_surface.number_of_nodes();
+    m_visits_left = most_visits;
+    if(m_leaves_disks) {
+      m_nearest.emplace(m_surface, m_cost);
+      m_crossing.emplace(m_surface, m_cost, *m_nearest);
+    }
     bool any = false;
     for(bool changed = true; changed && m_visits_left > 0;) {
       changed = false;
@@ -50,8 +59,11 @@ public:
           changed |= exchange(path);
       any |= changed;
     }
+    m_visits = most_visits - m_visits_left;
     return any;
   }
+
+  std::int64_t number_of_visits() const { return m_visits; } // of nodes, by the exchanges of the last run
 
   // The seams between ends, the longest ones first. A closed seam without any end is not among them.
   std::vector<std::vector<int>> key_paths() const
@@ -81,6 +93,9 @@ private:
     return std::accumulate(path.begin(), path.end(), 0., [&](double sum, int c) { return sum + m_cost[c]; });
   }
 
+  // The length of paths that are shorter, and not only by rounding
+  double longest_exchange(const std::vector<int>& path) const { return length(path) * (1 - 1e-6); }
+
   bool is_on_border_of_surface(int corner) const { return chart().interior[chart().vertex[corner]] < 0; }
 
   // Whether a path does not go on through the vertex
@@ -109,23 +124,58 @@ private:
 
   bool exchange(const std::vector<int>& path)
   {
-    for(int c : path)
-      m_surface.set_seam(c, false);
-    std::vector<int> here = border_at(m_surface.source_node(path.front())),
-                     there = border_at(m_surface.target_node(path.back()));
-    std::vector<int> shorter;
-    bool is_only_path = false;
-    if(std::find(here.begin(), here.end(), there.front()) == here.end()) {
-      is_only_path = here.size() == 1 && there.size() == 1;
-      if(there.size() < here.size())
-        here.swap(there);
-      shorter = shortest_path(here, there, length(path));
+    return m_nearest ? exchange_on_disk(path) : exchange_anywhere(path);
+  }
+
+  bool exchange_on_disk(const std::vector<int>& path)
+  {
+    const std::int64_t before = m_nearest->number_of_visits();
+    const double bound = longest_exchange(path);
+    m_nearest->close(path, bound / 2);
+    const int from = m_surface.source_node(path.front()), to = m_surface.target_node(path.back());
+    const std::vector<int> shorter = m_crossing->shortest_path(path, from, to, bound);
+    const bool is_better = is_accepted(shorter, from, to);
+    m_nearest->reopen(path);
+    if(is_better) {
+      m_nearest->close(path);
+      m_nearest->open(shorter);
     }
-    // One edge alone would leave a disk with a border of two edges.
-    const bool is_better = shorter.size() > (is_only_path ? 1 : 0);
-    for(int c : is_better ? shorter : path)
-      m_surface.set_seam(c, true);
+    m_visits_left -= m_nearest->number_of_visits() - before;
     return is_better;
+  }
+
+  bool exchange_anywhere(const std::vector<int>& path)
+  {
+    set_seams(path, false);
+    const int from = m_surface.source_node(path.front()), to = m_surface.target_node(path.back());
+    const std::vector<int> shorter = search(path, from, to);
+    const bool is_better = is_accepted(shorter, from, to);
+    set_seams(is_better ? shorter : path, true);
+    return is_better;
+  }
+
+  // Whether there is a path between these nodes. One edge alone would leave a disk with a border of two edges.
+  bool is_accepted(const std::vector<int>& path, int from, int to) const
+  {
+    const bool is_only_path = !m_surface.is_on_border(from) && !m_surface.is_on_border(to);
+    return path.size() > (is_only_path ? 1 : 0);
+  }
+
+  void set_seams(const std::vector<int>& path, bool are_seams)
+  {
+    for(int c : path)
+      m_surface.set_seam(c, are_seams);
+  }
+
+  // A path that is shorter than `path`, where there may be other borders between its ends than theirs, or none
+  std::vector<int> search(const std::vector<int>& path, int from, int to)
+  {
+    std::vector<int> here = border_at(from), there = border_at(to);
+    if(std::find(here.begin(), here.end(), there.front()) != here.end())
+      return {};
+    if(there.size() < here.size())
+      here.swap(there);
+    return shortest_path(here, there, longest_exchange(path));
   }
 
   // The nodes of the border through a node, or the node alone if it is on none
@@ -140,13 +190,13 @@ private:
     return nodes;
   }
 
-  // A path that is shorter than `length`, or none
-  std::vector<int> shortest_path(const std::vector<int>& from, const std::vector<int>& to, double length)
+  // At most as long as `bound`, or none
+  std::vector<int> shortest_path(const std::vector<int>& from, const std::vector<int>& to, double bound)
   {
     m_is_target.resize(m_surface.number_of_nodes(), false);
     for(int x : to)
       m_is_target[x] = true;
-    const int x = m_paths.find(from, length * (1 - 1e-6), [&](int y) { return m_is_target[y]; });
+    const int x = m_paths.find(from, bound, [&](int y) { return m_is_target[y]; });
     for(int y : to)
       m_is_target[y] = false;
     m_visits_left -= m_paths.number_of_visited_nodes();
@@ -156,9 +206,12 @@ private:
   Sector_graph& m_surface;
   const std::vector<double>& m_cost;
   std::vector<char> m_is_terminal; // of each vertex
-  std::vector<char> m_is_target;   // of each node, during a search
+  bool m_leaves_disks;
+  std::vector<char> m_is_target; // of each node, during a search
   Shortest_paths m_paths;
-  std::int64_t m_visits_left = 0;
+  std::optional<Nearest_seams> m_nearest; // if the seams leave disks
+  std::optional<Annulus_crossing> m_crossing;
+  std::int64_t m_visits_left = 0, m_visits = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Dijkstra's search on an opened surface, which can be bounded, restricted and repeated at the cost of what it visits.
-// All seam searches use it: `cut_topology.h`, `greedy_cones.h`, `shorten_paths.h`, `coarse_seams.h` and, in `atlas/`,
-// further seams.
+// All seam searches use it: `cut_topology.h`, `greedy_cones.h`, `nearest_seams.h`, `shorten_paths.h`, `coarse_seams.h`
+// and, in `atlas/`, further seams.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEST_PATHS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SHORTEST_PATHS_H
@@ -28,6 +28,56 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // The cost of an edge that must not become a seam
 inline constexpr double forbidden = std::numeric_limits<double>::infinity();
 
+// What a search knows of a node, in one place of memory
+struct Path_label
+{
+  double distance = forbidden;
+  int last_edge = -1; // of the path; -1 at a source
+  int place = -1;     // in the queue, while it is there
+};
+
+struct Path_distance_map
+{
+  typedef int key_type;
+  typedef double value_type, reference;
+  typedef boost::readable_property_map_tag category;
+
+  friend double get(const Path_distance_map& map, int x) { return (*map.labels)[x].distance; }
+
+  const std::vector<Path_label>* labels;
+};
+
+struct Path_place_map
+{
+  typedef int key_type, value_type, reference;
+  typedef boost::read_write_property_map_tag category;
+
+  friend int get(const Path_place_map& map, int x) { return (*map.labels)[x].place; }
+  friend void put(const Path_place_map& map, int x, std::size_t place)
+  {
+    (*map.labels)[x].place = static_cast<int>(place);
+  }
+
+  std::vector<Path_label>* labels;
+};
+
+// The nodes that are reached and not yet visited, the nearest one first
+typedef boost::d_ary_heap_indirect<int, 4, Path_place_map, Path_distance_map, std::less<double>> Path_queue;
+
+inline Path_queue path_queue(std::vector<Path_label>& labels)
+{
+  return Path_queue(Path_distance_map{&labels}, Path_place_map{&labels});
+}
+
+// The edges of the path to a node, the last one first
+inline std::vector<int> path_to(int x, const std::vector<Path_label>& labels, const Sector_graph& surface)
+{
+  std::vector<int> edges;
+  for(int c = labels[x].last_edge; c >= 0; c = labels[surface.source_node(c)].last_edge)
+    edges.push_back(c);
+  return edges;
+}
+
 // Shortest paths from some nodes of an opened surface. Searches can follow one another, also when seams have changed:
 // each takes time for the nodes that it visits and those that the one before visited, not for the whole surface.
 class Shortest_paths
@@ -46,7 +96,7 @@ public:
   int find(const std::vector<int>& sources, double bound, const IsTarget& is_target)
   {
     forget_last_search();
-    Queue queue(Distance_map{&m_labels}, Place_map{&m_labels});
+    Path_queue queue = path_queue(m_labels);
     for(int x : sources)
       reach(x, 0, -1, queue);
     while(!queue.empty()) {
@@ -80,50 +130,9 @@ public:
   }
 
   // The edges of the path to a node, the last one first
-  std::vector<int> path(int x) const
-  {
-    std::vector<int> edges;
-    for(int c = last_edge(x); c >= 0; c = last_edge(m_surface.source_node(c)))
-      edges.push_back(c);
-    return edges;
-  }
+  std::vector<int> path(int x) const { return path_to(x, m_labels, m_surface); }
 
 private:
-  // What a search knows of a node, in one place of memory
-  struct Label
-  {
-    double distance = forbidden;
-    int last_edge = -1;
-    int place = -1; // in the queue, while it is there
-  };
-
-  struct Distance_map
-  {
-    typedef int key_type;
-    typedef double value_type, reference;
-    typedef boost::readable_property_map_tag category;
-
-    friend double get(const Distance_map& map, int x) { return (*map.labels)[x].distance; }
-
-    const std::vector<Label>* labels;
-  };
-
-  struct Place_map
-  {
-    typedef int key_type, value_type, reference;
-    typedef boost::read_write_property_map_tag category;
-
-    friend int get(const Place_map& map, int x) { return (*map.labels)[x].place; }
-    friend void put(const Place_map& map, int x, std::size_t place)
-    {
-      (*map.labels)[x].place = static_cast<int>(place);
-    }
-
-    std::vector<Label>* labels;
-  };
-
-  typedef boost::d_ary_heap_indirect<int, 4, Place_map, Distance_map, std::less<double>> Queue;
-
   double cost(int c) const
   {
     return m_is_allowed.empty() || m_is_allowed[m_surface.target_node(c)] ? m_cost[c] : forbidden;
@@ -132,7 +141,7 @@ private:
   void forget_last_search()
   {
     for(int x : m_touched)
-      m_labels[x] = Label();
+      m_labels[x] = Path_label();
     m_touched.clear();
     m_labels.resize(m_surface.number_of_nodes());
     m_visited = 0;
@@ -140,9 +149,9 @@ private:
 
   // Notes a path to a node if it is the shortest so far. Nodes at an infinite distance are queued too: the order of
   // nodes at the same distance depends on all that are in the queue.
-  void reach(int x, double distance, int last_edge, Queue& queue)
+  void reach(int x, double distance, int last_edge, Path_queue& queue)
   {
-    Label& label = m_labels[x];
+    Path_label& label = m_labels[x];
     const bool is_new = label.distance == forbidden && label.place < 0;
     if(distance < label.distance) {
       label.distance = distance;
@@ -158,9 +167,9 @@ private:
 
   const Sector_graph& m_surface;
   const std::vector<double>& m_cost;
-  std::vector<char> m_is_allowed; // all of them if empty
-  std::vector<Label> m_labels;    // of each node
-  std::vector<int> m_touched;     // the nodes with labels other than the first ones
+  std::vector<char> m_is_allowed;   // all of them if empty
+  std::vector<Path_label> m_labels; // of each node
+  std::vector<int> m_touched;       // the nodes with labels other than the first ones
   int m_visited = 0;
 };
 
