@@ -42,8 +42,8 @@ surface as shortest paths near those of the copy. If constrained edges bar such 
 replaces it, and the stretch is predicted again on the surface itself. It may then miss the bound. Given seams remain
 seams, and count as borders.
 
-For \f$n\f$ triangles, the copy and the paths take time \f$O(n \log n)\f$, and each terminal takes a factorization of
-the Laplacian of the copy.
+For \f$n\f$ triangles, the copy and the paths take time \f$O(n \log n)\f$. The Laplacian of the copy is factored once,
+or a few times if there are handles or several borders. Each vertex of the path to a terminal takes one solution.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
@@ -120,8 +120,8 @@ count as reached.
 Given seams remain seams, and count as borders. A seam of one edge on a sphere becomes longer, because a border of two
 edges is not a polygon. To get disks that can be flattened with little stretch, call `select_seams()`.
 
-For \f$n\f$ triangles and genus \f$g\f$, the time is \f$O(n \log n)\f$, and \f$O(g\,n\log n)\f$ for the exchanges, whose
-searches visit each vertex at most 100 times.
+For \f$n\f$ triangles, the time is \f$O(n \log n)\f$, with any number of given vertices, and that of the exchanges. An
+exchange visits the vertices that are nearest to its seam; all of them visit each vertex at most 100 times.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with

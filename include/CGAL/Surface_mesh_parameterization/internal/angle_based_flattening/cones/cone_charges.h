@@ -135,7 +135,7 @@ public:
     m_cones = cones;
     m_charges = Eigen::Map<const Eigen::VectorXd>(charges.data(), number_of_cones());
     const std::optional<Eigen::VectorXd> u = scale();
-    return u ? std::optional<double>(m_log_scale.stretch({u->begin(), u->end()})) : std::nullopt;
+    return u ? std::optional<double>(m_log_scale.stretch(*u)) : std::nullopt;
   }
 
 private:

@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/repair_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -57,7 +59,7 @@ inline Seams predicted_again(Seams seams, const Sector_graph& opened, const Line
 {
   const std::vector<char> is_reached = border_vertices(opened);
   const Log_scale log_scale(opened.surface(), solvers);
-  if(const std::optional<std::vector<double>> u = log_scale.solve(is_reached))
+  if(const std::optional<Eigen::VectorXd> u = log_scale.solve(is_reached))
     seams.predicted_stretch = log_scale.stretch(*u);
   else
     seams.status = Seams::LINEAR_SYSTEM_FAILED;

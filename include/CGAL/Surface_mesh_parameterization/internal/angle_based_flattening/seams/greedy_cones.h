@@ -13,15 +13,19 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/grounded_laplacian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -33,6 +37,10 @@ inline constexpr int most_visits = 100;
 // Terminals are added at most this many times after seams were shortened.
 inline constexpr int most_rounds = 5;
 
+// Values that differ by less, relative to the largest one, are equal but for rounding, as they are at many vertices of
+// a symmetric surface. The first of these is taken.
+inline constexpr double relative_tie = 1e-9;
+
 // Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose
 // predicted scale is farthest from 1, until the predicted stretch is small enough.
 class Greedy_cones
@@ -42,7 +50,8 @@ public:
 
   Greedy_cones(Sector_graph& surface, const std::vector<double>& cost, const Seam_options& options,
                const Linear_solvers& solvers)
-      : m_surface(surface), m_cost(cost), m_options(options), m_log_scale(surface.surface(), solvers)
+      : m_surface(surface), m_cost(cost), m_options(options), m_log_scale(surface.surface(), solvers),
+        m_laplacian(m_log_scale.laplacian(), solvers)
   {}
 
   const std::vector<int>& terminals() const { return m_terminals; }
@@ -80,14 +89,15 @@ private:
   {
     std::vector<char> is_fixed(chart().points.size(), false);
     is_fixed.front() = true;
-    std::optional<std::vector<double>> u = m_log_scale.solve(is_fixed, true);
-    if(!u)
+    Eigen::VectorXd u;
+    if(!m_laplacian.solve(is_fixed, m_log_scale.sources(true), u))
       return Seams::LINEAR_SYSTEM_FAILED;
-    const int first = static_cast<int>(std::min_element(u->begin(), u->end()) - u->begin());
+    const double tie = relative_tie * u.cwiseAbs().maxCoeff(), least = u.minCoeff();
+    const int first = static_cast<int>(
+        std::find_if(u.begin(), u.end(), [&](double x) { return x <= least + tie; }) - u.begin());
     is_fixed.front() = false;
     is_fixed[first] = true;
-    u = m_log_scale.solve(is_fixed);
-    if(!u)
+    if(!m_laplacian.solve(is_fixed, m_log_scale.sources(), u))
       return Seams::LINEAR_SYSTEM_FAILED;
     const int node = node_of(first);
     Shortest_paths paths(m_surface, m_cost);
@@ -96,11 +106,9 @@ private:
     for(int x = 0; x < m_surface.number_of_nodes(); ++x)
       if(paths.is_reached(x))
         farthest = (std::max)(farthest, paths.distance(x));
-    int second = -1;
-    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
-      if(paths.is_reached(x) && paths.distance(x) > 0.25 * farthest && paths.path_has_two_edges(x) &&
-         (second < 0 || std::abs((*u)[m_surface.vertex(x)]) > std::abs((*u)[m_surface.vertex(second)])))
-        second = x;
+    const int second = most_extreme(u, [&](int x) {
+      return paths.is_reached(x) && paths.distance(x) > 0.25 * farthest && paths.path_has_two_edges(x);
+    });
     if(second < 0)
       return Topological_cut(m_surface, m_cost).run() ? Seams::DONE : Seams::NO_CUT;
     m_terminals = {first, m_surface.vertex(second)};
@@ -117,35 +125,47 @@ private:
     return x;
   }
 
+  // The node with the largest |u| among some, or -1
+  template <typename IsCandidate>
+  int most_extreme(const Eigen::VectorXd& u, const IsCandidate& is_candidate) const
+  {
+    std::vector<int> candidates;
+    double largest = 0;
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(is_candidate(x)) {
+        candidates.push_back(x);
+        largest = (std::max)(largest, std::abs(u[m_surface.vertex(x)]));
+      }
+    const auto first = std::find_if(candidates.begin(), candidates.end(), [&](int x) {
+      return std::abs(u[m_surface.vertex(x)]) >= largest - relative_tie * largest;
+    });
+    return first == candidates.end() ? -1 : *first;
+  }
+
   Status add_terminals()
   {
+    Nearest_seams nearest(m_surface, m_cost);
+    Eigen::VectorXd u;
     for(;;) {
-      const std::optional<std::vector<double>> u = m_log_scale.solve(border_vertices(m_surface));
-      if(!u)
+      if(!m_laplacian.solve(border_vertices(m_surface), m_log_scale.sources(), u))
         return Seams::LINEAR_SYSTEM_FAILED;
-      m_stretch = m_log_scale.stretch(*u);
+      m_stretch = m_log_scale.stretch(u);
       if(m_stretch <= m_options.stretch_bound ||
-         static_cast<int>(m_terminals.size()) >= m_options.maximum_number_of_terminals || !add_terminal(*u))
+         static_cast<int>(m_terminals.size()) >= m_options.maximum_number_of_terminals ||
+         !add_terminal(nearest, u))
         return Seams::DONE;
     }
   }
 
   // Joins the vertex of the largest |u| to the seams. Returns `false` if no vertex is left that can be.
-  bool add_terminal(const std::vector<double>& u)
+  bool add_terminal(Nearest_seams& nearest, const Eigen::VectorXd& u)
   {
-    Shortest_paths paths(m_surface, m_cost);
-    paths.find_all(border_nodes(m_surface));
-    int terminal = -1;
-    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
-      if(m_surface.is_node(x) && paths.last_edge(x) >= 0)
-        if(const int v = m_surface.vertex(x);
-           terminal < 0 || std::abs(u[v]) > std::abs(u[m_surface.vertex(terminal)]))
-          terminal = x;
+    const int terminal =
+        most_extreme(u, [&](int x) { return m_surface.is_node(x) && nearest.last_edge(x) >= 0; });
     if(terminal < 0)
       return false;
     m_terminals.push_back(m_surface.vertex(terminal));
-    for(int c : paths.path(terminal))
-      m_surface.set_seam(c, true);
+    nearest.open(nearest.path(terminal));
     return true;
   }
 
@@ -153,6 +173,7 @@ private:
   const std::vector<double>& m_cost;
   const Seam_options& m_options;
   Log_scale m_log_scale;
+  Grounded_laplacian m_laplacian;
   std::vector<int> m_terminals; // vertices
   double m_stretch = 1;
 };

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,40 +51,49 @@ public:
       m_total_area += a;
   }
 
-  // The log scale of each vertex. If the surface is closed and only one vertex is fixed, the defects may be made to sum
-  // to 0: the solution then depends on this vertex only up to a constant.
-  std::optional<std::vector<double>> solve(const std::vector<char>& is_fixed, bool is_balanced = false) const
+  // The right-hand sides, for Laplacians with twice the usual weights. On a closed surface of which one vertex is
+  // fixed, they may be made to sum to 0: the solution then depends on this vertex only up to a constant.
+  Eigen::VectorXd sources(bool are_balanced = false) const
   {
-    const int n = m_surface.number_of_vertices();
+    const double mean = are_balanced && m_total_area > 0 ? 4 * pi / m_total_area : 0;
+    Eigen::VectorXd result(m_surface.number_of_vertices());
+    for(int v = 0; v < m_surface.number_of_vertices(); ++v)
+      result[v] = -2 * (m_defect[v] - mean * m_area[v]);
+    return result;
+  }
+
+  // The log scale of each vertex; nothing if the linear solver fails
+  std::optional<Eigen::VectorXd> solve(const std::vector<char>& is_fixed) const
+  {
     int unknowns = 0;
     const std::vector<int> unknown = number_unknowns(is_fixed, unknowns);
-    std::vector<double> u(n, 0.);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(m_surface.number_of_vertices());
     if(unknowns == 0)
       return u;
-    Two_vectors sources = {Eigen::VectorXd::Zero(unknowns), Eigen::VectorXd::Zero(unknowns)}, solutions;
-    const double mean = is_balanced && m_total_area > 0 ? 4 * pi / m_total_area : 0;
-    for(int v = 0; v < n; ++v)
+    const Eigen::VectorXd all = sources();
+    Two_vectors some = {Eigen::VectorXd::Zero(unknowns), Eigen::VectorXd::Zero(unknowns)}, solutions;
+    for(int v = 0; v < m_surface.number_of_vertices(); ++v)
       if(unknown[v] >= 0)
-        sources[0][unknown[v]] =
-            -2 * (m_defect[v] - mean * m_area[v]); // the matrix has twice the usual weights
+        some[0][unknown[v]] = all[v];
     Definite_system system(m_solvers, m_solvers->low_precision());
-    if(!system.solve(laplacian(unknown, unknowns).matrix(), sources, solutions))
+    if(!system.solve(laplacian(unknown, unknowns).matrix(), some, solutions))
       return std::nullopt;
-    for(int v = 0; v < n; ++v)
+    for(int v = 0; v < m_surface.number_of_vertices(); ++v)
       if(unknown[v] >= 0)
         u[v] = solutions[0][unknown[v]];
     return u;
   }
 
   // The L2 stretch of a map with these log scale factors, after the best scaling
-  double stretch(const std::vector<double>& u) const
+  double stretch(const Eigen::VectorXd& u) const
   {
     if(!(m_total_area > 0))
       return 1;
     double shrunk = 0, grown = 0;
-    for(std::size_t v = 0; v < u.size(); ++v) {
-      shrunk += m_area[v] * std::exp(-2 * u[v]);
-      grown += m_area[v] * std::exp(2 * u[v]);
+    for(std::size_t v = 0; v < m_area.size(); ++v) {
+      const double x = u[static_cast<Eigen::Index>(v)];
+      shrunk += m_area[v] * std::exp(-2 * x);
+      grown += m_area[v] * std::exp(2 * x);
     }
     return std::sqrt(shrunk / m_total_area * (grown / m_total_area));
   }
@@ -102,6 +113,14 @@ public:
   Triangle_assembly<1> laplacian(const std::vector<int>& unknown, int n) const
   {
     return cotangent_laplacian(m_surface, m_cotangents, unknown, n);
+  }
+
+  // Of all vertices, with twice the usual weights
+  Block_matrix<1> laplacian() const
+  {
+    std::vector<int> all(m_surface.points.size());
+    std::iota(all.begin(), all.end(), 0);
+    return laplacian(all, m_surface.number_of_vertices()).matrix();
   }
 
   const std::vector<double>& defects() const { return m_defect; } // of each vertex, as if it were inside
