@@ -43,7 +43,7 @@ replaces it, and the stretch is predicted again on the surface itself. It may th
 seams, and count as borders.
 
 For \f$n\f$ triangles, the copy and the paths take time \f$O(n \log n)\f$. The Laplacian of the copy is factored once,
-or a few times if there are handles or several borders. Each vertex of the path to a terminal takes one solution.
+and again where exchanges change many seams. Each vertex of the path to a terminal takes one solution.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
