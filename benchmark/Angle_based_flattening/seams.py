@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts closed surfaces open along seams of `select_seams()`, and along seams to as many other terminals: farthest points, and
-peaks of curvature in the manner of Seamster. Then shows what other bounds lead to, and how the time to select seams grows."""
+peaks of curvature in the manner of Seamster. Then shows what other bounds lead to, how the time to select seams grows, and
+how the time to cut a surface open grows with the number of given vertices."""
 
 import argparse
 import math
@@ -90,6 +91,25 @@ def growth(measure: run.Measure, base: Path, options: argparse.Namespace) -> str
     return text
 
 
+def many_terminals(measure: run.Measure, base: Path, options: argparse.Namespace) -> str:
+    """The time of cut_to_disks() with few and many vertices that seams must reach, on the largest mesh of the growth"""
+    file = Path(run.FOLDER.name) / "many_terminals.ply"
+    made = measure.mesh(base, "--triangles", options.sizes[-1], "--any-topology", "--output", file)
+    if "failure" in made:
+        return f"\n## Given vertices\n\nFAILED: {made['failure']}\n"
+    results = run.interleaved(lambda number: measure.one("seams", "random", file, "--terminals", number),
+                              [f"{number:.0f}" for number in options.terminals], options.repeat)
+    rows = Table(["triangles"], [("terminals", "terminals", ".0f"), ("seconds", "choice_seconds", "seconds"),
+                                 ("seconds / those of the first row", "ratio", ".2f")], 0)
+    for m in results:
+        if "failure" not in m and "failure" not in results[0]:
+            m["ratio"] = m["choice_seconds"] / results[0]["choice_seconds"]
+        run.tell(f"{base.stem}, {m.get('terminals', 0):.0f} terminals", m, "choice_seconds")
+        rows.add([f"{m['triangles']:,.0f}" if "triangles" in m else ""], m)
+    return ("\n## Given vertices\n\nThe largest of these meshes, cut open by cut_to_disks() through random vertices, on one "
+            f"thread.\n\n{rows}")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--demo", type=Path, metavar="FOLDER", help="with the meshes of CGAL's demo; without it, the egg of "
@@ -99,6 +119,8 @@ def main() -> None:
     parser.add_argument("--bounds", type=run.numbers, default="1.05,1.1,1.2", metavar="X,X,...", help="others (%(default)s)")
     parser.add_argument("--sizes", type=run.numbers, default="75000,300000,1200000", metavar="N,N,...",
                         help="numbers of triangles for the growth (%(default)s)")
+    parser.add_argument("--terminals", type=run.numbers, default="10,100,1000", metavar="N,N,...",
+                        help="numbers of given vertices (%(default)s)")
     parser.add_argument("--base", default="camel", metavar="NAME", help="the model that grows (%(default)s)")
     run.add_options(parser)
     options = parser.parse_args()
@@ -118,6 +140,7 @@ def main() -> None:
     report.add(comparison(measure, models, options))
     report.add(bounds(measure, models, options))
     report.add(growth(measure, base, options))
+    report.add(many_terminals(measure, base, options))
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
       "measure mesh FILE [--triangles N] [--noise] [--holes N] [--rings N] [--any-topology] [--output FILE]\n"
       "measure flatten METHOD FILE [--simplification-rate X] [--sweeps N] [--angle-sweeps N] [--polish]\n"
       "                            [--injective] [--area-weight X] [--clearance X]\n"
-      "measure seams cones|farthest|peaks FILE [--bound X] [--terminals N] [--method METHOD]\n"
+      "measure seams cones|farthest|peaks|random FILE [--bound X] [--terminals N] [--method METHOD]\n"
       "measure overlaps FILE [--bound X]\n"
       "measure atlas FILE [--bound X] [--separate] [--necks] [--check] [--output FILE]\n"
       "measure packing FILE [--regions N] [--resolution N] [--gutter N]\n"

@@ -12,6 +12,12 @@
 #include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/select_seams.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <set>
 
 namespace ABF_benchmark {
 
@@ -37,6 +43,18 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
     const SMP::Seam_report report = SMP::select_seams(mesh, seams, seam_options);
     check(report);
     return report.number_of_terminals;
+  }
+  if(choice == "random") {
+    std::mt19937 random(1);
+    const std::size_t number =
+        (std::min)(static_cast<std::size_t>(options.terminals), std::size_t(mesh.number_of_vertices()));
+    std::set<Mesh::Vertex_index> terminals;
+    while(terminals.size() < number)
+      terminals.insert(Mesh::Vertex_index(static_cast<unsigned>(random() % mesh.number_of_vertices())));
+    check(SMP::cut_to_disks(
+        mesh, seams,
+        CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals))));
+    return terminals.size();
   }
   Terminal_choice others(mesh, seams);
   if(choice == "farthest")
@@ -72,6 +90,8 @@ void seams(const std::string& choice, const std::string& file, const Seam_choice
   m.add("terminals", terminals);
   if(const auto cut = SMP::is_disk_cut(mesh, is_seam); !cut)
     return m.fail("the seams leave no disk: " + cut.message);
+  if(choice == "random")
+    return;
   const SMP::Seam_report report = predict(mesh, is_seam);
   m.add("seam", report.relative_seam_length);
   m.add("predicted", report.predicted_stretch);

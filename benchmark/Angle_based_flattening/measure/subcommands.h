@@ -46,7 +46,7 @@ struct Seam_choice_options
 };
 
 // Cuts a connected surface open along seams of our own choice (`cones`), or to the `farthest` points or to the `peaks`
-// of curvature. Runs a method on the disk, and measures the map.
+// of curvature. Runs a method on the disk, and measures the map. Only cuts it open through `random` vertices.
 void seams(const std::string& choice, const std::string& file, const Seam_choice_options& options,
            Measurement& m);
 
