@@ -134,6 +134,15 @@ Chart fan(int n, double step, bool closed)
   return test_charts::make_chart(points, triangles);
 }
 
+// The coordinates as points of the kernel that certificates use
+std::vector<abf::Exact_point_2> exact(const std::vector<Point_2>& uv)
+{
+  std::vector<abf::Exact_point_2> points;
+  for(const Point_2& p : uv)
+    points.emplace_back(p.x(), p.y());
+  return points;
+}
+
 std::vector<std::pair<int, int>> all_touching(const std::vector<abf::Border_edge>& edges,
                                               const std::vector<Point_2>& uv)
 {
@@ -610,8 +619,9 @@ BOOST_AUTO_TEST_CASE(sweep_against_all_pairs)
       edges.push_back({i, (i + 1) % n});
     }
     const auto pairs = all_touching(edges, uv);
-    BOOST_REQUIRE(abf::Border_sweep<Point_2>(edges, uv).finds_touching_edges() == !pairs.empty());
-    BOOST_REQUIRE(abf::touching_edges(edges, uv) == pairs);
+    BOOST_REQUIRE(abf::Border_sweep<abf::Exact_point_2>(edges, exact(uv)).finds_touching_edges() ==
+                  !pairs.empty());
+    BOOST_REQUIRE(abf::touching_edges(edges, exact(uv)) == pairs);
     BOOST_REQUIRE(CGAL::is_simple_2(uv.begin(), uv.end()) == pairs.empty());
     simple += pairs.empty();
   }
@@ -631,8 +641,9 @@ BOOST_AUTO_TEST_CASE(sweep_over_several_borders)
       uv.emplace_back(random() % 9, random() % 9);
     const std::vector<abf::Border_edge> edges{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}};
     const auto pairs = all_touching(edges, uv);
-    BOOST_REQUIRE(abf::Border_sweep<Point_2>(edges, uv).finds_touching_edges() == !pairs.empty());
-    BOOST_REQUIRE(abf::touching_edges(edges, uv) == pairs);
+    BOOST_REQUIRE(abf::Border_sweep<abf::Exact_point_2>(edges, exact(uv)).finds_touching_edges() ==
+                  !pairs.empty());
+    BOOST_REQUIRE(abf::touching_edges(edges, exact(uv)) == pairs);
     bool is_region = pairs.empty();
     if(is_region) {
       const Exact_kernel::Triangle_2 s(uv[0], uv[1], uv[2]), t(uv[3], uv[4], uv[5]);
@@ -641,7 +652,7 @@ BOOST_AUTO_TEST_CASE(sweep_over_several_borders)
       nested += is_nested;
       ++apart;
     }
-    BOOST_REQUIRE(abf::Border_sweep<Point_2>(edges, uv).bounds_region() == is_region);
+    BOOST_REQUIRE(abf::Border_sweep<abf::Exact_point_2>(edges, exact(uv)).bounds_region() == is_region);
   }
   BOOST_TEST(apart > 1000);
   BOOST_TEST(nested > 20);
@@ -699,7 +710,7 @@ BOOST_AUTO_TEST_CASE(long_borders)
   }
   CGAL::Real_timer timer;
   timer.start();
-  BOOST_TEST(!abf::Border_sweep<Point_2>(edges, uv).finds_touching_edges());
+  BOOST_TEST(!abf::Border_sweep<abf::Exact_point_2>(edges, exact(uv)).finds_touching_edges());
   BOOST_TEST_MESSAGE("zigzag, " << edges.size() << " edges: " << timer.time() << " s");
 }
 

@@ -22,8 +22,11 @@ namespace flatten_mesh {
 // Whether all triangles of all fans are positively oriented, also with coordinates in `float`
 inline bool has_good_fans(const std::vector<Kernel::Point_2>& polygon)
 {
-  return polygon.size() == 3 ||
-         CGAL::Surface_mesh_parameterization::internal::ABF::is_strictly_convex(polygon);
+  namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
+  std::vector<ABF::Exact_point_2> points;
+  for(const Kernel::Point_2& p : polygon)
+    points.emplace_back(p.x(), p.y());
+  return points.size() == 3 || ABF::is_strictly_convex(points);
 }
 
 // Of each polygon of a model: whether it has coordinates, and a fan that must not be drawn

@@ -12,10 +12,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_kernel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct Exact_point
   static_assert(is_double ||
                     (!std::is_arithmetic<FT>::value && CGAL::Algebraic_structure_traits<FT>::Is_exact::value),
                 "the coordinates must be exact numbers, or numbers that `double` can hold");
-  typedef std::conditional_t<is_double, Exact_predicates_inexact_constructions_kernel::Point_2, Point> type;
+  typedef std::conditional_t<is_double, Planar_kernel::Point_2, Point> type;
 
   static type get(const Point& p)
   {

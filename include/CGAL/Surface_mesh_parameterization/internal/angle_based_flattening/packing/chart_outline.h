@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_kernel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/min_quadrilateral_2.h>
 
@@ -110,7 +110,7 @@ private:
 
 inline std::vector<Planar_point> convex_hull(const std::vector<Planar_segment>& segments)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point;
+  typedef Planar_kernel::Point_2 Point;
   std::vector<Point> points, hull;
   for(const Planar_segment& s : segments)
     for(const Planar_point& p : s)
@@ -137,7 +137,7 @@ inline Planar_point turned_extent(const std::vector<Planar_point>& hull, double 
 
 inline double angle_of_smallest_rectangle(const std::vector<Planar_point>& hull)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point;
+  typedef Planar_kernel::Point_2 Point;
   std::vector<Point> points, corners;
   for(const Planar_point& p : hull)
     points.emplace_back(p.x(), p.y());

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_kernel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/convex_polygon.h>
@@ -39,7 +40,7 @@ struct Divided_polygons
 class Polygon_mender
 {
   typedef Exact_point_2 Point;
-  typedef Exact_predicates_inexact_constructions_kernel::Vector_2 Vector;
+  typedef Planar_kernel::Vector_2 Vector;
 
 public:
   Polygon_mender(const Divided_polygons& polygons, std::vector<Chart::Point_2>& uv)

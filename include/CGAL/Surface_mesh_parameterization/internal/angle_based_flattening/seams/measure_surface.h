@@ -107,7 +107,7 @@ private:
   bool is_border_simple() const
   {
     std::vector<Border_edge> border;
-    std::vector<Exact_predicates_inexact_constructions_kernel::Point_2> points;
+    std::vector<Exact_point_2> points;
     for(std::size_t i = 0; i < m_uv.size(); ++i) {
       const int first = static_cast<int>(points.size());
       for(const Chart::Point_2& p : m_uv[i])
