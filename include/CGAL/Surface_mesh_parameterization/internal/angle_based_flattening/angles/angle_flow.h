@@ -13,10 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
-#include <boost/property_map/property_map.hpp>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/maximum_flow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,16 +30,11 @@ inline constexpr double least_angle_of_flow = 1e-6;
 // prescribed: a maximum flow from triangles to vertices, all others being one vertex. It starts near the target angles.
 class Angle_flow
 {
-  typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                             boost::no_property, int, int>
-      Graph;
-  typedef boost::graph_traits<Graph>::edge_descriptor Edge;
-
 public:
   // `place` names the copies of a vertex by one of them, and `sums` has the prescribed sum of each place, or NaN.
   Angle_flow(const Chart& chart, const std::vector<int>& place, const std::vector<double>& sums)
-      : m_chart(chart), m_first_vertex(2 + chart.number_of_triangles()), m_node(chart.points.size()),
-        m_supply(chart.number_of_triangles(), pi - 3 * least_angle_of_flow)
+      : m_chart(chart), m_first_vertex(Flow_network::FIRST_OTHER + chart.number_of_triangles()),
+        m_node(chart.points.size()), m_supply(chart.number_of_triangles(), pi - 3 * least_angle_of_flow)
   {
     find_demands(place, sums);
     find_first_flow();
@@ -57,14 +49,8 @@ public:
   bool is_in_conflict(int v) const { return is_reached(m_node[v]) != is_too_large(); }
 
 private:
-  enum
-  {
-    SOURCE,
-    SINK
-  };
-
   bool is_reached(int node) const { return m_is_reached[node]; }
-  int node_of_triangle(int t) const { return 2 + t; }
+  int node_of_triangle(int t) const { return Flow_network::FIRST_OTHER + t; }
   int rank(int corner) const { return m_node[m_chart.vertex[corner]] - m_first_vertex; }
 
   void find_demands(const std::vector<int>& place, const std::vector<double>& sums)
@@ -122,9 +108,10 @@ private:
     const double unlimited = pi * m_chart.number_of_triangles();
     std::vector<Pipe> result;
     for(int t = 0; t < m_chart.number_of_triangles(); ++t)
-      result.push_back({SOURCE, node_of_triangle(t), (std::max)(m_supply[t], 0.), 0});
+      result.push_back({Flow_network::SOURCE, node_of_triangle(t), (std::max)(m_supply[t], 0.), 0});
     for(std::size_t i = 0; i < m_demand.size(); ++i)
-      result.push_back({m_first_vertex + static_cast<int>(i), SINK, (std::max)(m_demand[i], 0.), 0});
+      result.push_back(
+          {m_first_vertex + static_cast<int>(i), Flow_network::SINK, (std::max)(m_demand[i], 0.), 0});
     for(int c = 0; c < m_chart.number_of_corners(); ++c)
       result.push_back({node_of_triangle(c / 3), m_first_vertex + rank(c), unlimited, m_flow[c]});
     return result;
@@ -132,50 +119,29 @@ private:
 
   void find_maximum_flow()
   {
-    const std::vector<Pipe> network = pipes();
-    const int n = static_cast<int>(network.size());
+    const std::vector<Pipe> all = pipes();
+    const int n = static_cast<int>(all.size());
     // Edge 2 i is pipe i, and edge 2 i + 1 its reverse.
-    const auto source = [&](int e) { return e % 2 == 0 ? network[e / 2].source : network[e / 2].target; };
-    const auto target = [&](int e) { return e % 2 == 0 ? network[e / 2].target : network[e / 2].source; };
+    const auto source = [&](int e) { return e % 2 == 0 ? all[e / 2].source : all[e / 2].target; };
+    const auto target = [&](int e) { return e % 2 == 0 ? all[e / 2].target : all[e / 2].source; };
     std::vector<int> order(2 * n), place(2 * n);
     for(int e = 0; e < 2 * n; ++e)
       order[e] = e;
     std::stable_sort(order.begin(), order.end(), [&](int e, int f) { return source(e) < source(f); });
-    std::vector<std::pair<int, int>> edges;
-    std::vector<double> capacity;
+    Flow_network network;
+    network.number_of_nodes = m_others + 1;
     for(int e : order) {
-      place[e] = static_cast<int>(edges.size());
-      edges.emplace_back(source(e), target(e));
-      capacity.push_back(e % 2 == 0 ? network[e / 2].capacity : network[e / 2].reverse_capacity);
+      place[e] = static_cast<int>(network.edges.size());
+      network.edges.emplace_back(source(e), target(e));
+      network.capacity.push_back(e % 2 == 0 ? all[e / 2].capacity : all[e / 2].reverse_capacity);
     }
-    std::vector<Edge> reverse;
     for(int e : order)
-      reverse.emplace_back(target(e), place[e ^ 1]);
-    run(Graph(boost::edges_are_sorted, edges.begin(), edges.end(), m_others + 1), capacity, reverse);
-  }
-
-  void run(const Graph& graph, const std::vector<double>& capacity, const std::vector<Edge>& reverse)
-  {
-    const int n = m_others + 1;
-    const auto node_index = get(boost::vertex_index, graph);
-    const auto edge_index = get(boost::edge_index, graph);
-    std::vector<double> residual(capacity.size());
-    std::vector<Edge> predecessor(n);
-    std::vector<boost::default_color_type> color(n);
-    std::vector<int> distance(n);
-    const double flow = boost::boykov_kolmogorov_max_flow(
-        graph, boost::make_iterator_property_map(capacity.begin(), edge_index),
-        boost::make_iterator_property_map(residual.begin(), edge_index),
-        boost::make_iterator_property_map(reverse.begin(), edge_index),
-        boost::make_iterator_property_map(predecessor.begin(), node_index),
-        boost::make_iterator_property_map(color.begin(), node_index),
-        boost::make_iterator_property_map(distance.begin(), node_index), node_index, static_cast<int>(SOURCE),
-        static_cast<int>(SINK));
-    m_missing = -flow;
+      network.reverse.push_back(place[e ^ 1]);
+    Maximum_flow flow = maximum_flow(network);
+    m_missing = -flow.value;
     for(double demand : m_demand)
       m_missing += (std::max)(demand, 0.);
-    for(boost::default_color_type c : color)
-      m_is_reached.push_back(c == boost::black_color);
+    m_is_reached = std::move(flow.is_reached);
   }
 
   const Chart& m_chart;
