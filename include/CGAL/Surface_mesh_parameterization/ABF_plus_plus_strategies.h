@@ -27,7 +27,8 @@
 /// - the last strategies of `ABF_plus_plus_options::fallbacks`, progressive embeddings and filled holes, are not tried.
 ///   The message of a failure says so.
 ///
-/// Programs that link with the compiled library, or include `make_atlas.h`, have all strategies without this header.
+/// Programs that link with the compiled library have all strategies without this header. Programs that include
+/// `make_atlas.h` have all but filled holes and prescribed angles.
 
 #include <CGAL/enable_warnings.h>
 

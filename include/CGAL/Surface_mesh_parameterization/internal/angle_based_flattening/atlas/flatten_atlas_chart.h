@@ -29,7 +29,7 @@
 #include <vector>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/all_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/disk_strategies.h>
 #endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {

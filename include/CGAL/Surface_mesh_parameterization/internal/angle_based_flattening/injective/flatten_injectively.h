@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The injective method: coarsening, Tutte's map, descent, refinement and polishing, with a map that is injective at
-// every step. The option `injective` gets here, by way of `all_strategies.h`. The paper instead mends overlaps after
+// every step. The option `injective` gets here, by way of `disk_strategies.h`. The paper instead mends overlaps after
 // the map is made.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H

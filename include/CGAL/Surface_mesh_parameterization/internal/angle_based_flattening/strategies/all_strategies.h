@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Enters all optional strategies, so that the methods can call what their options or failures ask for.
-// `ABF_plus_plus_strategies.h` and `atlas/flatten_atlas_chart.h` include it, and the compiled library does.
+// `ABF_plus_plus_strategies.h` includes it, and the compiled library does.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_ALL_STRATEGIES_H
@@ -12,23 +12,17 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/disk_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/flatten_injectively.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/make_injective.h>
 #endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The methods with all that their options can ask for. The initialization runs before `main()`, and more than once if
-// several shared libraries include this header, with the same result.
-inline const bool has_all_strategies = [] {
-  optional_strategies = {&fill_holes, &progressive_embedding, &made_injective, &flatten_injectively};
-  return true;
-}();
+// Runs as that of the strategies for disks does.
+inline const bool has_all_strategies = (optional_strategies.fill_holes = &fill_holes, has_disk_strategies);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The option `injective` of the direct method: keeps its own map if it is injective, and otherwise takes the map of the
-// injective method. `all_strategies.h` enters it, and `flatten_chart_directly.h` calls it through
+// injective method. `disk_strategies.h` enters it, and `flatten_chart_directly.h` calls it through
 // `optional_strategies.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The table of functions that the methods call only on demand, so that simple programs need not compile them.
-// `all_strategies.h` fills it. `direct_strategies.h`, `hole_strategies.h` and both flattening bodies call what is
-// there.
+// `disk_strategies.h` and `all_strategies.h` fill it. `direct_strategies.h`, `hole_strategies.h` and both flattening
+// bodies call what is there.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_OPTIONAL_STRATEGIES_H
