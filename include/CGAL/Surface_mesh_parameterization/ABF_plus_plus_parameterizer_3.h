@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -255,6 +256,7 @@ public:
   void set_pins(VertexPinMap pins)
   {
     m_prescriptions.pins = internal::ABF::vertex_pins<Triangle_mesh>(pins);
+    m_pin = &internal::ABF::pin_map;
   }
 
   /// flattens the connected component of `bhd`.
@@ -312,6 +314,7 @@ public:
         internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_prescriptions.pins, uvmap, vpmap);
     Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_solvers,
+        internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           return internal::ABF::flatten_chart(chart, m_options, m_solvers, round, last.get());
         });
@@ -366,6 +369,7 @@ private:
   Solver_traits m_linear_algebra;
   internal::ABF::Linear_solvers m_solvers; // shared with copies, as they remember what they analyzed
   internal::ABF::Prescriptions<Triangle_mesh> m_prescriptions;
+  internal::ABF::Pin_function<ABF_plus_plus_report> m_pin = nullptr; // set with pins
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 
@@ -381,10 +385,8 @@ Error_code parameterize(TriangleMesh& mesh,
                         ABF_plus_plus_parameterizer_3<TriangleMesh, SolverTraits> parameterizer, HD bhd,
                         VertexUVmap uvmap)
 {
-  return parameterizer.parameterize(
-      mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
-      CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(
-          false));
+  return parameterizer.parameterize(mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
+                                    internal::ABF::None_parameterized());
 }
 
 } // namespace Surface_mesh_parameterization

@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -232,6 +233,7 @@ public:
   void set_pins(VertexPinMap pins)
   {
     m_pins = internal::ABF::vertex_pins<Triangle_mesh>(pins);
+    m_pin = &internal::ABF::pin_map;
   }
 
   /// flattens the connected component of `bhd`.
@@ -261,7 +263,8 @@ public:
             false,
             m_points,
             internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap)},
-        m_options, m_linear_algebra, [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
+        m_options, m_linear_algebra, internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
+        [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
           return internal::ABF::flatten_chart_hierarchically(
               chart.pins.empty() ? std::move(chart) : internal::ABF::Chart(chart), m_options, flatten_coarse,
@@ -309,6 +312,7 @@ private:
   internal::ABF::Face_importance<Triangle_mesh> m_importance;
   internal::ABF::Vertex_points<Triangle_mesh> m_points;
   internal::ABF::Vertex_pins<Triangle_mesh> m_pins;
+  internal::ABF::Pin_function<Hierarchical_report> m_pin = nullptr; // set with pins
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 
@@ -326,10 +330,8 @@ parameterize(TriangleMesh& mesh,
              Hierarchical_parameterizer_3<TriangleMesh, CoarseParameterizer, SolverTraits> parameterizer,
              HD bhd, VertexUVmap uvmap)
 {
-  return parameterizer.parameterize(
-      mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
-      CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(
-          false));
+  return parameterizer.parameterize(mesh, bhd, uvmap, internal::ABF::numbered_vertices(mesh, bhd),
+                                    internal::ABF::None_parameterized());
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef

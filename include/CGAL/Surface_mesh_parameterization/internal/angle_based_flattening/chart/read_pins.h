@@ -25,6 +25,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -54,17 +55,28 @@ Vertex_pins<TriangleMesh> vertex_pins(VertexPinMap map)
   };
 }
 
-// The same, and the vertices that count as parameterized, as the concept `Parameterizer_3` has it
+// In place of a property map, where no vertex is parameterized beforehand: programs without pins then have no code for
+// them.
+struct None_parameterized
+{};
+
+// The same pins, and the vertices that count as parameterized, as the concept `Parameterizer_3` has it
 template <typename TriangleMesh, typename VertexUVmap, typename VertexParameterizedMap>
 Vertex_pins<TriangleMesh> with_parameterized_vertices(const Vertex_pins<TriangleMesh>& pins,
                                                       VertexUVmap uvmap, VertexParameterizedMap vpmap)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  return [=](const vertex_descriptor& v) -> std::optional<Chart::Point_2> {
-    if(get(vpmap, v))
-      return point_of_doubles(get(uvmap, v));
-    return pins ? pins(v) : std::nullopt;
-  };
+  if constexpr(std::is_same<VertexParameterizedMap, None_parameterized>::value) {
+    (void)uvmap;
+    (void)vpmap;
+    return pins;
+  } else {
+    return [=](const vertex_descriptor& v) -> std::optional<Chart::Point_2> {
+      if(get(vpmap, v))
+        return point_of_doubles(get(uvmap, v));
+      return pins ? pins(v) : std::nullopt;
+    };
+  }
 }
 
 // Finds pins that are not finite, or not apart.

@@ -161,14 +161,14 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
 }
 
 // Reads a chart, flattens it, and writes the coordinates if the map is valid. `flatten` is called with the chart, which
-// it may consume if there are no pins, and with what rounds its coordinates; it returns a `Flattening<Report>`.
+// it may consume if there are no pins, and with what rounds its coordinates; it returns a `Flattening<Report>`. `pin`
+// may be null if there are no pins.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Options, typename Flatten>
-Outcome<TriangleMesh, Report>
-run_parameterizer(const TriangleMesh& mesh,
-                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
-                  VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
-                  const Options& options, const Linear_solvers& solvers, const Flatten& flatten)
+Outcome<TriangleMesh, Report> run_parameterizer(
+    const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+    VertexUVmap uvmap, VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
+    const Options& options, const Linear_solvers& solvers, Pin_function<Report> pin, const Flatten& flatten)
 {
   Outcome<TriangleMesh, Report> outcome;
   Report& report = outcome.report;
@@ -197,7 +197,7 @@ run_parameterizer(const TriangleMesh& mesh,
     Flattening<Report> flattening =
         flatten(reader.chart, has_pins ? [](std::vector<Chart::Point_2>&) {} : round);
     if(has_pins && flattening.succeeded())
-      pin_map(reader.chart, options, solvers, round, flattening);
+      pin(reader.chart, options, solvers, round, flattening);
     flattening.report.seconds += report.seconds;
     flattening.report.degenerate_triangles = report.degenerate_triangles;
     report = std::move(flattening.report);
