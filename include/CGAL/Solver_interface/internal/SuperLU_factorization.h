@@ -43,8 +43,11 @@ class SuperLU_factorization
 public:
   typedef typename SuperLU_factors<FT>::Block Block;
 
-  SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis, const SuperLU_options& options)
-      : m_factors(std::move(analysis)), m_options(options)
+  typedef typename SuperLU_factors<FT>::Spare_memory Spare_memory;
+
+  SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis, const SuperLU_options& options,
+                        std::shared_ptr<Spare_memory> memory)
+      : m_factors(std::move(analysis), std::move(memory)), m_options(options)
   {}
 
   bool is_symmetric() const { return m_factors.is_symmetric(); }
@@ -87,7 +90,7 @@ private:
     const FT significant =
         16 * precision; // smaller pivots may be rounding errors, so their sign means nothing
     const bool definite = m_factors.factor(a, m_options) && pivots_have_sign(sign) &&
-                          least_relative_pivot(absolute_diagonal(a)) > significant;
+                          least_relative_pivot([&](int i) { return absolute_diagonal(a, i); }) > significant;
     if(definite)
       m_factors.keep_lower_factor_only();
     return definite ? FACTORED : NOT_DEFINITE;
@@ -117,7 +120,7 @@ private:
     m_scaling.equilibrate(scaled);
     const FT significant = 64 * precision;
     const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, m_options) &&
-                      least_relative_pivot(Vector(size(), FT(1))) > significant &&
+                      least_relative_pivot([](int) { return FT(1); }) > significant &&
                       (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
                       is_accurate(scaled);
     return good ? FACTORED : FAILED;
@@ -134,11 +137,12 @@ private:
   }
 
   // The least ratio of a pivot to the `scale` of its column in the matrix, or 0 if a ratio is NaN
-  FT least_relative_pivot(const Vector& scale) const
+  template <class Scale>
+  FT least_relative_pivot(const Scale& scale) const
   {
     FT least = (std::numeric_limits<FT>::max)();
     for(int i = 0; i < size(); ++i) {
-      const FT ratio = std::abs(m_factors.pivot(i)) / scale[i];
+      const FT ratio = std::abs(m_factors.pivot(i)) / scale(i);
       if(!std::isfinite(ratio))
         return 0;
       least = (std::min)(least, ratio);
@@ -150,7 +154,8 @@ private:
   // that consists of rounding errors, so the condition number is estimated only if a pivot is small.
   bool has_suspicious_pivot(const Columns& a) const
   {
-    return !(least_relative_pivot(absolute_diagonal(a)) > Tolerances::suspicious_pivot);
+    return !(least_relative_pivot([&](int i) { return absolute_diagonal(a, i); }) >
+             Tolerances::suspicious_pivot);
   }
 
   bool is_ill_conditioned(const Columns& a) const
@@ -165,14 +170,12 @@ private:
     return !(m_factors.reciprocal_condition(norm) > precision);
   }
 
-  static Vector absolute_diagonal(const Columns& a)
+  static FT absolute_diagonal(const Columns& a, int j)
   {
-    Vector diagonal(a.cols(), FT(0));
-    for(int j = 0; j < a.cols(); ++j)
-      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
-        if(a.innerIndexPtr()[k] == j)
-          diagonal[j] = std::abs(a.valuePtr()[k]);
-    return diagonal;
+    for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
+      if(a.innerIndexPtr()[k] == j)
+        return std::abs(a.valuePtr()[k]);
+    return 0;
   }
 
   // The largest absolute number; infinity if one is not finite
@@ -204,9 +207,9 @@ private:
   // number, it does not depend on scaling.
   FT least_scaled_eigenvalue(const Columns& a) const
   {
-    Vector root = absolute_diagonal(a), x = test_vector();
+    Vector root(size()), x = test_vector();
     for(int i = 0; i < size(); ++i)
-      x[i] *= root[i] = std::sqrt(root[i]);
+      x[i] *= root[i] = std::sqrt(absolute_diagonal(a, i));
     FT growth = norm(x);
     for(int step = 0; step < 3; ++step) {
       for(int i = 0; i < size(); ++i)

@@ -9,7 +9,9 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_FACTORS_H
 
+#include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
+#include <CGAL/Solver_interface/internal/SuperLU_arrays.h>
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_library.h>
 #include <CGAL/Solver_interface/internal/Supernodal_solution.h>
@@ -22,6 +24,9 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <new>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,20 +46,20 @@ class SuperLU_factors
 public:
   typedef Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>> Block;
 
-  explicit SuperLU_factors(std::shared_ptr<const SuperLU_analysis> analysis)
-      : m_analysis(analysis), m_row_permutation(analysis->size()), m_lower(), m_upper()
-  {}
+  typedef SuperLU_spare_memory<FT> Spare_memory;
+
+  // In symmetric mode, takes its arrays from `memory` if there is one, and leaves them there.
+  explicit SuperLU_factors(std::shared_ptr<const SuperLU_analysis> analysis,
+                           std::shared_ptr<Spare_memory> memory = nullptr)
+      : m_analysis(analysis), m_is_memory_kept(memory != nullptr && analysis->is_symmetric()),
+        m_memory(m_is_memory_kept ? std::move(memory) : std::make_shared<Spare_memory>()),
+        m_lower_arrays(m_memory->lower), m_lower(), m_upper()
+  {
+    m_upper_arrays.emplace(m_memory->upper);
+  }
 
   SuperLU_factors(const SuperLU_factors&) = delete;
   SuperLU_factors& operator=(const SuperLU_factors&) = delete;
-
-  ~SuperLU_factors()
-  {
-    if(m_lower.Store != nullptr)
-      superlu::Destroy_SuperNode_Matrix(&m_lower);
-    if(m_upper.Store != nullptr)
-      superlu::Destroy_CompCol_Matrix(&m_upper);
-  }
 
   static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_pattern& a, bool symmetric,
                                                          const SuperLU_options& options)
@@ -72,7 +77,8 @@ public:
   // How often SuperLU had to grow one of its arrays
   int expansions() const { return m_expansions; }
 
-  // Factors a matrix with the analyzed pattern. The matrix is not needed afterwards.
+  // Factors a matrix with the analyzed pattern. The matrix is not needed afterwards. Returns `false` if sizes overflow
+  // or the matrix is singular. Throws `std::bad_alloc` before SuperLU is called.
   bool factor(const Columns& a, const SuperLU_options& options = SuperLU_options())
   {
     const double entries = initial_size(a);
@@ -82,28 +88,32 @@ public:
     if(panel == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
     // two arrays of reals, two of integers, the work arrays, and a dozen vectors
-    const double bytes = 2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) + 64. * size();
-    const SuperLU_memory memory(bytes + SuperLU_blas_buffer(bytes));
+    const double arrays = 2 * (sizeof(FT) + sizeof(int)) * entries,
+                 bytes = arrays + 2 * work_size(panel) + 64. * size();
+    Upper_arrays& upper = **m_upper_arrays;
+    if(is_symmetric()) {
+      m_lower_arrays->reserve(size(), m_analysis->subscripts() + 1, m_analysis->factor_size());
+      upper.reserve(size(), m_analysis->factor_size());
+    }
+    m_lower_arrays->row_permutation = m_analysis->permutation(); // pivots on the diagonal
+    upper.set_columns(a.outerIndexPtr(), m_analysis->permutation());
+    upper.tree = m_analysis->elimination_tree(); // SuperLU renumbers it temporarily
+    const SuperLU_memory memory(bytes - (is_symmetric() ? arrays : 0) + SuperLU_blas_buffer(bytes));
     if(!memory.is_there())
-      return false;
-
-    superlu::SuperLUStat_t statistics;
-    superlu::StatInit(&statistics);
-    const bool done = call_superlu(a, entries, panel, statistics);
-    superlu::StatFree(&statistics);
-    return done;
+      throw std::bad_alloc();
+    return call_superlu(a, entries, panel);
   }
 
   // Whether the pivot of column `i` of the matrix was taken from the diagonal
-  bool is_pivot_diagonal(int i) const { return m_row_permutation[i] == m_analysis->permutation()[i]; }
+  bool is_pivot_diagonal(int i) const { return row_permutation()[i] == m_analysis->permutation()[i]; }
 
   // The pivot of column `i` of the matrix: an entry of U on the diagonal, which is kept with the supernodes of L
   FT pivot(int i) const
   {
     const int j = m_analysis->permutation()[i];
-    const superlu::SCformat* lower = static_cast<const superlu::SCformat*>(m_lower.Store);
-    const int first = lower->sup_to_col[lower->col_to_sup[j]];
-    return static_cast<const FT*>(lower->nzval)[lower->nzval_colptr[j] + (j - first)];
+    const superlu::SCformat& l = m_lower;
+    const int first = l.sup_to_col[l.col_to_sup[j]];
+    return static_cast<const FT*>(l.nzval)[l.nzval_colptr[j] + (j - first)];
   }
 
   // An estimate of the reciprocal condition number in the 1-norm, for a matrix of 1-norm `norm`; 0 if unknown
@@ -118,9 +128,8 @@ public:
     superlu::SuperLUStat_t statistics;
     superlu::StatInit(&statistics);
     const SuperLU_one_blas_thread one_thread;
-    Functions::estimate_condition(one_norm, const_cast<superlu::SuperMatrix*>(&m_lower),
-                                  const_cast<superlu::SuperMatrix*>(&m_upper), norm, &result, &statistics,
-                                  &info);
+    superlu::SuperMatrix lower = matrix(m_lower), upper = matrix(m_upper);
+    Functions::estimate_condition(one_norm, &lower, &upper, norm, &result, &statistics, &info);
     superlu::StatFree(&statistics);
     return info == 0 ? result : 0;
   }
@@ -128,23 +137,27 @@ public:
   // Frees U if the pivots of a symmetric matrix are on the diagonal: L alone then suffices to solve.
   void keep_lower_factor_only()
   {
-    superlu::Destroy_CompCol_Matrix(&m_upper);
-    m_upper.Store = nullptr;
+    constexpr int many_columns = 20000; // memory matters more then than the time to get it
+    m_upper_arrays.reset();
+    if(!m_is_memory_kept || size() > many_columns)
+      m_memory->upper.clear();
   }
 
   // Replaces the columns of `b` by the solutions.
   bool solve(Block b) const
   {
-    if(m_upper.Store != nullptr)
+    if(m_upper_arrays)
       return solve_with_both_factors(b);
     const Supernodal_solution<FT, SuperLU_factors> solution(*this);
     const std::vector<int>& order = m_analysis->permutation();
-    std::vector<FT> permuted(size());
+    const typename Spare_vectors::Loan vectors(m_memory->vectors);
+    vectors->resize((std::max)(vectors->size(), 2 * static_cast<std::size_t>(size())));
+    FT* const permuted = vectors->data();
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
       FT* const column = b.data() + k * size();
       for(int i = 0; i < size(); ++i)
         permuted[order[i]] = column[i];
-      solution.solve(permuted.data());
+      solution.solve(permuted, permuted + size());
       for(int i = 0; i < size(); ++i)
         column[i] = permuted[order[i]];
     }
@@ -152,11 +165,11 @@ public:
   }
 
   // The supernodes of L, with the pivots on their diagonals. (SuperLU's own solution reads both factors.)
-  int number_of_supernodes() const { return lower().nsuper + 1; }
+  int number_of_supernodes() const { return m_lower.nsuper + 1; }
 
   Supernode<FT> supernode(int s) const
   {
-    const superlu::SCformat& l = lower();
+    const superlu::SCformat& l = m_lower;
     const int first = l.sup_to_col[s], columns = l.sup_to_col[s + 1] - first;
     const auto row_begin = l.rowind_colptr[first];
     return {first, columns, static_cast<int>(l.rowind_colptr[first + 1] - row_begin),
@@ -164,7 +177,9 @@ public:
   }
 
 private:
-  const superlu::SCformat& lower() const { return *static_cast<const superlu::SCformat*>(m_lower.Store); }
+  typedef SuperLU_lower_arrays<FT> Lower_arrays;
+  typedef SuperLU_upper_arrays<FT> Upper_arrays;
+  typedef Spare_objects<std::vector<FT>> Spare_vectors;
 
   // SuperLU has counters for panels and relaxed supernodes up to the larger of two of its parameters. Its work arrays
   // hold supernodes as wide as the larger of two others.
@@ -213,23 +228,17 @@ private:
     return 4. * (static_cast<double>(number) + 1);
   }
 
-  bool call_superlu(const Columns& a, double entries, int width, superlu::SuperLUStat_t& statistics)
+  bool call_superlu(const Columns& a, double entries, int width)
   {
     const int n = size();
-    std::vector<int> begin(n), end(n);
-    for(int j = 0; j < n; ++j) {
-      begin[m_analysis->permutation()[j]] = a.outerIndexPtr()[j];
-      end[m_analysis->permutation()[j]] = a.outerIndexPtr()[j + 1];
-    }
-    std::vector<int> tree = m_analysis->elimination_tree(); // SuperLU renumbers it temporarily
-
+    Upper_arrays& upper_arrays = **m_upper_arrays;
     // SuperLU uses the number of entries only for a first guess of the size of the factors.
     superlu::NCPformat store;
     store.nnz = static_cast<int>(std::ceil(entries / (std::max)(1, superlu::sp_ienv(6))));
     store.nzval = const_cast<FT*>(a.valuePtr());
     store.rowind = const_cast<int*>(a.innerIndexPtr());
-    store.colbeg = begin.data();
-    store.colend = end.data();
+    store.colbeg = upper_arrays.column_begin.data();
+    store.colend = upper_arrays.column_end.data();
     superlu::SuperMatrix columns = {superlu::SLU_NCP, Functions::number_type, superlu::SLU_GE, n, n, &store};
 
     superlu::superlu_options_t options;
@@ -239,32 +248,71 @@ private:
     options.PrintStat = superlu::NO;
     options.SymmetricMode = superlu::YES; // this only means that the tree is not postordered
     options.DiagPivotThresh = is_symmetric() ? 0. : 1.;
+    options.Fact = is_symmetric() ? superlu::SamePattern_SameRowPerm // it fills the arrays that it gets
+                                  : superlu::DOFACT;
 
     superlu::GlobalLU_t growing = superlu::GlobalLU_t();
+    superlu::SuperMatrix lower = {}, upper = {};
+    if(is_symmetric()) {
+      m_lower = m_lower_arrays->pass(growing);
+      m_upper = upper_arrays.pass(growing);
+      lower = matrix(m_lower);
+      upper = matrix(m_upper);
+    }
+    superlu::SuperLUStat_t statistics;
+    superlu::StatInit(&statistics);
     int info = 0;
-    const SuperLU_one_blas_thread one_thread;
-    Functions::factor(&options, &columns, m_analysis->relax(), width, tree.data(), nullptr, 0,
-                      column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing,
-                      &statistics, &info);
-    if(m_lower.Store == nullptr) // memory ran out; the arrays allocated so far must be freed here
-      free_growing(growing);
-    if(info != 0)
-      return false;
+    {
+      const SuperLU_one_blas_thread one_thread;
+      Functions::factor(&options, &columns, m_analysis->relax(), width, upper_arrays.tree.data(), nullptr, 0,
+                        column_permutation(), m_lower_arrays->row_permutation.data(), &lower, &upper,
+                        &growing, &statistics, &info);
+    }
     m_expansions = statistics.expansions;
-    m_nonzeros = static_cast<std::size_t>(static_cast<superlu::SCformat*>(m_lower.Store)->nnz) +
-                 static_cast<superlu::NCformat*>(m_upper.Store)->nnz - n;
-    return true;
+    superlu::StatFree(&statistics);
+    m_lower_arrays->take(growing, n);
+    upper_arrays.take(growing, n);
+    if(growing.expanders != nullptr) // memory ran out
+      superlu::superlu_free(growing.expanders);
+    if(info > n)
+      return false;
+    take_factors(lower, upper);
+    m_nonzeros = static_cast<std::size_t>(m_lower.nnz) + m_upper.nnz - n;
+    return info == 0;
   }
 
-  static void free_growing(superlu::GlobalLU_t& growing)
+  // In symmetric mode, SuperLU has filled the stores; otherwise it has allocated them.
+  void take_factors(superlu::SuperMatrix& lower, superlu::SuperMatrix& upper)
   {
-    void* arrays[] = {growing.xsup,   growing.supno, growing.lsub, growing.xlsub, growing.lusup,
-                      growing.xlusup, growing.ucol,  growing.usub, growing.xusub, growing.expanders};
-    for(void* array : arrays) {
-      if(array != nullptr)
-        superlu::superlu_free(array);
-    }
+    if(is_symmetric())
+      return;
+    m_lower = *static_cast<superlu::SCformat*>(lower.Store);
+    m_upper = *static_cast<superlu::NCformat*>(upper.Store);
+    superlu::superlu_free(lower.Store);
+    superlu::superlu_free(upper.Store);
   }
+
+  // SuperLU's interface is not const-correct
+  superlu::SuperMatrix matrix(const superlu::SCformat& store) const
+  {
+    return {superlu::SLU_SC,
+            Functions::number_type,
+            superlu::SLU_TRLU,
+            size(),
+            size(),
+            const_cast<superlu::SCformat*>(&store)};
+  }
+
+  superlu::SuperMatrix matrix(const superlu::NCformat& store) const
+  {
+    return {superlu::SLU_NC,  Functions::number_type,
+            superlu::SLU_TRU, size(),
+            size(),           const_cast<superlu::NCformat*>(&store)};
+  }
+
+  int* column_permutation() const { return const_cast<int*>(m_analysis->permutation().data()); }
+
+  const std::vector<int>& row_permutation() const { return m_lower_arrays->row_permutation; }
 
   bool solve_with_both_factors(Block b) const
   {
@@ -279,19 +327,20 @@ private:
     superlu::StatInit(&statistics);
     int info = 0;
     const SuperLU_one_blas_thread one_thread;
-    Functions::solve(superlu::NOTRANS, const_cast<superlu::SuperMatrix*>(&m_lower),
-                     const_cast<superlu::SuperMatrix*>(&m_upper), column_permutation(),
-                     const_cast<int*>(m_row_permutation.data()), &right_side, &statistics, &info);
+    superlu::SuperMatrix lower = matrix(m_lower), upper = matrix(m_upper);
+    Functions::solve(superlu::NOTRANS, &lower, &upper, column_permutation(),
+                     m_lower_arrays->row_permutation.data(), &right_side, &statistics, &info);
     superlu::StatFree(&statistics);
     return info == 0;
   }
 
-  // SuperLU's interface is not const-correct
-  int* column_permutation() const { return const_cast<int*>(m_analysis->permutation().data()); }
-
   std::shared_ptr<const SuperLU_analysis> m_analysis;
-  std::vector<int> m_row_permutation;
-  superlu::SuperMatrix m_lower, m_upper;
+  bool m_is_memory_kept;
+  std::shared_ptr<Spare_memory> m_memory;
+  typename Spare_objects<Lower_arrays>::Loan m_lower_arrays;
+  std::optional<typename Spare_objects<Upper_arrays>::Loan> m_upper_arrays; // if the upper factor is needed
+  superlu::SCformat m_lower;                                                // the factors in these arrays
+  superlu::NCformat m_upper;
   std::size_t m_nonzeros = 0;
   int m_expansions = 0;
 };

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace internal {
@@ -41,15 +40,14 @@ class Supernodal_solution
 public:
   explicit Supernodal_solution(const Supernodes& supernodes) : m_supernodes(supernodes) {}
 
-  // Replaces `x` by the solution, in the order of the pivots.
-  void solve(FT* x) const
+  // Replaces `x` by the solution, in the order of the pivots. There must be memory for as many numbers in `rows`.
+  void solve(FT* x, FT* rows) const
   {
-    std::vector<FT> rows(m_supernodes.size());
     const int number = m_supernodes.number_of_supernodes();
     for(int s = 0; s < number; ++s)
-      forward(m_supernodes.supernode(s), x, rows.data());
+      forward(m_supernodes.supernode(s), x, rows);
     for(int s = number - 1; s >= 0; --s)
-      divide_and_go_backward(m_supernodes.supernode(s), x, rows.data());
+      divide_and_go_backward(m_supernodes.supernode(s), x, rows);
   }
 
 private:
