@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -53,32 +54,45 @@ inline void set_hole_residuals(const Chart& chart, const std::vector<double>& al
   }
 }
 
-// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi, and the angles at any other node to its target.
-// Reconstruction (Eq. 4), as the logarithm of the ratio of its two products:
-//   sum ln sin alpha_{k+1} - sum ln sin alpha_{k-1} = 0
-// It has the same solutions, cannot underflow, and its second derivative is diagonal.
-inline Constraint_vector constraint_residuals(const Chart& chart, const std::vector<double>& alpha)
+// Adds what the corners from `first` on contribute. `log_sines` begins with that of `first`.
+inline void add_residuals(const Chart& chart, const std::vector<double>& alpha, int first, int last,
+                          const std::vector<double>& log_sines, Constraint_vector& residual)
 {
-  Constraint_vector residual = Constraint_vector::Zero(2 * chart.number_of_nodes());
-  for(int i = 0; i < chart.number_of_nodes(); ++i)
-    residual[2 * i] = -chart.nodes[i].angle_sum;
-  std::vector<double> log_sines(alpha.size());
-  parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
-    for(int c = begin; c < end; ++c)
-      log_sines[c] = std::log(std::sin(alpha[c]));
-  });
-  for(int c = 0; c < chart.number_of_corners(); ++c) {
+  for(int c = first; c < last; ++c) {
     const int i = chart.node_of_corner(c);
     if(i >= 0)
       residual[2 * i] += alpha[c];
     const int before = chart.node_of_corner(previous_corner(c));
     const int after = chart.node_of_corner(next_corner(c));
     if(before >= 0)
-      residual[2 * before + 1] += log_sines[c];
+      residual[2 * before + 1] += log_sines[c - first];
     if(after >= 0)
-      residual[2 * after + 1] -= log_sines[c];
+      residual[2 * after + 1] -= log_sines[c - first];
   }
-  add_loop_residuals(chart, log_sines, residual);
+}
+
+// Planarity (Eq. 3): the angles at an interior vertex sum to 2 pi, and the angles at any other node to its target.
+// Reconstruction (Eq. 4), as the logarithm of the ratio of its two products:
+//   sum ln sin alpha_{k+1} - sum ln sin alpha_{k-1} = 0
+// It has the same solutions, cannot underflow, and its second derivative is diagonal.
+// The memory of `log_sines` is used.
+inline void find_constraint_residuals(const Chart& chart, const std::vector<double>& alpha,
+                                      std::vector<double>& log_sines, Constraint_vector& residual)
+{
+  residual = Constraint_vector::Zero(2 * chart.number_of_nodes());
+  for(int i = 0; i < chart.number_of_nodes(); ++i)
+    residual[2 * i] = -chart.nodes[i].angle_sum;
+  const int at_once = 32 * block_size, corners = chart.number_of_corners();
+  for(int first = 0; first < corners; first += at_once) {
+    const int size = (std::min)(corners - first, at_once);
+    log_sines.resize((std::max)(log_sines.size(), static_cast<std::size_t>(size)));
+    parallel_for_blocks(size, [&](int begin, int end) {
+      for(int c = begin; c < end; ++c)
+        log_sines[c] = std::log(std::sin(alpha[first + c]));
+    });
+    add_residuals(chart, alpha, first, first + size, log_sines, residual);
+  }
+  add_loop_residuals(chart, alpha, residual);
   for(int i = 0; i < chart.number_of_nodes(); ++i) {
     if(!chart.nodes[i].has_planarity)
       residual[2 * i] = 0;
@@ -87,6 +101,13 @@ inline Constraint_vector constraint_residuals(const Chart& chart, const std::vec
   }
   if(chart.number_of_holes() > 0)
     set_hole_residuals(chart, alpha, residual);
+}
+
+inline Constraint_vector constraint_residuals(const Chart& chart, const std::vector<double>& alpha)
+{
+  std::vector<double> log_sines;
+  Constraint_vector residual;
+  find_constraint_residuals(chart, alpha, log_sines, residual);
   return residual;
 }
 

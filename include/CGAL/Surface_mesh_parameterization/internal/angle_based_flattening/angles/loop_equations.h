@@ -31,11 +31,12 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // leaves. Back at the first edge, the length must be the same:
 //   sum ln sin alpha_out - sum ln sin alpha_in = 0
 // That is Eq. 4 for the triangles of a loop instead of those around a vertex.
-inline void add_loop_residuals(const Chart& chart, const std::vector<double>& log_sines,
+inline void add_loop_residuals(const Chart& chart, const std::vector<double>& alpha,
                                Eigen::VectorXd& residual)
 {
+  const auto log_sine = [&](int c) { return std::log(std::sin(alpha[c])); };
   for(const Loop_crossing& crossing : chart.crossings)
-    residual[2 * chart.node_of_loop(crossing.loop) + 1] += log_sines[crossing.out] - log_sines[crossing.in];
+    residual[2 * chart.node_of_loop(crossing.loop) + 1] += log_sine(crossing.out) - log_sine(crossing.in);
 }
 
 // The largest difference of the logarithms of the lengths of both sides of a seam edge. The residuals of vertices and

@@ -71,35 +71,39 @@ public:
                const Constraint_vector& residual, Newton_step& step,
                const Iterative_accuracy& accuracy = Iterative_accuracy())
   {
-    Eigen::VectorXd right_hand_side;
     parallel_for(2, [&](int k) {
       if(k == 0)
         m_equation.analyze_pattern(matrix());
       else
-        right_hand_side = assemble(alpha, multipliers, residual);
+        assemble(alpha, multipliers, residual);
     });
     const bool needs_memory = m_saves_memory && m_equation.is_to_be_factored();
     if(needs_memory)
       std::vector<Local_system>().swap(m_local);
-    if(!m_equation.solve(matrix(), right_hand_side, accuracy, step.multipliers))
+    if(!m_equation.solve(matrix(), m_right_hand_side, accuracy, step.multipliers))
       return false;
     if(needs_memory)
-      set_local_systems(alpha, m_binding ? m_binding->expand(multipliers) : multipliers);
+      set_local_systems(alpha, of_nodes(multipliers));
     substitute_back(step);
     return true;
   }
 
   // Eq. 16: sets the matrix and returns the right-hand side.
-  Eigen::VectorXd assemble(const std::vector<double>& alpha, const Constraint_vector& multipliers,
-                           const Constraint_vector& residual)
+  const Eigen::VectorXd& assemble(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                                  const Constraint_vector& residual)
   {
-    if(!m_binding)
-      return assemble_nodes(alpha, multipliers, residual);
+    if(!m_binding) {
+      m_right_hand_side = residual;
+      assemble_nodes(alpha, multipliers, m_right_hand_side);
+      return m_right_hand_side;
+    }
     set_positions(alpha);
-    const Constraint_vector zero = Constraint_vector::Zero(2 * m_chart.number_of_nodes());
-    const Eigen::VectorXd sums = m_binding->bind(assemble_nodes(alpha, m_binding->expand(multipliers), zero));
+    m_sums_of_nodes = Eigen::VectorXd::Zero(2 * m_chart.number_of_nodes());
+    assemble_nodes(alpha, of_nodes(multipliers), m_sums_of_nodes);
+    m_binding->bind(m_sums_of_nodes, m_right_hand_side);
+    m_right_hand_side += residual;
     m_binding->bind(m_assembly.matrix());
-    return residual + sums;
+    return m_right_hand_side;
   }
 
   const Block_matrix<2>& matrix() const { return m_binding ? m_binding->matrix() : m_assembly.matrix(); }
@@ -141,12 +145,20 @@ private:
     });
   }
 
-  // Eq. 16 for the multipliers of all nodes
-  Eigen::VectorXd assemble_nodes(const std::vector<double>& alpha, const Constraint_vector& multipliers,
-                                 const Constraint_vector& residual)
+  // The multipliers of all nodes, also of those that are bound
+  const Constraint_vector& of_nodes(const Constraint_vector& multipliers)
+  {
+    if(!m_binding)
+      return multipliers;
+    m_binding->expand(multipliers, m_expanded);
+    return m_expanded;
+  }
+
+  // Eq. 16 for the multipliers of all nodes: sets the matrix and adds to the right-hand side.
+  void assemble_nodes(const std::vector<double>& alpha, const Constraint_vector& multipliers,
+                      Eigen::VectorXd& right_hand_side)
   {
     set_local_systems(alpha, multipliers);
-    Eigen::VectorXd right_hand_side = residual;
     m_assembly.assemble([&](int c) -> Triangle_assembly<2>::Local_columns {
       const Local_system& local = m_local[c / 3];
       const Plane_jacobian jacobian = plane_jacobian(c / 3, local.cotangents);
@@ -158,7 +170,6 @@ private:
                      [&](int t) { return plane_jacobian(t, m_local[t].cotangents); }, m_assembly,
                      right_hand_side);
     complete_diagonal();
-    return right_hand_side;
   }
 
   // B T: rows 2k and 2k + 1 belong to the node of corner k. Rows without a node are unused.
@@ -223,11 +234,10 @@ private:
   }
 
   // Eqs. 10 and 17, together.
-  void substitute_back(Newton_step& step) const
+  void substitute_back(Newton_step& step)
   {
     step.angles.resize(m_beta.size());
-    const Constraint_vector expanded = m_binding ? m_binding->expand(step.multipliers) : Constraint_vector();
-    const Constraint_vector& multipliers = m_binding ? expanded : step.multipliers;
+    const Constraint_vector& multipliers = of_nodes(step.multipliers);
     step.predicted_decrease = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const Local_system& local = m_local[t];
       const Vector_2 force = local.force - gradient(t, local.cotangents, multipliers);
@@ -273,7 +283,8 @@ private:
   Triangle_assembly<2> m_assembly;
   std::vector<Local_system> m_local; // of each triangle
   std::vector<int> m_incomplete_nodes;
-  std::optional<Bound_matrix> m_binding; // of a chart with holes
+  std::optional<Bound_matrix> m_binding;                          // of a chart with holes
+  Eigen::VectorXd m_right_hand_side, m_sums_of_nodes, m_expanded; // the last two with holes
   Newton_equation m_equation;
 };
 

@@ -74,9 +74,11 @@ struct Angle_iterate
   double energy = 0;
   double largest_residual = 0;
 
-  void evaluate(const Chart& chart, const Angle_energy& angle_energy, const std::vector<double>& beta)
+  // The memory of `log_sines` is used.
+  void evaluate(const Chart& chart, const Angle_energy& angle_energy, const std::vector<double>& beta,
+                std::vector<double>& log_sines)
   {
-    residual = constraint_residuals(chart, alpha);
+    find_constraint_residuals(chart, alpha, log_sines, residual);
     energy = angle_energy.value(alpha, beta, chart.weight);
     // The gap that the layout closes adds to the difference of lengths.
     largest_residual =
@@ -108,9 +110,10 @@ inline double sufficient_penalty(const Angle_iterate& iterate, const Newton_step
 }
 
 // Goes `length` times the step, or halves this length until the merit function decreases in proportion. Returns the
-// part of the step that was taken, or 0 if there is none.
+// part of the step that was taken, or 0 if there is none. The memory of `next` and `log_sines` is used.
 inline double take_step(const Chart& chart, const Angle_energy& energy, const std::vector<double>& beta,
-                        const Newton_step& step, double length, double penalty, Angle_iterate& iterate)
+                        const Newton_step& step, double length, double penalty, Angle_iterate& iterate,
+                        Angle_iterate& next, std::vector<double>& log_sines)
 {
   const double merit = iterate.merit(penalty), rounding = 1e-12 * merit;
   const int corners = chart.number_of_corners();
@@ -122,7 +125,6 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
                                     }) -
                        penalty * iterate.violation();
 
-  Angle_iterate next;
   next.alpha.resize(beta.size());
   length = longest_step(iterate.alpha, step.angles, length);
   for(; length > 1e-8; length = length > 1 ? 1 : length / 2) {
@@ -130,10 +132,11 @@ inline double take_step(const Chart& chart, const Angle_energy& energy, const st
       for(int c = begin; c < end; ++c)
         next.alpha[c] = iterate.alpha[c] + length * step.angles[c];
     });
-    next.evaluate(chart, energy, beta);
+    next.evaluate(chart, energy, beta, log_sines);
     if(next.merit(penalty) <= merit + 1e-4 * length * slope + rounding) {
-      next.multipliers = iterate.multipliers + length * step.multipliers;
-      iterate = std::move(next);
+      iterate.multipliers += length * step.multipliers;
+      iterate.multipliers.swap(next.multipliers);
+      std::swap(iterate, next);
       return length;
     }
   }
@@ -212,11 +215,12 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
                        options.linear_solver == ABF_plus_plus_options::ITERATIVE,
                        chart.number_of_triangles() >= many_triangles);
   Newton_step step;
-  Angle_iterate iterate;
+  Angle_iterate iterate, next; // the memory of `next` is not taken before the first factorization
+  std::vector<double> log_sines;
   iterate.alpha = std::move(start);
   iterate.multipliers =
       multipliers.size() > 0 ? multipliers : Constraint_vector::Zero(number_of_constraints(chart));
-  iterate.evaluate(chart, energy, beta);
+  iterate.evaluate(chart, energy, beta, log_sines);
 
   Angle_solution result;
   Forcing_terms forcing_terms(options.tolerance);
@@ -228,8 +232,9 @@ inline Angle_solution solve_angles(const Chart& chart, const std::vector<double>
     if(!result.is_solved)
       break;
     penalty = (std::max)(penalty, sufficient_penalty(iterate, step));
-    const double length = take_step(
-        chart, energy, beta, step, step_lengths.next(beta, step, iterate.largest_residual), penalty, iterate);
+    const double length =
+        take_step(chart, energy, beta, step, step_lengths.next(beta, step, iterate.largest_residual), penalty,
+                  iterate, next, log_sines);
     if(length == 0 && system.equation().steps() > 0 && forcing_terms.tighten())
       continue; // a more exact step may lower the merit function where this one did not
     result.converged = has_converged(options, iterate, step.predicted_decrease);

@@ -64,13 +64,13 @@ struct Diagonal_parts
   int first = 0, last = BlockSize;
 };
 
-// The parts as one matrix, all unknowns of one part before those of the next
+// Sets `matrix` to the parts, all unknowns of one part before those of the next
 template <typename NT, int BlockSize>
-Eigen::SparseMatrix<NT> eigen_matrix(const Diagonal_parts<BlockSize>& parts)
+void set_eigen_matrix(const Diagonal_parts<BlockSize>& parts, Eigen::SparseMatrix<NT>& matrix)
 {
   const Block_matrix<BlockSize>& blocks = parts.matrix;
   const int n = blocks.columns_of_blocks(), entries = blocks.begin[n], number = parts.last - parts.first;
-  Eigen::SparseMatrix<NT> matrix(number * n, number * n);
+  matrix.resize(number * n, number * n);
   matrix.resizeNonZeros(static_cast<std::size_t>(number) * entries);
   for(int part = 0; part < number; ++part) {
     const int k = parts.first + part, shift = part * entries;
@@ -81,29 +81,34 @@ Eigen::SparseMatrix<NT> eigen_matrix(const Diagonal_parts<BlockSize>& parts)
       matrix.valuePtr()[shift + e] = static_cast<NT>(blocks.block[e](k, k));
     }
   }
-  return matrix;
 }
 
-// A definite matrix with an entry for each block: what can be analyzed before there are values
+// Sets `matrix` to a definite one with an entry for each block: what can be analyzed before there are values
 template <typename NT, int BlockSize>
-Eigen::SparseMatrix<NT> pattern_of_blocks(const Block_matrix<BlockSize>& blocks)
+void set_pattern_of_blocks(const Block_matrix<BlockSize>& blocks, Eigen::SparseMatrix<NT>& matrix)
 {
   const int n = blocks.columns_of_blocks();
-  Eigen::SparseMatrix<NT> matrix(n, n);
+  matrix.resize(n, n);
   matrix.resizeNonZeros(blocks.begin[n]);
   std::copy(blocks.begin.begin(), blocks.begin.end(), matrix.outerIndexPtr());
   std::copy(blocks.row.begin(), blocks.row.end(), matrix.innerIndexPtr());
   for(int j = 0; j < n; ++j)
     for(int e = blocks.begin[j]; e < blocks.begin[j + 1]; ++e)
       matrix.valuePtr()[e] = NT(blocks.row[e] == j);
-  return matrix;
 }
 
-// The whole of it
-template <typename NT, int BlockSize>
-Eigen::SparseMatrix<NT> eigen_matrix(const Block_matrix<BlockSize>& blocks)
+// Sets `matrix` to one that is there already.
+template <typename NT>
+void set_eigen_matrix(const Eigen::SparseMatrix<NT>& source, Eigen::SparseMatrix<NT>& matrix)
 {
-  Eigen::SparseMatrix<NT> matrix(blocks.size(), blocks.size());
+  matrix = source;
+}
+
+// Sets `matrix` to the whole of it.
+template <typename NT, int BlockSize>
+void set_eigen_matrix(const Block_matrix<BlockSize>& blocks, Eigen::SparseMatrix<NT>& matrix)
+{
+  matrix.resize(blocks.size(), blocks.size());
   matrix.resizeNonZeros(blocks.block.size() * BlockSize * BlockSize);
   int* inner = matrix.innerIndexPtr();
   NT* value = matrix.valuePtr();
@@ -116,6 +121,13 @@ Eigen::SparseMatrix<NT> eigen_matrix(const Block_matrix<BlockSize>& blocks)
       }
     matrix.outerIndexPtr()[column + 1] = static_cast<int>(inner - matrix.innerIndexPtr());
   }
+}
+
+template <typename NT, typename Source>
+Eigen::SparseMatrix<NT> eigen_matrix(const Source& source)
+{
+  Eigen::SparseMatrix<NT> matrix;
+  set_eigen_matrix(source, matrix);
   return matrix;
 }
 

@@ -60,21 +60,20 @@ public:
   {
     const int systems = m_second ? 2 : 1;
     const Eigen::Index half = residual.size() / 2, n = residual.size() / systems;
-    std::array<Eigen::VectorXd, 2> sorted, solution;
     std::array<bool, 2> done = {true, true};
     parallel_for(systems, [&](int k) {
-      sorted[k].resize(n);
+      m_sorted[k].resize(n);
       for(Eigen::Index i = 0; i < n;
           ++i) // one system gets the first unknowns of all blocks before the second ones
-        sorted[k][i] = residual[2 * (i % half) + (i < half ? k : 1)];
-      done[k] = system(k).solve(sorted[k], solution[k]);
+        m_sorted[k][i] = residual[2 * (i % half) + (i < half ? k : 1)];
+      done[k] = system(k).solve(m_sorted[k], m_solution[k]);
     });
     if(!done[0] || !done[1])
       return false;
     correction.resize(residual.size());
     for(Eigen::Index i = 0; i < residual.size(); ++i) {
       const Eigen::Index k = i % 2;
-      correction[i] = systems == 2 ? solution[k][i / 2] : solution[0][k * half + i / 2];
+      correction[i] = systems == 2 ? m_solution[k][i / 2] : m_solution[0][k * half + i / 2];
     }
     return true;
   }
@@ -94,6 +93,7 @@ private:
   Linear_solvers m_solvers;
   System m_first;
   std::optional<System> m_second;
+  std::array<Eigen::VectorXd, 2> m_sorted, m_solution;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

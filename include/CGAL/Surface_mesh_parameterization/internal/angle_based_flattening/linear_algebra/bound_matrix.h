@@ -51,29 +51,27 @@ public:
     m_translation[i] = {{-q.imag(), q.real(), q.real(), q.imag()}};
   }
 
-  // Z x
-  Eigen::VectorXd expand(const Eigen::VectorXd& x) const
+  // Sets `all` to Z x.
+  void expand(const Eigen::VectorXd& x, Eigen::VectorXd& all) const
   {
-    Eigen::VectorXd all(2 * (m_free + number_of_bound_blocks()));
+    all.resize(2 * (m_free + number_of_bound_blocks()));
     std::copy_n(x.data(), 2 * m_free, all.data());
     for(int i = 0; i < number_of_bound_blocks(); ++i) {
       const Vector_2 own = block_of(x, rotation(i)) + m_translation[i] * block_of(x, translation(i));
       std::copy_n(own.entry, 2, &all[2 * (m_free + i)]);
     }
-    return all;
   }
 
-  // Z' x
-  Eigen::VectorXd bind(const Eigen::VectorXd& x) const
+  // Sets `sums` to Z' x.
+  void bind(const Eigen::VectorXd& x, Eigen::VectorXd& sums) const
   {
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(2 * (m_free + 2 * m_holes));
+    sums = Eigen::VectorXd::Zero(2 * (m_free + 2 * m_holes));
     std::copy_n(x.data(), 2 * m_free, sums.data());
     for(int i = 0; i < number_of_bound_blocks(); ++i) {
       const Vector_2 own = block_of(x, m_free + i);
       add_to_block(own, rotation(i), sums);
       add_to_block(m_translation[i] * own, translation(i), sums); // which is symmetric
     }
-    return sums;
   }
 
   // Sets the matrix to Z' S Z.

@@ -38,16 +38,22 @@ struct Iterative_solution
   int steps;
 };
 
+// The vectors of an iterative solution. The next one may use their memory.
+struct Iteration_vectors
+{
+  Eigen::VectorXd residual, correction, direction, product;
+};
+
 // Solves A x = b for a positive definite matrix by preconditioned conjugate gradients, until the preconditioned norm of
 // the residual, sqrt(r' M r), has become a small part of that of b. (Eigen's own looks at the plain norm, in which
-// large multipliers at slivers hide all others.) Starts at `x`, the solution within a subspace, whose `residual` is
-// orthogonal to it.
+// large multipliers at slivers hide all others.) Starts at `x`, the solution within a subspace, whose residual is
+// `vectors.residual` and orthogonal to it.
 template <typename Matrix, typename Preconditioner>
 Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b,
                                        Preconditioner& preconditioner, const Iterative_accuracy& accuracy,
-                                       int max_steps, Eigen::VectorXd residual, Eigen::VectorXd& x)
+                                       int max_steps, Iteration_vectors& vectors, Eigen::VectorXd& x)
 {
-  Eigen::VectorXd correction, direction, product;
+  auto& [residual, correction, direction, product] = vectors;
   double previous = 0, goal = 0;
   for(int step = 0;; ++step) {
     if(!preconditioner.solve(residual, correction))
@@ -81,7 +87,9 @@ Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b
                                        int max_steps, Eigen::VectorXd& x)
 {
   x = Eigen::VectorXd::Zero(b.size());
-  return conjugate_gradients(a, b, preconditioner, accuracy, max_steps, b, x);
+  Iteration_vectors vectors;
+  vectors.residual = b;
+  return conjugate_gradients(a, b, preconditioner, accuracy, max_steps, vectors, x);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -55,24 +55,33 @@ inline double relative_coupling(const Block_matrix<2>& matrix, int j)
 }
 
 // The blocks with strong couplings, and their neighbours; if these are too many, only the blocks with the strongest
-// couplings.
-inline std::vector<char> strongly_coupled_blocks(const Block_matrix<2>& matrix)
+// couplings. The memory of `coupling` is used.
+inline void find_strongly_coupled_blocks(const Block_matrix<2>& matrix, std::vector<double>& coupling,
+                                         std::vector<char>& is_in)
 {
   constexpr double strong = 1;       // at 0.7 or 2 it takes longer, on charts with slivers and steep noise
   constexpr double largest_part = 4; // the factors of more than a quarter cost as much as those of all
   const int n = matrix.columns_of_blocks();
-  std::vector<double> coupling(n);
+  coupling.resize(n);
   parallel_for_blocks(n, [&](int first, int last) {
     for(int j = first; j < last; ++j)
       coupling[j] = relative_coupling(matrix, j);
   });
-  std::vector<char> is_in(n);
+  is_in.resize(n);
   for(double bound = strong;; bound *= 1.25) {
     std::transform(coupling.begin(), coupling.end(), is_in.begin(), [&](double c) { return c > bound; });
     add_rings(matrix, 1, is_in);
     if(largest_part * std::count(is_in.begin(), is_in.end(), true) <= n)
-      return is_in;
+      return;
   }
+}
+
+inline std::vector<char> strongly_coupled_blocks(const Block_matrix<2>& matrix)
+{
+  std::vector<double> coupling;
+  std::vector<char> is_in;
+  find_strongly_coupled_blocks(matrix, coupling, is_in);
+  return is_in;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

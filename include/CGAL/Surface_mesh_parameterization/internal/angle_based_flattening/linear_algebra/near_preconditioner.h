@@ -48,8 +48,10 @@ public:
     }
     std::vector<char> is_global(pattern.columns_of_blocks(), true);
     std::fill(is_global.end() - holes, is_global.end(), false);
-    m_global_part = Part_of_blocks(is_global);
-    m_global.analyze_pattern(m_global_part.pattern_of(pattern));
+    m_global_part.set(is_global);
+    Block_matrix<2> part;
+    m_global_part.take_pattern(pattern, part);
+    m_global.analyze_pattern(part);
     m_is_near_holes.assign(is_global.size(), false);
     std::fill(m_is_near_holes.end() - 2 * holes, m_is_near_holes.end(), true);
     add_rings(pattern, rings_of_holes, m_is_near_holes);
@@ -58,7 +60,11 @@ public:
   // Factors the two scalar matrices.
   bool set_global_matrix(const Block_matrix<2>& matrix)
   {
-    return m_has_holes ? m_global.set_matrix(m_global_part.of(matrix)) : m_global.set_matrix(matrix);
+    if(!m_has_holes)
+      return m_global.set_matrix(matrix);
+    Block_matrix<2> part;
+    m_global_part.take(matrix, part);
+    return m_global.set_matrix(part);
   }
 
   // Chooses the blocks near which the whole matrix is to be solved, and factors it there. The matrix is referred to by
@@ -68,12 +74,15 @@ public:
     if(!m_has_own_factors)
       return true;
     m_matrix = &matrix;
-    std::vector<char> is_near = strongly_coupled_blocks(matrix);
+    find_strongly_coupled_blocks(matrix, m_coupling, m_is_near);
     if(m_has_holes)
-      std::transform(is_near.begin(), is_near.end(), m_is_near_holes.begin(), is_near.begin(),
+      std::transform(m_is_near.begin(), m_is_near.end(), m_is_near_holes.begin(), m_is_near.begin(),
                      [](char a, char b) { return a || b; });
-    m_near_part = Part_of_blocks(is_near);
-    return !has_near_part() || m_system.set_matrix(m_near_part.of(matrix));
+    m_near_part.set(m_is_near);
+    if(!has_near_part())
+      return true;
+    m_near_part.take(matrix, m_near_matrix);
+    return m_system.set_matrix(m_near_matrix);
   }
 
   // Whether there is something to solve near any blocks
@@ -83,13 +92,13 @@ public:
   bool start(Eigen::VectorXd& residual, Eigen::VectorXd& x)
   {
     x = Eigen::VectorXd::Zero(residual.size());
-    Eigen::VectorXd near;
     if(!has_near_part())
       return true;
-    if(!m_system.solve(m_near_part.of(residual), near))
+    m_near_part.take(residual, m_near_residual);
+    if(!m_system.solve(m_near_residual, m_near))
       return false;
-    m_near_part.add(near, x);
-    m_near_part.subtract_columns(*m_matrix, near, residual);
+    m_near_part.add(m_near, x);
+    m_near_part.subtract_columns(*m_matrix, m_near, residual);
     return true;
   }
 
@@ -101,11 +110,11 @@ public:
       return false;
     if(!has_near_part())
       return true;
-    Eigen::VectorXd rest = m_near_part.of(residual), near;
-    m_near_part.subtract_rows(*m_matrix, correction, rest);
-    if(!m_system.solve(rest, near))
+    m_near_part.take(residual, m_near_residual);
+    m_near_part.subtract_rows(*m_matrix, correction, m_near_residual);
+    if(!m_system.solve(m_near_residual, m_near))
       return false;
-    m_near_part.add(near, correction);
+    m_near_part.add(m_near, correction);
     return true;
   }
 
@@ -117,11 +126,11 @@ private:
   {
     if(!m_has_holes)
       return m_global.solve(residual, correction);
-    Eigen::VectorXd part;
-    if(!m_global.solve(m_global_part.of(residual), part))
+    m_global_part.take(residual, m_global_residual);
+    if(!m_global.solve(m_global_residual, m_global_correction))
       return false;
     correction = Eigen::VectorXd::Zero(residual.size());
-    m_global_part.add(part, correction);
+    m_global_part.add(m_global_correction, correction);
     return true;
   }
 
@@ -132,6 +141,10 @@ private:
   Part_of_blocks m_global_part;
   Part_of_blocks m_near_part;
   const Block_matrix<2>* m_matrix = nullptr;
+  std::vector<double> m_coupling; // from here on what is used again for its memory only
+  std::vector<char> m_is_near;
+  Block_matrix<2> m_near_matrix;
+  Eigen::VectorXd m_near_residual, m_near, m_global_residual, m_global_correction;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -22,7 +22,6 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -104,12 +103,11 @@ private:
     if(!factor_preconditioner(matrix, fresh))
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
-      Eigen::VectorXd residual = right_hand_side;
-      if(!m_near_preconditioner->start(residual, solution))
+      m_vectors.residual = right_hand_side;
+      if(!m_near_preconditioner->start(m_vectors.residual, solution))
         return Iterative_solution::FAILED;
-      const Iterative_solution result =
-          conjugate_gradients(matrix, right_hand_side, *m_near_preconditioner, m_accuracy, max_steps,
-                              std::move(residual), solution);
+      const Iterative_solution result = conjugate_gradients(matrix, right_hand_side, *m_near_preconditioner,
+                                                            m_accuracy, max_steps, m_vectors, solution);
       m_steps += result.steps;
       m_preconditioner_is_stale = result.steps > steps_too_many;
       if(result.status != Iterative_solution::NOT_SOLVED || fresh)
@@ -145,6 +143,7 @@ private:
   std::optional<Near_preconditioner> m_near_preconditioner;
   bool m_preconditioner_is_stale = true; // or not there yet
   std::unique_ptr<Linear_solver> m_whole_system;
+  Iteration_vectors m_vectors;
   Iterative_accuracy m_accuracy;
   int m_steps = 0, m_factorizations = 0, m_repeated = 0;
 };

@@ -27,8 +27,12 @@ class Part_of_blocks
 public:
   Part_of_blocks() = default;
 
-  explicit Part_of_blocks(const std::vector<char>& is_in) : m_rank(is_in.size(), -1)
+  explicit Part_of_blocks(const std::vector<char>& is_in) { set(is_in); }
+
+  void set(const std::vector<char>& is_in)
   {
+    m_blocks.clear();
+    m_rank.assign(is_in.size(), -1);
     for(std::size_t j = 0; j < is_in.size(); ++j)
       if(is_in[j]) {
         m_rank[j] = static_cast<int>(m_blocks.size());
@@ -38,36 +42,35 @@ public:
 
   std::size_t size() const { return m_blocks.size(); }
 
-  // A matrix whose pattern is known, but not its blocks
-  Block_matrix<2> pattern_of(const Block_matrix<2>& matrix) const
+  // Sets `part` to what belongs to these blocks; of the matrix only the pattern
+  void take_pattern(const Block_matrix<2>& matrix, Block_matrix<2>& part) const
   {
-    Block_matrix<2> part;
+    part.begin.assign(1, 0);
+    part.row.clear();
     for(int j : m_blocks) {
       for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
         if(const int i = m_rank[matrix.row[e]]; i >= 0)
           part.row.push_back(i);
       part.begin.push_back(static_cast<int>(part.row.size()));
     }
-    return part;
   }
 
-  Block_matrix<2> of(const Block_matrix<2>& matrix) const
+  void take(const Block_matrix<2>& matrix, Block_matrix<2>& part) const
   {
-    Block_matrix<2> part = pattern_of(matrix);
+    take_pattern(matrix, part);
+    part.block.clear();
     part.block.reserve(part.row.size());
     for(int j : m_blocks)
       for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
         if(m_rank[matrix.row[e]] >= 0)
           part.block.push_back(matrix.block[e]);
-    return part;
   }
 
-  Eigen::VectorXd of(const Eigen::VectorXd& x) const
+  void take(const Eigen::VectorXd& x, Eigen::VectorXd& part) const
   {
-    Eigen::VectorXd part(2 * m_blocks.size());
+    part.resize(2 * m_blocks.size());
     for(std::size_t i = 0; i < m_blocks.size(); ++i)
       std::copy_n(&x[2 * m_blocks[i]], 2, &part[2 * i]);
-    return part;
   }
 
   void add(const Eigen::VectorXd& part, Eigen::VectorXd& x) const

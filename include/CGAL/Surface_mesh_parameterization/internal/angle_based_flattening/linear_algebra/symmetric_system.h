@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Eigen_matrix.h>
+#include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_traits_properties.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 
@@ -19,6 +20,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -80,8 +82,8 @@ public:
   virtual std::unique_ptr<Linear_solver> copy() const = 0;
 };
 
-// The caller's traits with the analysis of the last pattern, for the solvers of this and later runs. Where a matrix has
-// another pattern, factorization analyzes that.
+// The caller's traits with the analysis of the last pattern, and memory for matrices, for the solvers of this and later
+// runs. Where a matrix has another pattern, factorization analyzes that.
 template <typename SolverTraits>
 class Analyzed_traits
 {
@@ -100,9 +102,13 @@ public:
     m_traits = traits;
   }
 
+  typedef CGAL::internal::Spare_objects<std::unique_ptr<typename SolverTraits::Matrix>> Spare_matrices;
+  Spare_matrices& matrices() { return m_matrices; }
+
 private:
   SolverTraits m_traits;
   mutable std::mutex m_mutex;
+  Spare_matrices m_matrices;
 };
 
 // Solves by any model of `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
@@ -112,6 +118,8 @@ class Symmetric_system : public Linear_solver
   typedef typename SolverTraits::NT NT;
   typedef typename SolverTraits::Matrix Matrix;
   typedef typename SolverTraits::Vector Vector;
+
+  static constexpr int many_unknowns = 20000; // memory matters more then than the time to get it
 
 public:
   typedef Analyzed_traits<SolverTraits> Shared_traits;
@@ -129,26 +137,17 @@ public:
       : Symmetric_system(std::make_shared<Shared_traits>(std::move(traits)))
   {}
 
-  bool set_matrix(const Block_matrix<1>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
-  bool set_matrix(const Block_matrix<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
-  bool set_matrix(const Diagonal_parts<2>& matrix) override { return set_matrix(eigen_matrix<NT>(matrix)); }
-
-  bool set_matrix(Eigen::SparseMatrix<NT> matrix)
-  {
-    m_matrix = own(std::move(matrix));
-    bool done = true;
-    if constexpr(Has_factor<SolverTraits>::value)
-      done = m_traits.factor(std::move(*m_matrix), m_denominator);
-    if(Has_independent_copies<SolverTraits>::value)
-      m_matrix.reset();
-    return done;
-  }
+  bool set_matrix(const Block_matrix<1>& matrix) override { return factor(matrix); }
+  bool set_matrix(const Block_matrix<2>& matrix) override { return factor(matrix); }
+  bool set_matrix(const Diagonal_parts<2>& matrix) override { return factor(matrix); }
+  bool set_matrix(const Eigen::SparseMatrix<NT>& matrix) { return factor(matrix); }
 
   void analyze_pattern(const Block_matrix<2>& blocks) override
   {
     if constexpr(Has_analyze_pattern<SolverTraits>::value) {
-      m_traits.analyze_pattern(
-          *own(pattern_of_blocks<NT>(blocks))); // if that fails, so does the factorization
+      const typename Spare_matrices::Loan matrix(m_shared->matrices());
+      convert([&](Eigen::SparseMatrix<NT>& to) { set_pattern_of_blocks(blocks, to); }, *matrix);
+      m_traits.analyze_pattern(**matrix); // if that fails, so does the factorization
       if constexpr(Has_independent_copies<SolverTraits>::value)
         m_shared->set(m_traits);
     } else {
@@ -159,14 +158,17 @@ public:
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) override
   {
     const int n = static_cast<int>(right_hand_side.size());
-    Vector b(n), x(n);
+    const typename Spare_vectors::Loan vectors(m_vectors);
+    if(!*vectors || (*vectors)->size != n)
+      *vectors = std::make_unique<Vectors>(n);
+    auto& [size, b, x] = **vectors;
     const double scale = right_hand_side_scale(right_hand_side);
     for(int i = 0; i < n; ++i)
       b[i] = static_cast<NT>(right_hand_side[i] / scale);
     if constexpr(Has_factor<SolverTraits>::value) {
       if(!m_traits.linear_solver(b, x))
         return false;
-    } else if(!m_traits.linear_solver(*m_matrix, b, x, m_denominator)) {
+    } else if(!m_traits.linear_solver(***m_matrix, b, x, m_denominator)) {
       return false;
     }
     solution.resize(n);
@@ -188,24 +190,57 @@ private:
     return scale > 0 ? scale : 1;
   }
 
-  static std::unique_ptr<Matrix> own(Eigen::SparseMatrix<NT> matrix)
+  template <typename Source>
+  bool factor(const Source& source)
+  {
+    m_matrix.emplace(m_shared->matrices());
+    convert([&](Eigen::SparseMatrix<NT>& to) { set_eigen_matrix(source, to); }, **m_matrix);
+    bool done = true;
+    if constexpr(Has_factor<SolverTraits>::value)
+      done = m_traits.factor(std::move(***m_matrix), m_denominator);
+    if(Has_independent_copies<SolverTraits>::value) {
+      if((**m_matrix)->row_dimension() > many_unknowns)
+        (**m_matrix).reset();
+      m_matrix.reset();
+    }
+    return done;
+  }
+
+  // `fill` sets a matrix of Eigen's to what `result` becomes. If memory runs out, `result` is null.
+  template <typename Fill>
+  static void convert(const Fill& fill, std::unique_ptr<Matrix>& result)
   {
     if constexpr(std::is_base_of<Eigen_sparse_matrix<NT>, Matrix>::value) {
-      auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
-      result->eigen_object().swap(matrix);
-      return result;
+      std::unique_ptr<Matrix> matrix = std::move(result);
+      if(!matrix)
+        matrix = std::make_unique<Matrix>(1);
+      fill(matrix->eigen_object());
+      result = std::move(matrix);
     } else {
-      auto result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
+      Eigen::SparseMatrix<NT> matrix;
+      fill(matrix);
+      result = std::make_unique<Matrix>(static_cast<int>(matrix.rows()));
       for(int j = 0; j < matrix.outerSize(); ++j)
         for(typename Eigen::SparseMatrix<NT>::InnerIterator it(matrix, j); it; ++it)
           result->set_coef(it.row(), it.col(), it.value(), true);
-      return result;
     }
   }
 
+  // A right-hand side and a solution, converted for the traits
+  struct Vectors
+  {
+    int size;
+    Vector b, x;
+    explicit Vectors(int n) : size(n), b(n), x(n) {}
+  };
+
+  typedef typename Shared_traits::Spare_matrices Spare_matrices;
+  typedef CGAL::internal::Spare_objects<std::unique_ptr<Vectors>> Spare_vectors;
+
   SolverTraits m_traits;
   std::shared_ptr<Shared_traits> m_shared;
-  std::unique_ptr<Matrix> m_matrix; // the traits may keep a pointer to it
+  std::optional<typename Spare_matrices::Loan> m_matrix; // the traits may keep a pointer to it
+  Spare_vectors m_vectors;                               // several threads may solve at once
   NT m_denominator = NT(1);
 };
 

@@ -22,7 +22,7 @@
 #endif
 
 #include <algorithm>
-#include <vector>
+#include <array>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -59,16 +59,21 @@ void parallel_for_blocks(int n, const Function& f)
 template <typename Value = double, typename Function>
 Value parallel_sum(int n, const Function& f)
 {
-  std::vector<Value> sums(n / block_size + 1);
-  parallel_for_blocks(n, [&](int begin, int end) {
-    Value sum = Value();
-    for(int i = begin; i < end; ++i)
-      sum += f(i);
-    sums[begin / block_size] = sum;
-  });
+  constexpr int blocks_at_once = 256; // so many sums are on the stack
   Value total = Value();
-  for(const Value& sum : sums)
-    total += sum;
+  for(int done = 0; done < n;) {
+    std::array<Value, blocks_at_once> sums;
+    const int size = (std::min)(n - done, blocks_at_once * block_size);
+    parallel_for_blocks(size, [&](int begin, int end) {
+      Value sum = Value();
+      for(int i = done + begin; i < done + end; ++i)
+        sum += f(i);
+      sums[begin / block_size] = sum;
+    });
+    for(int b = 0; b * block_size < size; ++b)
+      total += sums[b];
+    done += size;
+  }
   return total;
 }
 
