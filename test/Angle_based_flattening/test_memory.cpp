@@ -1,0 +1,285 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Memory that is taken once, and memory that is refused. The program's own `malloc()` counts, and fails when told to.
+
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/SuperLU_solver_traits.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+namespace {
+
+constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+std::atomic<std::size_t> least_size{none}; // of an allocation that counts
+std::atomic<long> counted_allocations{0};
+std::atomic<long> failing_allocation{0};
+
+// Counts an allocation, and returns whether it is to fail.
+bool is_to_fail(std::size_t size)
+{
+  return size >= least_size && ++counted_allocations == failing_allocation;
+}
+
+} // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t) noexcept;
+void* __libc_calloc(std::size_t, std::size_t) noexcept;
+void* __libc_realloc(void*, std::size_t) noexcept;
+
+void* malloc(std::size_t size) noexcept
+{
+  return is_to_fail(size) ? nullptr : __libc_malloc(size);
+}
+
+void* calloc(std::size_t number, std::size_t size) noexcept
+{
+  return is_to_fail(number * size) ? nullptr : __libc_calloc(number, size);
+}
+
+void* realloc(void* old, std::size_t size) noexcept
+{
+  return is_to_fail(size) ? nullptr : __libc_realloc(old, size);
+}
+}
+
+BOOST_AUTO_TEST_SUITE(test_memory)
+
+namespace {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef SMP::ABF_plus_plus_options Options;
+
+// Counts allocations of at least `size` bytes while it lives.
+class Allocation_count
+{
+public:
+  explicit Allocation_count(std::size_t size)
+  {
+    counted_allocations = 0;
+    least_size = size;
+  }
+
+  ~Allocation_count() { least_size = none; }
+
+  long get() const { return counted_allocations; }
+};
+
+// Lets one of the allocations of at least `size` bytes fail while it lives: the first one has number 1.
+class Allocation_failure
+{
+public:
+  Allocation_failure(std::size_t size, long number) : m_count(size) { failing_allocation = number; }
+  ~Allocation_failure() { failing_allocation = 0; }
+
+  bool has_happened() const { return m_count.get() >= failing_allocation; }
+
+private:
+  Allocation_count m_count;
+};
+
+// Counts allocations between Newton steps.
+struct Step_counter : SMP::Flattening_visitor
+{
+  bool step(const SMP::ABF_plus_plus_step& step) override
+  {
+    if(step.iteration > 2)
+      counts.push_back(counted_allocations - last);
+    last_factorizations = step.factorizations;
+    last = counted_allocations;
+    return true;
+  }
+
+  std::vector<long> counts;
+  int last_factorizations = 0;
+  long last = 0;
+};
+
+struct Run
+{
+  explicit Run(int n)
+      : mesh(test_meshes::bump<Mesh>(n)), bhd(CGAL::Polygon_mesh_processing::longest_border(mesh).first),
+        uv(mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first),
+        done(mesh.add_property_map<Mesh::Vertex_index, bool>("v:done", false).first)
+  {}
+
+  template <typename Parameterizer>
+  void operator()(Parameterizer& parameterizer)
+  {
+    BOOST_TEST_REQUIRE(parameterizer.parameterize(mesh, bhd, uv, get(boost::vertex_index, mesh), done) ==
+                       SMP::OK);
+  }
+
+  Mesh mesh;
+  Mesh::Halfedge_index bhd;
+  Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> uv;
+  Mesh::Property_map<Mesh::Vertex_index, bool> done;
+};
+
+// An array with a number for every tenth vertex counts.
+std::size_t bytes_of_an_array(const Mesh& mesh)
+{
+  return mesh.number_of_vertices() * sizeof(double) / 10;
+}
+
+Eigen::SparseMatrix<float> grid_laplacian(int width)
+{
+  std::vector<Eigen::Triplet<float>> entries;
+  for(int i = 0; i < width * width; ++i) {
+    entries.emplace_back(i, i, 4.1f);
+    for(int j : {i + 1, i + width})
+      if(j < width * width && (j != i + 1 || j % width != 0)) {
+        entries.emplace_back(i, j, -1.f);
+        entries.emplace_back(j, i, -1.f);
+      }
+  }
+  Eigen::SparseMatrix<float> a(width * width, width * width);
+  a.setFromTriplets(entries.begin(), entries.end());
+  return a;
+}
+
+typedef CGAL::SuperLU_solver_traits<float> Solver;
+
+Solver solver_that_keeps_memory()
+{
+  CGAL::SuperLU_options options;
+  options.keep_memory = true;
+  return Solver(options);
+}
+
+// The solution for the vector of ones; empty if the matrix cannot be factored
+Eigen::VectorXf solution(Solver& solver, const Solver::Matrix& matrix)
+{
+  float d;
+  if(!solver.factor(matrix, d))
+    return Eigen::VectorXf();
+  Solver::Vector b(matrix.row_dimension()), x(matrix.row_dimension());
+  b.eigen_object().setOnes();
+  BOOST_TEST_REQUIRE(solver.linear_solver(b, x));
+  return x.eigen_object();
+}
+
+} // namespace
+
+// The second one has another array of angles than the first one. (There are no slivers here.)
+BOOST_AUTO_TEST_CASE(newton_steps_after_two_allocate_no_array)
+{
+  Run run(40);
+  Options options;
+  options.threads = 1;
+  Step_counter visitor;
+  options.visitor = &visitor;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options);
+  const Allocation_count count(bytes_of_an_array(run.mesh));
+  run(parameterizer);
+  BOOST_TEST(count.get() > 20); // it does count
+  BOOST_TEST_REQUIRE(visitor.counts.size() >= 1);
+  for(long count_of_step : visitor.counts)
+    BOOST_TEST(count_of_step == 0);
+  BOOST_TEST(visitor.last_factorizations == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_second_call_allocates_less)
+{
+  Run run(40);
+  Options options;
+  options.threads = 1;
+  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer(options);
+  long counts[2];
+  for(long& allocations : counts) {
+    const Allocation_count count(bytes_of_an_array(run.mesh));
+    run(parameterizer);
+    allocations = count.get();
+  }
+  BOOST_TEST(4 * counts[1] <= 3 * counts[0]);
+}
+
+BOOST_AUTO_TEST_CASE(factorizations_use_the_arrays_of_earlier_ones)
+{
+  const Solver::Matrix matrix(grid_laplacian(60)), smaller(grid_laplacian(30));
+  Solver forgetful, solver = solver_that_keeps_memory();
+  const Eigen::VectorXf expected = solution(forgetful, matrix),
+                        expected_of_smaller = solution(forgetful, smaller);
+  BOOST_TEST_REQUIRE(expected.size() > 0);
+  BOOST_TEST((solution(solver, matrix) == expected));
+  const std::size_t factor = solver.factor_nonzeros() * sizeof(float) / 4;
+
+  const auto allocations = [&](Solver& by, const Solver::Matrix& of, const Eigen::VectorXf& result) {
+    const Allocation_count count(factor);
+    const Eigen::VectorXf x = solution(by, of);
+    const long number = count.get();
+    BOOST_TEST((x == result));
+    return number;
+  };
+  solution(forgetful, matrix);
+  const long without = allocations(forgetful, matrix, expected), with = allocations(solver, matrix, expected);
+  BOOST_TEST(with <= without - 3); // those of values of both factors, and of rows of U
+
+  Solver copy = solver; // both factorizations are in use then
+  BOOST_TEST(allocations(copy, matrix, expected) > with);
+  BOOST_TEST(allocations(copy, matrix, expected) == with);
+  BOOST_TEST(allocations(solver, matrix, expected) == with);
+  solution(solver, smaller);
+  BOOST_TEST(allocations(solver, smaller, expected_of_smaller) <= with);
+  solution(solver, matrix);
+  BOOST_TEST(allocations(solver, matrix, expected) == with);
+  solver.clear();
+  copy.clear();
+  solution(solver, smaller); // now it has less memory
+  BOOST_TEST(allocations(solver, matrix, expected) > with);
+}
+
+// Everything before SuperLU itself is called, which ends the program if memory runs out.
+BOOST_AUTO_TEST_CASE(refused_memory_is_an_error)
+{
+  const Solver::Matrix small(grid_laplacian(12)), large(grid_laplacian(40));
+  for(bool keeps : {false, true})
+    for(bool is_first : {false, true}) {
+      const auto create = [&] {
+        Solver solver = keeps ? solver_that_keeps_memory() : Solver();
+        if(!is_first)
+          solution(solver, small);
+        solver.analyze_pattern(large);
+        return solver;
+      };
+      Solver trial = create();
+      const Eigen::VectorXf expected = solution(trial, large);
+      const std::size_t array = large.row_dimension() * sizeof(float);
+      int refused = 0;
+      for(long number = 1; number <= 16; ++number) {
+        Solver solver = create();
+        float d;
+        bool done, has_failed;
+        {
+          const Allocation_failure failure(array, number);
+          done = solver.factor(large, d);
+          has_failed = failure.has_happened();
+        }
+        BOOST_TEST_REQUIRE(has_failed);
+        BOOST_TEST(!done);
+        BOOST_TEST(!solver.is_factored());
+        refused += !done;
+        BOOST_TEST((solution(solver, large) == expected));
+        BOOST_TEST((solution(solver, large) == expected));
+      }
+      BOOST_TEST(refused == 16);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
