@@ -58,8 +58,9 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(ABF_QUICK_TO_COMPILE $<$<CONFIG:Release>:-O1>)
 endif()
 if(ABF_SANITIZE)
-  # What the address sanitizer sees anyway is not checked twice, for that takes half of the time to compile.
-  add_compile_options(-fsanitize=${ABF_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr
+  # What the address sanitizer sees anyway is not checked twice, for that takes half of the time to compile. CGAL's
+  # MP_Float shifts negative numbers to the left, which is defined from C++20 on only.
+  add_compile_options(-fsanitize=${ABF_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr,shift-base
                       -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1 -O1 -D_GLIBCXX_ASSERTIONS)
   add_link_options(-fsanitize=${ABF_SANITIZE})
 endif()
