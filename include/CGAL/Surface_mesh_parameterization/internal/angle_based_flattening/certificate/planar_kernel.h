@@ -12,10 +12,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+// The order matters: neither header of static filters includes what it needs.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Filtered_kernel/internal/Static_filters/tools.h>
-// which needs both headers above
 #include <CGAL/Filtered_kernel/internal/Static_filters/Orientation_2.h>
+
 #include <CGAL/Kernel/Type_equality_wrapper.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/predicates/kernel_ftC2.h>

@@ -76,14 +76,6 @@ inline void find_strongly_coupled_blocks(const Block_matrix<2>& matrix, std::vec
   }
 }
 
-inline std::vector<char> strongly_coupled_blocks(const Block_matrix<2>& matrix)
-{
-  std::vector<double> coupling;
-  std::vector<char> is_in;
-  find_strongly_coupled_blocks(matrix, coupling, is_in);
-  return is_in;
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_COUPLED_BLOCKS_H
