@@ -28,7 +28,7 @@ configure() { # DIR [CMAKE_OPTION...]
 compile() { # DIR [CMAKE_BUILD_OPTION...]
   local dir=$1
   shift
-  quietly "$dir/build.log" cmake --build "$dir" --parallel "$(parallel_jobs)" "$@"
+  quietly "$dir/build.log" cmake --build "$dir" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(parallel_jobs)}" "$@"
 }
 
 # Runs all tests, and in CI, fails if one was skipped. Only the reference disks, which are beside the checkout, need not be
@@ -36,7 +36,8 @@ compile() { # DIR [CMAKE_BUILD_OPTION...]
 run_tests() { # DIR [CTEST_OPTION...]
   local dir=$1 skipped
   shift
-  ctest --test-dir "$dir" --output-on-failure --no-tests=error --parallel "$(nproc)" "$@" | tee "$dir/test.log" || return
+  ctest --test-dir "$dir" --output-on-failure --no-tests=error \
+    --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}" "$@" | tee "$dir/test.log" || return
   [[ ${CI:-} == true ]] || return 0
   skipped=$(sed -n 's/^.* - \([^ ]*\) (\(Skipped\|Disabled\|Not Run\)).*/\1/p' "$dir/test.log")
   if [[ ! -d $root/../shared/data ]]; then
