@@ -44,7 +44,8 @@ struct Flattening_options
   /// Weight \f$\kappa\f$ of the barrier that keeps angles away from zero; `0` is exactly the energy of the paper. The
   /// barrier and the energy have their minimum at the same place, so that ordinary charts hardly change. The weight has
   /// no unit and must not be negative. The hierarchical method uses it in the energy of
-  /// `Hierarchical_options::angle_sweeps`.
+  /// `Hierarchical_options::angle_sweeps`, and where relaxation lowers that energy
+  /// (`Hierarchical_report::relaxed_angles`).
   double barrier = 0.1;
 
   /// Number of threads that work at once, 0 for one on each processor. It has no effect unless the program is linked

@@ -262,6 +262,10 @@ struct Hierarchical_report : Flattening_report
   int rejected_moves = 0;    ///< Number of vertices that relaxation did not move.
   int angle_sweeps = 0;      ///< Number of final sweeps.
 
+  /// Whether relaxation lowered the energy of the direct method on each level, because MIPS would have changed the
+  /// angles by more; see \ref ABF_relaxed_angles "the manual".
+  bool relaxed_angles = false;
+
   /// Energy of the planar angles, including the barrier. It is computed only for final sweeps and polishing; otherwise
   /// NaN.
   double energy = (std::numeric_limits<double>::quiet_NaN)();

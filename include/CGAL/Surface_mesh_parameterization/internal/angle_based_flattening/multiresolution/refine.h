@@ -13,6 +13,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/insert_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
@@ -24,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -39,18 +42,18 @@ public:
 
   int kernel_insertions() const { return m_kernel_insertions; }
 
-  // Undoes all levels, with sweeps of relaxation on each. Returns `false` if a vertex has no valid position in its
-  // star.
-  bool run(int sweeps, Flattening_visitor* visitor)
+  // Undoes all levels, with sweeps of relaxation on each, by the energy of angles if there is one, or else by MIPS.
+  // Returns `false` if a vertex has no valid position in its star.
+  bool run(int sweeps, const std::optional<Angle_energy>& angles, Flattening_visitor* visitor)
   {
-    relax_level(m_coarsening, m_relaxation, sweeps);
+    relax(sweeps, angles);
     while(m_coarsening.number_of_levels() > 0) {
       if(!undo_level(visitor))
         return false;
       // Coarse levels smooth errors of long wavelength. On the finest levels, sweeps cost most.
       const int large_levels = 3;
       const bool is_large = m_coarsening.number_of_levels() < large_levels;
-      relax_level(m_coarsening, m_relaxation, is_large ? (std::min)(sweeps, 1) : sweeps);
+      relax(is_large ? (std::min)(sweeps, 1) : sweeps, angles);
     }
     return true;
   }
@@ -65,6 +68,14 @@ public:
   }
 
 private:
+  void relax(int sweeps, const std::optional<Angle_energy>& angles)
+  {
+    if(angles)
+      relax_angles_of_level(m_coarsening, m_relaxation, sweeps, *angles);
+    else
+      relax_level(m_coarsening, m_relaxation, sweeps);
+  }
+
   // What happened to the vertices of a block
   struct Block_result
   {

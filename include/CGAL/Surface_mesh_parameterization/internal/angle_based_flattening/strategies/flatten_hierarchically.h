@@ -14,11 +14,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
@@ -93,13 +95,25 @@ private:
     Local_border border(m_coarsening, m_uv);
     Relaxation relaxation(m_coarsening, m_uv, border);
     Refinement refinement(m_coarsening, m_uv, relaxation);
-    const bool is_refined = refinement.run(m_options.sweeps, m_options.visitor);
+    m_report.relaxed_angles = needs_angles();
+    const std::optional<Angle_energy> angles =
+        m_report.relaxed_angles ? std::optional(Angle_energy{m_options.barrier}) : std::nullopt;
+    const bool is_refined = refinement.run(m_options.sweeps, angles, m_options.visitor);
     if(is_refined && m_options.angle_sweeps > 0)
       lower_energy(relaxation);
     m_report.kernel_insertions += refinement.kernel_insertions();
     m_report.moves += relaxation.moves();
     m_report.rejected_moves += relaxation.rejected_moves();
     return is_refined;
+  }
+
+  // Sweeps by the energy of angles take several times as long as those by MIPS. Large charts do without them, and
+  // without the test.
+  bool needs_angles() const
+  {
+    const int most_vertices = 100000;
+    return m_report.start == Hierarchical_report::COARSE_PARAMETERIZER && m_options.sweeps > 0 &&
+           m_report.vertices <= most_vertices && MIPS_changes_angles(m_coarsening, m_uv);
   }
 
   template <typename Relaxation>

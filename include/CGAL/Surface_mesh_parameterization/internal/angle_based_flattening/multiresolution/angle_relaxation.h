@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Relaxation of a level (Section 5.2) by the energy of angles (Eq. 1) with triangles weighted by area, and the test on
+// the coarse chart that asks for it. `flatten_hierarchically.h` runs the test, and `refine.h` the relaxation.
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The target angle of each corner of a level, as `target_angles()` of a whole chart. What collapses removed has none.
+inline std::vector<double> level_target_angles(const Coarsening& coarsening)
+{
+  const Edge_collapses& mesh = coarsening.mesh();
+  const Chart& chart = mesh.chart();
+  const std::vector<int>& vertices = coarsening.alive();
+  std::vector<double> beta(chart.vertex.size());
+  parallel_for_blocks(coarsening.number_of_vertices(), [&](int begin, int end) {
+    for(int i = begin; i < end; ++i) {
+      double sum = 0;
+      mesh.for_each_corner(vertices[i], [&](int c) { sum += beta[c] = surface_angle(chart, c); });
+      const double factor = chart.interior[vertices[i]] >= 0 && sum > 0 ? 2 * pi / sum : 1;
+      mesh.for_each_corner(vertices[i], [&](int c) {
+        beta[c] = (std::min)((std::max)(factor * beta[c], least_target_angle), pi - least_target_angle);
+      });
+    }
+  });
+  return beta;
+}
+
+// With the weight of MIPS, the area on the surface: a level has triangles of very different sizes, and the smallest
+// ones would count most.
+struct Area_angle_star : Angle_star
+{
+  using Angle_star::Angle_star;
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    triangles.clear();
+    gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
+      triangles.push_back({uv[p],
+                           uv[q],
+                           {beta[c], beta[next_corner(c)], beta[previous_corner(c)]},
+                           mesh.chart().weight_of_triangle(c / 3) * e.twice_area()});
+    });
+  }
+};
+
+// Sweeps over what is left of a chart that lower the energy of angles
+template <typename Relaxation>
+void relax_angles_of_level(const Coarsening& coarsening, Relaxation& relaxation, int sweeps,
+                           const Angle_energy& energy)
+{
+  if(sweeps == 0)
+    return;
+  const std::vector<double> beta = level_target_angles(coarsening);
+  for(int i = 0; i < sweeps; ++i)
+    relaxation.sweep(Area_angle_star(beta, energy));
+}
+
+// The mean by which a map of a level changes the angles of the surface, weighted by area, in radians
+inline double mean_angle_change(const Coarsening& coarsening, const std::vector<Planar_point>& uv)
+{
+  const Chart& chart = coarsening.mesh().chart();
+  double change = 0, area = 0;
+  for(int t : coarsening.mesh().remaining_triangles()) {
+    const double weight = chart.weight_of_triangle(t) * surface_area(chart, t);
+    area += weight;
+    std::array<Planar_point, 3> edge; // edge k is opposite to corner k
+    for(int k = 0; k < 3; ++k)
+      edge[k] = uv[chart.vertex[3 * t + (k + 2) % 3]] - uv[chart.vertex[3 * t + (k + 1) % 3]];
+    const std::array<double, 3> alpha = planar_angles(
+        cross(edge[0], edge[1]), {-edge[1].dot(edge[2]), -edge[2].dot(edge[0]), -edge[0].dot(edge[1])});
+    for(int k = 0; k < 3; ++k)
+      change += weight * std::abs(alpha[k] - surface_angle(chart, 3 * t + k)) / 3;
+  }
+  return area > 0 ? change / area : 0;
+}
+
+// Whether MIPS would change angles much more than the map of the coarse chart does, from which it starts. On steep
+// slopes with long triangles, the minimum of MIPS is far from that of the energy of angles, and each sweep leads away
+// from the latter. Six sweeps raised the change of angles by at most 2.7 % on ordinary surfaces, and by 3.1 to 39 % on
+// terrains where the finished map would change angles by 10 to 110 % more than the direct method.
+inline bool MIPS_changes_angles(const Coarsening& coarsening, std::vector<Planar_point> uv)
+{
+  const int sweeps = 6;
+  const double accepted = 1.03, least_change = 1e-3;
+  const double before = (std::max)(mean_angle_change(coarsening, uv), least_change);
+  Local_border border(coarsening, uv);
+  Relaxation relaxation(coarsening, uv, border);
+  relax_level(coarsening, relaxation, sweeps);
+  return mean_angle_change(coarsening, uv) > accepted * before;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
