@@ -36,6 +36,7 @@ struct Flattening
   bool has_equal_seams = false;     // both sides of each seam have the same lengths
   int levels = 0;                   // of the hierarchical method
   int coarse_triangles = 0;
+  bool has_relaxed_angles = false;
   bool is_polished = false;
   std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
   SMP::Flattening_measures measures;                  // only if it succeeded

@@ -83,6 +83,7 @@ void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
   flattening.report.constraint_residual = report.constraint_residual;
   flattening.levels = report.levels;
   flattening.coarse_triangles = report.coarse_triangles;
+  flattening.has_relaxed_angles = report.relaxed_angles;
   flattening.is_polished = report.polished;
   flattening.stages = {
       {"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.coarse_chart},

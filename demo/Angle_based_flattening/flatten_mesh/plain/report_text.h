@@ -31,6 +31,7 @@ inline Report_rows method_rows(const Flattening& flattening)
                     count_text(flattening.levels, "level") + ", " +
                         count_text(flattening.coarse_triangles, "triangle") + " in the coarsest" +
                         (report.injective ? "; injective on each level" : "") +
+                        (flattening.has_relaxed_angles ? "; relaxed by angles" : "") +
                         (flattening.is_polished  ? "; polished"
                          : report.iterations > 0 ? "; polished, but not to convergence"
                                                  : "")});
