@@ -15,8 +15,9 @@ namespace CGAL {
 
 The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative
 solution: fewer digits then suffice, which take half of the memory and less time. The counterpart of
-`SuperLU_solver_traits<double>` is `SuperLU_solver_traits<float>`, with the same widths, with `SuperLU_options::PIVOTS`
-as its check, and with `SuperLU_options::keep_memory`. Any other solver is its own counterpart.
+`SuperLU_solver_traits<double>` factors definite matrices as `SuperLU_solver_traits<float>` does with the same widths,
+with `SuperLU_options::PIVOTS` as its check, and with `SuperLU_options::keep_memory`. It is a type of its own, which
+compiles faster. Any other solver is its own counterpart.
 
 This is a customization point: specialize it for a solver of your own, with the members below.
 

@@ -22,6 +22,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
+#include <CGAL/Solver_interface/internal/SuperLU_preconditioner.h>
 #include <CGAL/Solver_interface/internal/SuperLU_sparse_matrix.h>
 #include <CGAL/Solver_traits_properties.h>
 #include <CGAL/SuperLU_options.h>
@@ -381,18 +382,16 @@ struct Has_independent_copies<SuperLU_solver_traits<FT>> : std::true_type
 {};
 
 #ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
+template <class FT>
+struct Has_independent_copies<internal::SuperLU_preconditioner<FT>> : std::true_type
+{};
+
 template <>
 struct Low_precision_solver_traits<SuperLU_solver_traits<double>>
 {
-  typedef SuperLU_solver_traits<float> type;
+  typedef internal::SuperLU_preconditioner<float> type;
 
-  static type create(const SuperLU_solver_traits<double>& traits)
-  {
-    SuperLU_options options = traits.options();
-    options.check = SuperLU_options::PIVOTS;
-    options.keep_memory = true;
-    return type(options);
-  }
+  static type create(const SuperLU_solver_traits<double>& traits) { return type(traits.options()); }
 };
 #endif
 

@@ -12,6 +12,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
+#include <CGAL/Solver_interface/internal/SuperLU_pivots.h>
 #include <CGAL/Solver_interface/internal/SuperLU_scaling.h>
 #include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
 #include <CGAL/SuperLU_options.h>
@@ -66,7 +67,7 @@ public:
   Result factor(const Columns& a, FT sign)
   {
     if(m_options.check == SuperLU_options::PIVOTS)
-      return factor_with_pivots_checked(a, sign);
+      return superlu_factor_by_pivots(m_factors, a, m_options, sign) ? FACTORED : NOT_DEFINITE;
     return is_symmetric() ? factor_definite(a, sign) : factor_scaled(a);
   }
 
@@ -77,7 +78,7 @@ public:
     if(!solve_scaled(b))
       return false;
     m_scaling.scale_columns(b);
-    return largest(b.data(), b.size()) < infinity;
+    return superlu_largest(b.data(), b.size()) < infinity;
   }
 
 private:
@@ -85,22 +86,11 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr int refinement_steps = 5;
 
-  Result factor_with_pivots_checked(const Columns& a, FT sign)
-  {
-    const FT significant =
-        16 * precision; // smaller pivots may be rounding errors, so their sign means nothing
-    const bool definite = m_factors.factor(a, m_options) && pivots_have_sign(sign) &&
-                          least_relative_pivot([&](int i) { return absolute_diagonal(a, i); }) > significant;
-    if(definite)
-      m_factors.keep_lower_factor_only();
-    return definite ? FACTORED : NOT_DEFINITE;
-  }
-
   Result factor_definite(const Columns& a, FT sign)
   {
     if(!m_factors.factor(a, m_options))
       return NOT_DEFINITE;
-    const bool definite = pivots_have_sign(sign);
+    const bool definite = superlu_pivots_have_sign(m_factors, sign);
     if constexpr(Tolerances::pivots_show_singularity) {
       if(has_suspicious_pivot(a) && is_ill_conditioned(a))
         return FAILED;
@@ -120,42 +110,17 @@ private:
     m_scaling.equilibrate(scaled);
     const FT significant = 64 * precision;
     const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, m_options) &&
-                      least_relative_pivot([](int) { return FT(1); }) > significant &&
+                      superlu_least_relative_pivot(m_factors, [](int) { return FT(1); }) > significant &&
                       (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
                       is_accurate(scaled);
     return good ? FACTORED : FAILED;
-  }
-
-  // The elimination tree of A + A' and diagonal pivots are correct only under this condition. Elimination is then
-  // stable.
-  bool pivots_have_sign(FT sign) const
-  {
-    for(int i = 0; i < size(); ++i)
-      if(!m_factors.is_pivot_diagonal(i) || !(sign * m_factors.pivot(i) > 0))
-        return false;
-    return true;
-  }
-
-  // The least ratio of a pivot to the `scale` of its column in the matrix, or 0 if a ratio is NaN
-  template <class Scale>
-  FT least_relative_pivot(const Scale& scale) const
-  {
-    FT least = (std::numeric_limits<FT>::max)();
-    for(int i = 0; i < size(); ++i) {
-      const FT ratio = std::abs(m_factors.pivot(i)) / scale(i);
-      if(!std::isfinite(ratio))
-        return 0;
-      least = (std::min)(least, ratio);
-    }
-    return least;
   }
 
   // Whether a symmetric matrix may differ from a singular one by rounding errors only. A singular matrix has a pivot
   // that consists of rounding errors, so the condition number is estimated only if a pivot is small.
   bool has_suspicious_pivot(const Columns& a) const
   {
-    return !(least_relative_pivot([&](int i) { return absolute_diagonal(a, i); }) >
-             Tolerances::suspicious_pivot);
+    return !(superlu_least_relative_pivot(m_factors, a) > Tolerances::suspicious_pivot);
   }
 
   bool is_ill_conditioned(const Columns& a) const
@@ -170,27 +135,10 @@ private:
     return !(m_factors.reciprocal_condition(norm) > precision);
   }
 
-  static FT absolute_diagonal(const Columns& a, int j)
+  static double largest(const Vector& x)
   {
-    for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
-      if(a.innerIndexPtr()[k] == j)
-        return std::abs(a.valuePtr()[k]);
-    return 0;
+    return superlu_largest(x.data(), static_cast<std::ptrdiff_t>(x.size()));
   }
-
-  // The largest absolute number; infinity if one is not finite
-  static double largest(const FT* x, std::ptrdiff_t size)
-  {
-    double result = 0;
-    for(std::ptrdiff_t i = 0; i < size; ++i) {
-      if(!std::isfinite(x[i]))
-        return infinity;
-      result = (std::max)(result, static_cast<double>(std::abs(x[i])));
-    }
-    return result;
-  }
-
-  static double largest(const Vector& x) { return largest(x.data(), static_cast<std::ptrdiff_t>(x.size())); }
 
   // Squares must not leave the range of the numbers.
   static FT norm(const Vector& x)
@@ -209,7 +157,7 @@ private:
   {
     Vector root(size()), x = test_vector();
     for(int i = 0; i < size(); ++i)
-      x[i] *= root[i] = std::sqrt(absolute_diagonal(a, i));
+      x[i] *= root[i] = std::sqrt(superlu_absolute_diagonal(a, i));
     FT growth = norm(x);
     for(int step = 0; step < 3; ++step) {
       for(int i = 0; i < size(); ++i)

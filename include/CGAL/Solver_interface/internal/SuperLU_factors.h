@@ -148,6 +148,13 @@ public:
   {
     if(m_upper_arrays)
       return solve_with_both_factors(b);
+    solve_with_lower_factor(b);
+    return true;
+  }
+
+  // The same after `keep_lower_factor_only()`
+  void solve_with_lower_factor(Block b) const
+  {
     const Supernodal_solution<FT, SuperLU_factors> solution(*this);
     const std::vector<int>& order = m_analysis->permutation();
     const typename Spare_vectors::Loan vectors(m_memory->vectors);
@@ -161,7 +168,6 @@ public:
       for(int i = 0; i < size(); ++i)
         column[i] = permuted[order[i]];
     }
-    return true;
   }
 
   // The supernodes of L, with the pivots on their diagonals. (SuperLU's own solution reads both factors.)
