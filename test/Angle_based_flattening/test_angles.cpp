@@ -13,6 +13,7 @@
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 
 #include <Eigen/Dense>
@@ -113,7 +114,7 @@ Chart bump_with_handles(int n)
   chart.seam.assign(chart.vertex.size(), -1);
   for(std::size_t i = 0; i < border.size(); ++i)
     chart.seam[border[i]] = border[(i + border.size() / 2) % border.size()];
-  chart.has_equal_seams = true;
+  chart.add_seam_nodes = &abf::add_seam_nodes;
   abf::find_nodes(chart);
   return chart;
 }
@@ -140,7 +141,7 @@ Chart torus_of_bump(int n)
       chart.seam[a] = b;
       chart.seam[b] = a;
     }
-  chart.has_equal_seams = true;
+  chart.add_seam_nodes = &abf::add_seam_nodes;
   abf::find_nodes(chart);
   return chart;
 }

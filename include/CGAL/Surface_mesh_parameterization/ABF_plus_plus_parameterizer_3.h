@@ -215,7 +215,7 @@ public:
   template <typename HalfedgeSideMap>
   void set_seam_sides(HalfedgeSideMap sides)
   {
-    m_prescriptions.seam_sides = [sides](const halfedge_descriptor& h) { return get(sides, h); };
+    m_prescriptions.set_seam_sides(sides);
   }
 
   /// sets positions of vertices in the plane, from the next call of `parameterize()` on. Without a call of this

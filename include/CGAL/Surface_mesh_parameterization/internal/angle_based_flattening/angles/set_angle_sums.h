@@ -45,8 +45,8 @@ inline void add_to_largest(double angle, const Seam_places& places, std::vector<
 inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
 {
   const Seam_places places(chart);
-  (chart.has_equal_seams ? chart.surface_sums : chart.angle_sums) = std::move(sums);
-  if(chart.has_equal_seams) {
+  (chart.has_equal_seams() ? chart.surface_sums : chart.angle_sums) = std::move(sums);
+  if(chart.has_equal_seams()) {
     const Surface_sum_check check(chart);
     if(Chart_defect defect = check.run())
       return defect;

@@ -163,7 +163,7 @@ private:
     Chart equal = chart;
     if(equalize_seams(equal))
       return direct_map(chart, Atlas_report::NO_EQUATIONS);
-    if(!equal.has_equal_seams)
+    if(!equal.has_equal_seams())
       return direct_map(chart, Atlas_report::NO_SEAMS);
     std::optional<Flattening<ABF_plus_plus_report>> free;
     if(equal.number_of_loops > many_loops && !m_options.separate_overlaps) {

@@ -66,35 +66,6 @@ template <typename TriangleMesh>
 using Halfedge_seam_sides = std::function<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor(
     const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor&)>;
 
-// What a caller prescribes for faces, vertices and seams
-template <typename TriangleMesh>
-struct Prescriptions
-{
-  Face_importance<TriangleMesh> importance;
-  Vertex_angle_sums<TriangleMesh> angle_sums;
-  Halfedge_seam_sides<TriangleMesh> seam_sides;
-  std::optional<bool> equal_seam_lengths;
-  Vertex_points<TriangleMesh> points; // of the mesh if it is empty
-  Vertex_pins<TriangleMesh> pins;
-
-  // Seams of equal lengths, unless the border of the cut mesh is prescribed
-  bool wants_equal_seams() const
-  {
-    const bool has_border_angles = angle_sums.sum_of && !angle_sums.of_surface;
-    return equal_seam_lengths.value_or(Seam_sides<TriangleMesh>::has_seams && !has_border_angles);
-  }
-
-  Chart_defect find_conflict() const
-  {
-    if(!angle_sums.of_surface || wants_equal_seams())
-      return {};
-    return {Diagnosis::WRONG_OPTION,
-            "angle sums of the surface before the cut need seams of equal lengths",
-            {},
-            {}};
-  }
-};
-
 // Finds sides that are not those of each other.
 inline Chart_defect find_wrong_seam(const Chart& chart)
 {
@@ -124,6 +95,54 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   return {};
 }
 
+// What a caller prescribes for faces, vertices and seams
+template <typename TriangleMesh>
+struct Prescriptions
+{
+  Face_importance<TriangleMesh> importance;
+  Vertex_angle_sums<TriangleMesh> angle_sums;
+  Halfedge_seam_sides<TriangleMesh> seam_sides;
+  std::optional<bool> equal_seam_lengths;
+  Vertex_points<TriangleMesh> points; // of the mesh if it is empty
+  Vertex_pins<TriangleMesh> pins;
+  // For seams of equal lengths. Most programs have no seams, and then do not compile what equalizes them.
+  Chart_defect (*equalize)(Chart& chart, bool all_of_them) = equalization_by_type();
+
+  static constexpr auto equalization_by_type() -> Chart_defect (*)(Chart&, bool)
+  {
+    if constexpr(Seam_sides<TriangleMesh>::has_seams)
+      return &equalize_seams;
+    else
+      return nullptr;
+  }
+
+  template <typename HalfedgeSideMap>
+  void set_seam_sides(HalfedgeSideMap sides)
+  {
+    seam_sides = [sides](const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor& h) {
+      return get(sides, h);
+    };
+    equalize = &equalize_seams;
+  }
+
+  // Seams of equal lengths, unless the border of the cut mesh is prescribed
+  bool wants_equal_seams() const
+  {
+    const bool has_border_angles = angle_sums.sum_of && !angle_sums.of_surface;
+    return equal_seam_lengths.value_or(Seam_sides<TriangleMesh>::has_seams && !has_border_angles);
+  }
+
+  Chart_defect find_conflict() const
+  {
+    if(!angle_sums.of_surface || wants_equal_seams())
+      return {};
+    return {Diagnosis::WRONG_OPTION,
+            "angle sums of the surface before the cut need seams of equal lengths",
+            {},
+            {}};
+  }
+};
+
 // Sets the prescribed angles of a chart if they are possible. Null in programs that do not prescribe angles, because
 // the check needs a maximum flow.
 inline Chart_defect (*optional_angle_sums)(std::vector<double> sums, Chart& chart) = nullptr;
@@ -145,7 +164,7 @@ read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::ve
       has_some = true;
     }
   // On the surface before the cut, seam vertices missing from the map get 2 pi.
-  if(!has_some && !chart.has_equal_seams)
+  if(!has_some && !chart.has_equal_seams())
     return {};
   if(optional_angle_sums == nullptr)
     return {

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The equations of the surface before it was cut: Eqs. 3 and 4 around vertices of seams, and loops where these are not
-// enough. `find_nodes()` in `find_borders.h` calls it for charts whose seams have equal sides; the paper leaves seams
-// free.
+// enough. `find_nodes()` in `find_borders.h` calls it, by a pointer, for charts whose seams have equal sides; the paper
+// leaves seams free.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H
@@ -133,6 +133,12 @@ private:
   int m_first = 0;
   bool m_is_every_sum_prescribed = true;
 };
+
+// For `Chart::add_seam_nodes`
+inline void add_seam_nodes(Chart& chart)
+{
+  Seam_nodes(chart).add();
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

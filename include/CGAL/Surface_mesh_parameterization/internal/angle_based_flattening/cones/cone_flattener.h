@@ -160,7 +160,7 @@ private:
       defect = find_no_area(chart, degenerate_triangles(chart));
     if(!defect && m_options.equal_seam_lengths.value_or(true))
       defect = equalize_seams(chart);
-    if(!defect && !are_free() && chart.has_equal_seams)
+    if(!defect && !are_free() && chart.has_equal_seams())
       defect = optional_angle_sums(sums_at_seams(chart), chart);
     if(defect) {
       ABF::fail(m_result.map, defect.status, defect.message);

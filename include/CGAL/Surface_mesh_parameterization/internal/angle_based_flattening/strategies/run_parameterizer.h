@@ -151,8 +151,8 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
   }
   if(!defect)
     defect = prescriptions.find_conflict();
-  if(!defect && prescriptions.wants_equal_seams())
-    defect = equalize_seams(reader.chart, prescriptions.equal_seam_lengths.has_value());
+  if(!defect && prescriptions.wants_equal_seams() && prescriptions.equalize != nullptr)
+    defect = prescriptions.equalize(reader.chart, prescriptions.equal_seam_lengths.has_value());
   if(!defect)
     defect = read_angle_sums(reader.vertex_descriptors, prescriptions.angle_sums, mesh, reader.chart);
   if(!defect)
