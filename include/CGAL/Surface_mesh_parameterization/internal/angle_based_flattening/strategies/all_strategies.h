@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/disk_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/filled_hole_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
@@ -22,7 +23,12 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Runs as that of the strategies for disks does.
-inline const bool has_all_strategies = (optional_strategies.fill_holes = &fill_holes, has_disk_strategies);
+inline const bool has_all_strategies = [] {
+  optional_strategies.fill_holes = &fill_holes;
+  optional_strategies.flatten_filled = &flatten_filled;
+  optional_strategies.solve_by_filling = &solve_by_filling;
+  return has_disk_strategies;
+}();
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

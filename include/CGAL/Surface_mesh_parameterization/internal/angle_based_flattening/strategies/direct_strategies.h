@@ -13,7 +13,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
@@ -137,35 +136,13 @@ public:
   // What is left when all else has failed
   Direct_flattening from_embedding(Direct_flattening failed)
   {
-    if(optional_strategies.embed_progressively == nullptr) {
+    if(optional_strategies.from_embedding == nullptr) {
       fail(failed.report, failed.report.status,
            needs_strategies(failed.report.message + "; the last fallback"));
       return failed;
     }
     m_attempts.note_failure(failed);
-    std::optional<std::vector<Chart::Point_2>> embedding =
-        optional_strategies.embed_progressively(m_task.chart, m_task.options);
-    if(!embedding) {
-      Direct_flattening result;
-      result.report = report_of<Report>(m_task.part);
-      result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
-      fail(result.report, Diagnosis::PRECISION_EXCEEDED, "no valid map was found in double precision");
-      return result;
-    }
-    std::vector<double> alpha(m_beta.size());
-    for(int c = 0; c < m_task.chart.number_of_corners(); ++c)
-      alpha[c] = planar_angle(m_task.chart, *embedding, c);
-    Direct_flattening result =
-        flatten(m_task.options, starting_angles(alpha), Report::FROM_PROGRESSIVE_EMBEDDING);
-    if(result.succeeded() && result.report.converged)
-      return result;
-    if(result.succeeded())
-      fail(result.report, Diagnosis::NO_CONVERGENCE, "the angles did not converge");
-    if(m_task.part.has_prescribed_angles()) // the embedding knows nothing of them
-      return result;
-    m_attempts.note_failure(result);
-    embedding->resize(m_task.part.points.size());
-    return take_embedding(*embedding);
+    return optional_strategies.from_embedding(*this, m_task, m_attempts);
   }
 
   // Adds to `result` where the next run is to start, if there is to be one.
@@ -178,39 +155,6 @@ public:
   }
 
 private:
-  // Near the limits of precision rounding by the scale to the surface's area is too much; a power of two rounds
-  // nothing.
-  Direct_flattening take_embedding(const std::vector<Chart::Point_2>& embedding)
-  {
-    std::vector<Chart::Point_2> uv = embedding;
-    scale_to_surface_area(m_task.part, uv);
-    Direct_flattening result = certified(std::move(uv));
-    if(result.succeeded())
-      return result;
-    const double factor = power_of_two(scale_to_surface(m_task.part, embedding));
-    uv = embedding;
-    for(Chart::Point_2& p : uv)
-      p = CGAL::ORIGIN + (p - CGAL::ORIGIN) * factor;
-    return certified(std::move(uv));
-  }
-
-  Direct_flattening certified(std::vector<Chart::Point_2> uv)
-  {
-    Direct_flattening result;
-    result.report = report_of<Report>(m_task.part);
-    result.report.strategy = Report::PROGRESSIVE_EMBEDDING;
-    m_task.round(uv);
-    Certificate certificate = certify(m_task.part, uv);
-    take_certificate(certificate, result.report);
-    if(!certificate.is_valid())
-      fail(result.report, Diagnosis::PRECISION_EXCEEDED,
-           "the map is valid, but after rounding to the coordinates' number type it has " +
-               describe_invalid(m_task.part, certificate));
-    result.invalid = std::move(certificate.invalid);
-    result.uv = std::move(uv);
-    return result;
-  }
-
   const Direct_task m_task;
   const std::vector<double> m_beta;
   Attempts& m_attempts;

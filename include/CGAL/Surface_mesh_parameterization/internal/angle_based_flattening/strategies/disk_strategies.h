@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/embedding_strategy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
@@ -24,7 +25,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // The initialization runs before `main()`, and more than once if several shared libraries include this header, with the
 // same result.
 inline const bool has_disk_strategies = [] {
-  optional_strategies.embed_progressively = &progressive_embedding;
+  optional_strategies.from_embedding = &flatten_from_embedding;
   optional_strategies.make_injective = &made_injective;
   optional_strategies.flatten_injectively = &flatten_injectively;
   return true;

@@ -55,8 +55,9 @@ inline Flattening<ABF_plus_plus_report> flatten_with_holes(const Direct_task& ta
   refusal.invalid = limit_scale(task.chart, task.solvers, refusal.report);
   if(!refusal.succeeded())
     return refusal;
-  Flattening<ABF_plus_plus_report> result =
-      are_holes_filled(task.chart, task.options) ? flatten_filled(task) : solve_holes(task, last);
+  Flattening<ABF_plus_plus_report> result = are_holes_filled(task.chart, task.options)
+                                                ? optional_strategies.flatten_filled(task)
+                                                : solve_holes(task, last);
   result.report.predicted_scale_range = refusal.report.predicted_scale_range;
   return result;
 }

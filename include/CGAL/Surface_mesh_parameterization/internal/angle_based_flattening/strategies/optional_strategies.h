@@ -37,13 +37,22 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers);
 
+struct Attempts;
+struct Direct_flattening;
+struct Direct_task;
+class Direct_strategies;
+
 // Functions that the methods call only if their options ask for it, or if their own map is not valid. Programs that
 // need none of them do not compile them: <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h> enters them
 // here. The compiled library contains all of them.
 struct Optional_strategies
 {
   decltype(&ABF::fill_holes) fill_holes = nullptr;
-  decltype(&ABF::progressive_embedding) embed_progressively = nullptr;
+  // fallbacks of the direct method
+  Direct_flattening (*from_embedding)(Direct_strategies&, const Direct_task&, Attempts&) = nullptr;
+  Direct_flattening (*solve_by_filling)(Direct_strategies&, const Direct_task&, Attempts&) = nullptr;
+  // the direct method with `Flattening_options::FILL`
+  Flattening<ABF_plus_plus_report> (*flatten_filled)(const Direct_task&) = nullptr;
   decltype(&ABF::made_injective) make_injective = nullptr;
   decltype(&ABF::flatten_injectively) flatten_injectively = nullptr;
 };
