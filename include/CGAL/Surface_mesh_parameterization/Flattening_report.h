@@ -273,7 +273,8 @@ struct Hierarchical_report : Flattening_report
   /// Whether polishing succeeded: the result is then that of the direct solver. For injective maps: whether Newton's
   /// method converged; if not, the map has the lowest energy that was reached.
   bool polished = false;
-  int polish_iterations = 0;      ///< Newton steps of polishing.
+  /// Newton steps of polishing; for injective maps, all steps on the finest level towards the least energy of angles.
+  int polish_iterations = 0;
   double constraint_residual = 0; ///< Largest violation of a constraint by the polished angles, in radians.
 };
 

@@ -82,6 +82,9 @@ private:
   // From this number of vertices on, time is linear.
   static constexpr int large_chart = 100000;
 
+  // When the energy of angles has converged (`Descent_limits`)
+  static constexpr double polish_tolerance = 1e-2, full_step_tolerance = 5e-2;
+
   // Charts of up to this size are relaxed as a whole, by Newton's method, and larger ones vertex by vertex. Newton's
   // method may take about a third of the time.
   static int most_newton_vertices(const Chart& chart)
@@ -166,21 +169,28 @@ private:
            "the linear system of a Newton step with " + std::to_string(chart.number_of_vertices()) +
                " vertices could not be solved");
     m_report.border_rejections += descent.rejections();
+    m_descent_steps = descent.steps();
     return descent.has_converged();
   }
 
   // Relaxes the whole current chart. A map to be polished comes near to the least energy of the angles on the last of
-  // these levels, while that is cheap.
+  // these levels, while that is cheap. On the finest one, it is polished if that converges.
   void descend_on_level()
   {
     const Coarse_chart coarse = coarse_chart();
     std::vector<Planar_point> uv;
     for(int v : coarse.vertices)
       uv.push_back(m_uv[v]);
+    const bool is_finest = m_coarsening.number_of_levels() == 0;
     if(m_options.polish && 2 * coarse.chart.number_of_vertices() > m_most_newton_vertices) {
       const std::vector<double> beta = target_angles(coarse.chart);
-      descend(coarse.chart, Angle_objective(coarse.chart, beta, Angle_energy{m_options.barrier}), {1e-2, 5},
-              uv);
+      const bool has_converged =
+          descend(coarse.chart, Angle_objective(coarse.chart, beta, Angle_energy{m_options.barrier}),
+                  {polish_tolerance, 5, is_finest ? full_step_tolerance : 0}, uv);
+      if(is_finest) {
+        m_report.polished = has_converged;
+        m_report.polish_iterations = m_descent_steps;
+      }
     } else {
       descend(coarse.chart, m_options.area_weight, {is_isometric() ? 1e-2 : 5e-2, 10}, uv);
     }
@@ -227,7 +237,7 @@ private:
   void finish()
   {
     lower_energy();
-    if(m_options.polish)
+    if(m_options.polish && !m_report.polished)
       polish();
     widen_crushed_triangles();
     m_relaxation.take_border();
@@ -242,10 +252,10 @@ private:
   void lower_energy()
   {
     const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
-    if(m_options.angle_sweeps == 0 && is_isometric())
+    if(m_options.angle_sweeps == 0 && is_isometric() && !m_report.polished)
       return;
     Angle_descent descent(m_coarsening.mesh().chart(), m_options.barrier, m_uv);
-    const int usual_sweeps = m_coarsening.number_of_vertices() <= large_chart ? 5 : 3;
+    const int usual_sweeps = m_report.polished ? 1 : m_coarsening.number_of_vertices() <= large_chart ? 5 : 3;
     if(m_options.angle_sweeps > 0) {
       m_report.angle_sweeps = descent.run(m_relaxation, m_options.angle_sweeps, m_options.energy_tolerance);
     } else {
@@ -267,7 +277,7 @@ private:
     Angle_descent sweeps(chart, m_options.barrier, m_uv);
     while(succeeded() && m_report.polish_iterations < most_steps && !m_report.polished) {
       const Stage stage(m_options.visitor, Flattening_visitor::POLISH, m_report.seconds.polish);
-      m_report.polished = descend(chart, objective, {1e-2, 1}, m_uv);
+      m_report.polished = descend(chart, objective, {polish_tolerance, 1, full_step_tolerance}, m_uv);
       sweeps.run(m_relaxation, 1, 0);
       ++m_report.polish_iterations;
     }
@@ -310,6 +320,7 @@ private:
   const Linear_solvers& m_solvers;
   int m_most_newton_vertices;
   Hierarchical_report m_report;
+  int m_descent_steps = 0;        // of the last descent
   std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
   Relaxation<Border_keeper> m_relaxation;
 };

@@ -37,11 +37,13 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // When to stop: after a step whose expected decrease is less than this fraction of the energy of distortion, or after
-// this many steps.
+// this many steps. Newton's method converges so fast that what is left after a full step is far less than what the step
+// gained, so a full step may have a larger tolerance.
 struct Descent_limits
 {
   double tolerance = 1e-4;
   int steps = 50;
+  double tolerance_of_full_step = 0;
 };
 
 // Projected Newton steps of an injective map towards the least energy, the sum of that of the triangles and the barrier
@@ -82,15 +84,21 @@ public:
         return true;
       if(!find_direction(uv, border))
         return false;
-      m_has_converged = m_slope / 2 < limits.tolerance * (before - m_least_energy);
-      if(!search(uv, border, before) || m_has_converged)
+      ++m_steps;
+      const double expected = m_slope / 2, distortion = before - m_least_energy;
+      m_has_converged = expected < limits.tolerance * distortion;
+      const double length = search(uv, border, before);
+      if(length == 1)
+        m_has_converged = m_has_converged || expected < limits.tolerance_of_full_step * distortion;
+      if(length == 0 || m_has_converged)
         break;
     }
     return true;
   }
 
-  // Whether the last run ended because hardly any decrease was expected
+  // Whether the last run ended because hardly any decrease is expected
   bool has_converged() const { return m_has_converged; }
+  int steps() const { return m_steps; } // of all runs
   int rejections() const { return m_rejections; }
 
 private:
@@ -178,9 +186,9 @@ private:
     return done;
   }
 
-  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns `false` if the
-  // map does not move.
-  bool search(Positions& uv, Planar_border& border, double before)
+  // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns the fraction of
+  // Newton's step that was taken, 0 if the map does not move.
+  double search(Positions& uv, Planar_border& border, double before)
   {
     const int most_halvings = 30;
     Positions next(uv.size());
@@ -193,11 +201,11 @@ private:
         continue;
       if(border.is_simple()) {
         uv = std::move(next);
-        return true;
+        return length;
       }
       ++m_rejections;
     }
-    return false;
+    return 0;
   }
 
   // How far one may go along the direction until a triangle degenerates
@@ -237,7 +245,7 @@ private:
   Eigen::VectorXd m_direction;
   double m_least_energy = 0; // without any distortion
   bool m_has_converged = false;
-  int m_rejections = 0;
+  int m_steps = 0, m_rejections = 0;
   double m_slope = 0; // of the energy along the direction, downwards
 };
 
