@@ -54,7 +54,7 @@ if(ABF_TOP_LEVEL AND NOT ABF_INSTALL_CORE)
   add_compile_definitions(CGAL_DO_NOT_USE_BOOST_MP)
 endif()
 # Tests and short examples take longer to compile than to run.
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CXX_FLAGS_RELEASE MATCHES "-O0")
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(ABF_QUICK_TO_COMPILE $<$<CONFIG:Release>:-O1>)
 endif()
 if(ABF_SANITIZE)
