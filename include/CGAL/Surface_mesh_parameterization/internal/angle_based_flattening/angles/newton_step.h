@@ -71,12 +71,13 @@ public:
                const Constraint_vector& residual, Newton_step& step,
                const Iterative_accuracy& accuracy = Iterative_accuracy())
   {
-    parallel_for(2, [&](int k) {
+    const auto prepare = [&](int k) {
       if(k == 0)
         m_equation.analyze_pattern(matrix());
       else
         assemble(alpha, multipliers, residual);
-    });
+    };
+    parallel_for(2, prepare, m_chart.number_of_triangles());
     const bool needs_memory = m_saves_memory && m_equation.is_to_be_factored();
     if(needs_memory)
       std::vector<Local_system>().swap(m_local);

@@ -52,7 +52,8 @@ public:
     if(!m_second)
       return m_first.set_matrix(Diagonal_parts<2>{matrix});
     std::array<bool, 2> done;
-    parallel_for(2, [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); });
+    const auto set = [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); };
+    parallel_for(2, set, matrix.columns_of_blocks());
     return done[0] && done[1];
   }
 
@@ -61,13 +62,14 @@ public:
     const int systems = m_second ? 2 : 1;
     const Eigen::Index half = residual.size() / 2, n = residual.size() / systems;
     std::array<bool, 2> done = {true, true};
-    parallel_for(systems, [&](int k) {
+    const auto solve = [&](int k) {
       m_sorted[k].resize(n);
       for(Eigen::Index i = 0; i < n;
           ++i) // one system gets the first unknowns of all blocks before the second ones
         m_sorted[k][i] = residual[2 * (i % half) + (i < half ? k : 1)];
       done[k] = system(k).solve(m_sorted[k], m_solution[k]);
-    });
+    };
+    parallel_for(systems, solve, static_cast<int>(n));
     if(!done[0] || !done[1])
       return false;
     correction.resize(residual.size());

@@ -114,7 +114,7 @@ private:
                       .status == Iterative_solution::SOLVED;
     };
     if(m_solvers->may_be_shared) {
-      parallel_for(2, solve);
+      parallel_for(2, solve, static_cast<int>(right_hand_sides[0].size()));
     } else {
       solve(0);
       solve(1);

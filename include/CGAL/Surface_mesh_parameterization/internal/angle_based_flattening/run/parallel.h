@@ -30,13 +30,38 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 struct Cancelled
 {};
 
-// Calls `f(b)` for each b in [0, n), in parallel if TBB is available. An exception in one thread also stops the loops
-// that others run at the time within the same loop. They would go on behind a loop that was not done.
-template <typename Function>
-void parallel_for(int n, const Function& f)
+inline constexpr int block_size = 1024;
+
+// Loops over fewer elements than this stay in one thread: waking another one takes longer.
+inline constexpr int least_parallel_size = 4 * block_size;
+
+// What a loop calls, without its type, so that a program has the code of a parallel loop only once
+class Loop_body
 {
+public:
+  template <typename Function>
+  explicit Loop_body(const Function& f)
+      : m_function(&f), m_call([](const void* g, int b) { (*static_cast<const Function*>(g))(b); })
+  {}
+
+  void operator()(int b) const { m_call(m_function, b); }
+
+private:
+  const void* m_function;
+  void (*m_call)(const void*, int);
+};
+
+// An exception in one thread also stops the loops that others run at the time within the same loop. They would go on
+// behind a loop that was not done.
+inline void run_loop(int n, bool is_parallel, const Loop_body& body)
+{
+  if(n < 2 || !is_parallel) {
+    for(int b = 0; b < n; ++b)
+      body(b);
+    return;
+  }
   CGAL::for_each<CGAL::Parallel_if_available_tag>(boost::irange(0, n), [&](int b) {
-    f(b);
+    body(b);
     return true;
   });
 #ifdef CGAL_LINKED_WITH_TBB
@@ -45,14 +70,21 @@ void parallel_for(int n, const Function& f)
 #endif
 }
 
-inline constexpr int block_size = 1024;
+// Calls `f(b)` for each b in [0, n), in parallel if TBB is available. Each call goes through `size` elements.
+template <typename Function>
+void parallel_for(int n, const Function& f, int size = least_parallel_size)
+{
+  run_loop(n, size >= least_parallel_size, Loop_body(f));
+}
 
 // Calls `f(begin, end)` for blocks of [0, n), which do not depend on the number of threads.
 template <typename Function>
 void parallel_for_blocks(int n, const Function& f)
 {
-  parallel_for((n + block_size - 1) / block_size,
-               [&](int b) { f(b * block_size, n - b * block_size < block_size ? n : (b + 1) * block_size); });
+  const auto call = [&](int b) {
+    f(b * block_size, n - b * block_size < block_size ? n : (b + 1) * block_size);
+  };
+  run_loop((n + block_size - 1) / block_size, n >= least_parallel_size, Loop_body(call));
 }
 
 // The sum of f(0) to f(n - 1), by blocks, so that rounding does not depend on the number of threads.
