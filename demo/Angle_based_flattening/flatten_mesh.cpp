@@ -24,6 +24,10 @@
 #include <cstdlib>
 #include <iostream>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace flatten_mesh {
 
 namespace {
@@ -35,6 +39,17 @@ namespace {
   std::cout.flush();
   std::cerr.flush();
   std::_Exit(status);
+}
+
+// Charts take arrays of the same sizes many times. What glibc returns to the system in between, the system clears
+// before it gives it again.
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+  const int megabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * megabyte); // its largest value
+  mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+#endif
 }
 
 Exit_status run(const Command_line& command)
@@ -77,6 +92,7 @@ int main(int argc, char* argv[])
   // Failed assertions in debug builds throw. The catch below reports them in one line.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  keep_freed_memory();
   Unfinished_files::remove_when_interrupted();
   const Exit_status status = understand_and_run(argc, argv);
   if(status != SUCCESS) { // memory may have run out for one of several inputs
