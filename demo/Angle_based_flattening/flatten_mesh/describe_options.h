@@ -211,7 +211,7 @@ inline po::options_description method_options(Command_line& command)
       "sweeps of relaxation on each level of the hierarchical method");
   add("angle-sweeps", count_option(command.hierarchical.angle_sweeps),
       "final sweeps of the hierarchical method that lower the energy of the direct method; auto: up to 20. "
-      "--injective: 5 by default, or 3 for large charts");
+      "--injective: 10 by default, or 3 to 5 for large charts");
   add("polish", po::bool_switch(&command.hierarchical.polish),
       "lower the distortion of the hierarchical method to that of the direct method");
   add("barrier", number_option(abf.barrier, "KAPPA"),

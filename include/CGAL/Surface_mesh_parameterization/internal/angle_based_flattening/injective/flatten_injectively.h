@@ -197,6 +197,14 @@ private:
     put_back(coarse, uv);
   }
 
+  // Whether the current level is relaxed as a whole. The finest one is only where that is worth more than sweeps on the
+  // energy of angles, which take less time.
+  bool needs_newton() const
+  {
+    return m_coarsening.number_of_vertices() <= m_most_newton_vertices &&
+           (m_coarsening.number_of_levels() > 0 || is_isometric() || m_options.polish);
+  }
+
   // Undoes all levels. Returns `false` if a vertex has no valid position in its star.
   bool refine()
   {
@@ -210,7 +218,7 @@ private:
       // Sweeps mend slivers, at which Newton's method could only take short steps.
       if(is_refined)
         relax();
-      if(is_refined && size <= m_most_newton_vertices &&
+      if(is_refined && needs_newton() &&
          (size > 1.7 * size_of_last_descent || m_coarsening.number_of_levels() == 0)) {
         descend_on_level();
         size_of_last_descent = size;
@@ -249,20 +257,28 @@ private:
     m_report.rejected_moves = m_relaxation.rejected_moves();
   }
 
+  // Sweeps that the option `angle_sweeps` does not ask for: most where they take the place of Newton's method
+  int usual_angle_sweeps() const
+  {
+    const int n = m_coarsening.number_of_vertices();
+    if(m_report.polished)
+      return 1;
+    return n > large_chart ? 3 : n > m_most_newton_vertices || m_options.polish ? 5 : 10;
+  }
+
   void lower_energy()
   {
     const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
     if(m_options.angle_sweeps == 0 && is_isometric() && !m_report.polished)
       return;
     Angle_descent descent(m_coarsening.mesh().chart(), m_options.barrier, m_uv);
-    const int usual_sweeps = m_report.polished ? 1 : m_coarsening.number_of_vertices() <= large_chart ? 5 : 3;
     if(m_options.angle_sweeps > 0) {
       m_report.angle_sweeps = descent.run(m_relaxation, m_options.angle_sweeps, m_options.energy_tolerance);
     } else {
-      for(int i = 1; i < usual_sweeps; ++i)
+      m_report.angle_sweeps = usual_angle_sweeps();
+      for(int i = 1; i < m_report.angle_sweeps; ++i)
         m_relaxation.sweep(descent.star());
       descent.run(m_relaxation, 1, 0);
-      m_report.angle_sweeps = usual_sweeps;
     }
     m_report.energy = descent.energy();
   }
