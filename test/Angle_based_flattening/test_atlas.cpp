@@ -522,6 +522,23 @@ BOOST_AUTO_TEST_CASE(overlaps_become_injective_or_are_separated)
   BOOST_TEST(separated.report.measures.rms_angle_change < injective.report.measures.rms_angle_change);
 }
 
+BOOST_AUTO_TEST_CASE(overlaps_of_larger_charts_are_predicted)
+{
+  for(double turns : {0.4, 0.8, 0.95, 1.15, 1.4, 2., 2.6}) {
+    const Mesh mesh = mesh_of({component("staircase", test_charts::staircase(120, 24, turns, 0.1))});
+    const Atlas_run run = make_atlas_of(mesh),
+                    separated =
+                        make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::separate_overlaps, true));
+    check_atlas(run, Wishes());
+    BOOST_TEST_REQUIRE(run.report.charts.size() == 1u);
+    const Atlas_report::Chart& chart = run.report.charts[0];
+    const bool overlaps = separated.report.charts.size() > 1;
+    BOOST_TEST(overlaps == (turns > 1));
+    BOOST_TEST(chart.overlap_is_predicted == overlaps);
+    BOOST_TEST((chart.method == (overlaps ? Atlas_report::INJECTIVE : Atlas_report::ABF_PLUS_PLUS)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_larger_weight_of_areas_stretches_them_less)
 {
   const Mesh mesh = mesh_of({atlas_surfaces::staircase(60, 2.3)});

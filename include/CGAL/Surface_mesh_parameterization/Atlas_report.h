@@ -92,9 +92,13 @@ struct Atlas_report : Report
     std::size_t part = 0;            ///< The number of the part of the surface that contains the chart.
     std::size_t number_of_faces = 0; ///< The number of faces.
     Method method = ABF_PLUS_PLUS;   ///< How the map was made.
-    Strategy strategy = USUAL;       ///< What the map needed.
-    double area = 0;                 ///< The area on the surface.
-    double border_length = 0;        ///< The length of the border on the surface.
+
+    /// Whether ABF++ was not tried, because its map of a coarse copy of the chart overlaps itself. Only copies of charts
+    /// with at least 2400 vertices and at most 20,000 triangles are made.
+    bool overlap_is_predicted = false;
+    Strategy strategy = USUAL; ///< What the map needed.
+    double area = 0;           ///< The area on the surface.
+    double border_length = 0;  ///< The length of the border on the surface.
 
     /// The stretch that is due to scale: \f$\sqrt{\sum A^2/A' \; \sum A'}/\sum A\f$, with areas \f$A\f$ on the surface
     /// and \f$A'\f$ in the plane. 1 is perfect. Seams are added to keep it near

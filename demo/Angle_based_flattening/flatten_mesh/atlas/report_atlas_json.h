@@ -26,6 +26,7 @@ inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const doubl
   json.add("triangles", json_number(chart.number_of_faces));
   json.add("share_of_area", json_number(share));
   json.add("method", json_text(to_string(chart.method)));
+  json.add("overlap_is_predicted", json_bool(chart.overlap_is_predicted));
   json.add("strategy", json_text(to_string(chart.strategy)));
   json.add("scale_stretch", json_number(chart.scale_stretch));
   json.add("l2_stretch", json_number(chart.l2_stretch));

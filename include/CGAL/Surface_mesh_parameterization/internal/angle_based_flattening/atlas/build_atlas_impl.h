@@ -125,6 +125,7 @@ private:
         chart.method = piece.method;
         chart.strategy = piece.strategy;
         chart.seam_lengths = piece.seam_lengths;
+        chart.overlap_is_predicted = piece.overlap_is_predicted;
         chart.contact = piece.contact;
         chart.rounds = piece.rounds;
         m_atlas.report.charts.push_back(chart);

@@ -42,6 +42,7 @@ struct Chart_map
   bool overlaps = false;     // parts of the disk in the plane
   bool is_isometric = false; // as far as possible, rather than conformal
   bool is_hopeless = false;  // no map is worth the time: the surface should be divided
+  bool overlap_is_predicted = false;
   Atlas_report::Seam_lengths seam_lengths = Atlas_report::OTHER_METHOD;
   double contact = 0;
   Diagnosis status = Diagnosis::NOTHING_WRONG;
@@ -72,13 +73,17 @@ public:
       : m_options(options), m_solvers(solvers), m_visitor(visitor)
   {}
 
-  // The map of ABF++ if it does not overlap itself, and otherwise an injective map. If there is no injective map, the
-  // overlapping one.
+  // The map of ABF++ if it does not overlap itself and was not predicted to, and otherwise an injective map. If there
+  // is no injective map, the overlapping one.
   Chart_map run(const Chart& chart) const
   {
     if(m_options.keeps_distance)
       return injective_map(chart);
-    Chart_map map = abf_plus_plus(chart, m_options.separate_overlaps);
+    const bool is_predicted = overlap_is_predicted(chart);
+    Chart_map map;
+    map.overlaps = is_predicted;
+    if(!is_predicted)
+      map = abf_plus_plus(chart, m_options.separate_overlaps);
     if(map.is_valid() && (!map.overlaps || m_options.separate_overlaps))
       return map;
     const bool is_locked = is_hopeless(chart);
@@ -86,6 +91,7 @@ public:
       return hopeless_map();
     Chart_map injective = is_locked || m_options.is_isometric ? isometric_map(chart) : injective_map(chart);
     if(injective.is_valid()) {
+      injective.overlap_is_predicted = is_predicted;
       if(map.is_valid())
         injective.overlapping = std::make_shared<const Chart_map>(std::move(map));
       return injective;
@@ -135,17 +141,34 @@ private:
   // border gets stuck everywhere.
   bool is_hopeless(const Chart& chart) const
   {
-    const int least_triangles = 20000, vertices_of_copy = chart.number_of_vertices() / 15;
+    const int least_triangles = 20000;
     const double bound = m_options.stretch_bound;
     if(chart.number_of_triangles() < least_triangles || m_options.separate_overlaps || keeps_areas() ||
        !std::isfinite(bound))
       return false;
-    Chart fine = chart;
-    Coarsening coarsening(fine);
-    coarsening.coarsen(vertices_of_copy, Hierarchical_options().extreme_angle, m_visitor);
-    const Chart coarse = coarsening.coarse_chart().chart;
+    const Chart coarse = coarse_copy(chart, chart.number_of_vertices() / 15);
     const Chart_map map = injective_map(coarse);
     return !map.is_valid() || map_stretch(coarse, map.uv).is_mendable(bound);
+  }
+
+  // Whether the map of a coarse copy overlaps itself. The map of the chart rarely differs, and takes several times as
+  // long.
+  bool overlap_is_predicted(const Chart& chart) const
+  {
+    const int vertices_of_copy = 600, least_vertices = 4 * vertices_of_copy;
+    if(m_options.separate_overlaps || chart.number_of_vertices() < least_vertices ||
+       chart.number_of_triangles() > largest_direct_chart)
+      return false;
+    const Flattening<ABF_plus_plus_report> map = direct_flattening(coarse_copy(chart, vertices_of_copy));
+    return map.succeeded() && !map.report.border_is_simple;
+  }
+
+  Chart coarse_copy(const Chart& chart, int number_of_vertices) const
+  {
+    Chart fine = chart;
+    Coarsening coarsening(fine);
+    coarsening.coarsen(number_of_vertices, Hierarchical_options().extreme_angle, m_visitor);
+    return coarsening.coarse_chart().chart;
   }
 
   static Chart_map hopeless_map()

@@ -30,6 +30,7 @@ struct Atlas_piece
   Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
   Atlas_report::Strategy strategy = Atlas_report::USUAL;
   Atlas_report::Seam_lengths seam_lengths = Atlas_report::NO_SEAMS;
+  bool overlap_is_predicted = false;
   double contact = 0;
   int rounds = 0; // in which seams were added
 };

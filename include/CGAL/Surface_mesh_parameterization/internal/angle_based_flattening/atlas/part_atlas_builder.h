@@ -213,7 +213,7 @@ private:
     atlas.uv = std::move(m_best.map.uv);
     atlas.pieces = {{m_best.map.method,
                      m_best.map.is_isometric ? Atlas_report::LARGER_AREA_WEIGHT : Atlas_report::USUAL,
-                     m_best.map.seam_lengths, m_best.map.contact, m_rounds}};
+                     m_best.map.seam_lengths, m_best.map.overlap_is_predicted, m_best.map.contact, m_rounds}};
     atlas.number_of_terminals = m_terminals;
     return atlas;
   }
