@@ -6,6 +6,7 @@ folder, with all charts checked; of one model in many sizes; and against CGAL's 
 
 import argparse
 import math
+import statistics
 from pathlib import Path
 
 import run
@@ -23,6 +24,17 @@ LIMITS = {"homer": (3.83, 1.068), "cow": (4.34, 1.076), "camel": (4.52, 1.079), 
 SEPARATED = {"elephant": 0.49, "armadillo": 0.60}  # the least share that is covered
 OTHERS = ["fandisk", "anchor_dense", "bunny00"]
 METHODS = {"direct": "ABF++", "hierarchical": "hierarchical ABF++", "injective": "injective", "separated": "separated"}
+# Models of CGAL's demo with 4,000 to 60,000 triangles, by size, and the largest medians of seconds on two threads
+SMALL = {"6,000": (0.10, ["blobby", "knot", "bones", "elephant-with-holes", "mushroom", "rotor_small", "elephant", "triceratops", "cow",
+                          "knot1", "retinal"]),
+         "10,000": (0.18, ["anchor_dense", "femur", "dino", "holes", "homer", "b9_mesh", "mech-holes-shark", "knot2", "bull", "fandisk",
+                           "lion", "blade"]),
+         "20,000": (math.inf, ["cylinder_locally_refined", "lion-head", "cheese", "turbine", "camel", "ChineseDragon-10kv", "bear_bis",
+                               "mannequin-devil", "bear"]),
+         "50,000": (0.8, ["fandisk_large", "man", "diplodocus", "armadillo"])}
+WAITING = [("seconds, 1 thread", "alone", "seconds"), ("2 threads", "seconds", "seconds"), ("2 / 1", "threads_ratio", ".2f"),
+           ("CPU seconds, 1 thread", "cpu_alone", "seconds"), ("page faults", "faults_alone", ",.0f"), ("charts", "charts", ".0f"),
+           ("L2 stretch", "stretch", ".3f")]
 WAYS = {"avoided": [], "separated": ["--separate"], "separated, and necks cut": ["--separate", "--necks"]}
 NO_SURFACE = ("cannot read a manifold mesh", "the mesh has no faces")
 
@@ -136,6 +148,22 @@ class Benchmark:
         return (f"The model {base.stem}, simplified or subdivided.\n\n{table(titles, rows, 0)}\n"
                 f"The share of each stage in the time, on {threads} thread(s):\n\n{stages}" + (str(targets) if targets.rows else ""))
 
+    def small(self) -> str:
+        """What an interactive program waits for"""
+        rows, targets = Table(["model", "triangles", "maps"], WAITING, 3), Targets()
+        for size, (most, names) in SMALL.items():
+            seconds = []
+            for file in (self.options.demo / f"{name}.off" for name in names):
+                alone, m = run.interleaved(lambda count: self.measure(file, threads=count), [1, 2], self.options.repeat)
+                m["alone"], m["cpu_alone"], m["faults_alone"] = alone["seconds"], alone["cpu"], alone["faults"]
+                m["threads_ratio"] = m["seconds"] / alone["seconds"]
+                rows.add([file.stem, f"{m['triangles']:,.0f}", ways(m)], m)
+                seconds.append(m["seconds"])
+            typical = statistics.median(seconds)
+            targets.add(f"some {size} triangles: median of the seconds on two threads", ".2f", typical, most=most)
+            targets.add(f"some {size} triangles: largest / median", ".1f", max(seconds) / typical, most=3)
+        return f"Page faults: those that no disk serves, of the library alone.\n\n{rows}{targets}"
+
     def lscm(self) -> str:
         """The time of everything, over that of one map without any guarantee"""
         threads = self.options.threads
@@ -159,7 +187,7 @@ class Benchmark:
                 f"seams, all maps that were tried, packing, certificates and measures.\n\n{table(titles, rows)}")
 
 
-PARTS = {"models": "Models", "folder": "A folder of meshes", "growth": "Growth", "lscm": "Time against LSCM"}
+PARTS = {"models": "Models", "small": "Small models", "folder": "A folder of meshes", "growth": "Growth", "lscm": "Time against LSCM"}
 
 
 def main() -> None:
@@ -174,6 +202,8 @@ def main() -> None:
     parser.add_argument("--threads", type=int, default=2, metavar="N", help="compared with one thread (%(default)s)")
     run.add_options(parser)
     options = parser.parse_args()
+    if not options.demo and "small" in options.parts:
+        options.parts.remove("small")
     benchmark = Benchmark(options)
     report = Report(options.output)
     report.add(head("Atlases", benchmark.program) + "Surfaces are read from files, which is not timed, and given to make_atlas() with default options, unless "

@@ -21,6 +21,8 @@ def cell(number: float, form: str = ".4f") -> str:
         return DASH
     if form == "yes":
         return "yes" if number else "no"
+    if form == "milliseconds":
+        return f"{1000 * number:.3g} ms"
     if form == "seconds":  # enough digits to compare times by
         form = ".3f" if number < 1 else ".2f" if number < 100 else ".0f"
     return format(number, form)

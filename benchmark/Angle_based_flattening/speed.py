@@ -22,6 +22,8 @@ LARGE = [("seconds", "seconds", "seconds"), ("per million", "million_seconds", "
          ("kernel insertions, %", "kernel_percent", ".4f"), ("energy", "energy", ".3e"), ("L2 stretch", "stretch", ".3f"), ("flips", "flips", ".0f")]
 AGAIN = [("first", "first", "seconds"), ("second", "seconds", "seconds"), ("second / first", "ratio", ".2f"),
          ("Newton steps", "newton_steps", ".0f"), ("CG steps", "cg_steps", ".0f"), ("energy", "energy", ".3e"), ("flips", "flips", ".0f")]
+THREADS = [("1 thread", "one", "milliseconds"), ("2 threads", "seconds", "milliseconds"), ("2 / 1", "ratio", ".2f"),
+           ("CPU, 2 / 1", "cpu_ratio", ".2f")]
 SURFACES = [("seconds", "seconds", "seconds"), ("per million", "million_seconds", ".2f"), ("charts", "charts", ".0f"),
             ("bytes a triangle", "triangle_bytes", ".0f")]
 
@@ -124,6 +126,20 @@ class Benchmark:
             file.unlink()
         return str(rows)
 
+    def threads(self) -> str:
+        """Two threads never take longer than one."""
+        rows, base = Table(["what", "triangles"], THREADS), self.options.demo / "camel.off" if self.options.demo else run.EXAMPLES / "egg.off"
+        for size in self.options.thread_sizes:
+            disk, surface = self.program.resized(self.options.mesh, size), Path(run.FOLDER.name) / f"surface_{size}.ply"
+            self.program.mesh(base, "--triangles", size, "--any-topology", "--output", surface)
+            for what, arguments in (("direct", ("flatten", "abf++", disk)), ("hierarchical", ("flatten", "habf++", disk)),
+                                    ("atlas", ("atlas", surface))):
+                one, two = run.interleaved(lambda count: self.program.one(*arguments, threads=count), [1, 2], self.options.direct_repeat)
+                two["one"], two["ratio"], two["cpu_ratio"] = one["seconds"], two["seconds"] / one["seconds"], two["cpu"] / one["cpu"]
+                rows.add([what, f"{two['triangles']:,.0f}"], two)
+                self.targets.add(f"{what}, two threads / one, {two['triangles']:,.0f} triangles", ".2f", two["ratio"], most=1.02)
+        return str(rows)
+
     def surfaces(self) -> str:
         threads, rows = self.options.threads, Table(["what", "threads", "triangles"], SURFACES)
         base = self.options.demo / "camel.off" if self.options.demo else run.EXAMPLES / "egg.off"
@@ -145,7 +161,7 @@ class Benchmark:
         return f"{base.stem}, subdivided.\n\n{rows}"
 
 
-PARTS = {"direct": "Direct", "again": "Asked again", "hierarchical": "Hierarchical and injective", "surfaces": "Seams and atlases"}
+PARTS = {"direct": "Direct", "again": "Asked again", "hierarchical": "Hierarchical and injective", "surfaces": "Seams and atlases", "threads": "One thread and two"}
 
 
 def main() -> None:
@@ -157,6 +173,8 @@ def main() -> None:
     for name, default, text in (("sizes", "388000,1552000", "triangles of the large disks"), ("huge", "10000000", "and of huge ones"),
                                 ("surfaces", "1250000,5000000", "triangles of the surfaces that are cut open")):
         parser.add_argument("--" + name, type=run.numbers, default=default, metavar="N,N,...", help=f"{text} ({default})")
+    parser.add_argument("--thread-sizes", type=run.numbers, default="100,300,1000,3000,10000,30000,100000,300000,1000000",
+                        metavar="N,N,...", help="triangles of the surfaces for one thread and two (%(default)s)")
     parser.add_argument("--least", type=int, default=15000, metavar="N", help="triangles of a disk for the direct method (%(default)s)")
     parser.add_argument("--direct-repeat", type=int, default=7, metavar="N", help="runs of the direct method on small disks (%(default)s)")
     parser.add_argument("--threads", type=int, default=2, metavar="N", help="compared with one (%(default)s)")

@@ -11,6 +11,7 @@
 #include <CGAL/Real_timer.h>
 
 #include <malloc.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
@@ -83,8 +84,8 @@ double seconds_of(const Function& function)
   return timer.time();
 }
 
-// The time since the object was constructed, and the largest increase of this process's memory since then. Memory on
-// Linux only.
+// The time since the object was constructed, also that of all threads, the largest increase of this process's memory
+// since then, and the number of pages that the system handed out. Memory on Linux only.
 class Gauge
 {
 public:
@@ -93,6 +94,7 @@ public:
     malloc_trim(0);                                // otherwise reuse of freed memory would not be counted
     std::ofstream("/proc/self/clear_refs") << "5"; // resets the peak to the current use
     m_bytes_before = peak();
+    m_usage_before = usage();
     m_timer.start();
   }
 
@@ -101,12 +103,28 @@ public:
   void add_to(Measurement& m) const
   {
     m.add("seconds", m_timer.time());
+    const rusage after = usage();
+    m.add("cpu", cpu_seconds(after) - cpu_seconds(m_usage_before));
+    m.add("faults", after.ru_minflt - m_usage_before.ru_minflt);
     m.add("bytes", bytes());
   }
 
 private:
   static double peak() { return flatten_mesh::peak_memory_mb() * 1024 * 1024; }
 
+  static rusage usage()
+  {
+    rusage result;
+    getrusage(RUSAGE_SELF, &result);
+    return result;
+  }
+
+  static double cpu_seconds(const rusage& u)
+  {
+    return u.ru_utime.tv_sec + u.ru_stime.tv_sec + 1e-6 * (u.ru_utime.tv_usec + u.ru_stime.tv_usec);
+  }
+
+  rusage m_usage_before;
   CGAL::Real_timer m_timer;
   double m_bytes_before;
 };
