@@ -121,6 +121,8 @@ inline std::string report_json(const Run_record& record)
   json.add("skipped", internal::skipped_json(record.skipped));
   json.add("seams", record.seams ? internal::seams_json(*record.seams) : "null");
   json.add("method", json_text(record.flattening.method));
+  json.add("levels", json_number(record.flattening.levels));
+  json.add("relaxed_angles", internal::json_bool(record.flattening.has_relaxed_angles));
   json.add("iterations", json_number(report.iterations));
   json.add("constraint_residual", json_number(report.constraint_residual));
   json.add("energy", json_number(report.energy));
