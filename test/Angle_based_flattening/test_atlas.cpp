@@ -800,6 +800,19 @@ BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
     }
 }
 
+// A single crushed triangle is no reason to make another map of the whole chart.
+BOOST_AUTO_TEST_CASE(crushed_triangles_are_widened)
+{
+  Mesh mesh;
+  BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / "man.off", mesh));
+  const Atlas_run run = make_atlas_of(mesh);
+  BOOST_TEST_REQUIRE(run.report.charts.size() == 1u);
+  BOOST_TEST((run.report.charts[0].method == Atlas_report::INJECTIVE));
+  BOOST_TEST((run.report.charts[0].strategy == Atlas_report::USUAL));
+  BOOST_TEST(run.report.charts[0].crushed_faces == 0u);
+  BOOST_TEST(run.report.measures.l2_stretch < 1.09);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

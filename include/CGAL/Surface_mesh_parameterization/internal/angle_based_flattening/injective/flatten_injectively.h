@@ -22,7 +22,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/angle_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
@@ -30,9 +29,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/widen_crushed_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
@@ -73,7 +72,7 @@ public:
       fail(m_report, Diagnosis::PRECISION_EXCEEDED,
            "no injective map was found in double precision; a larger area weight may help");
     Flattening<Hierarchical_report> result;
-    result.uv = positions();
+    result.uv = chart_points(m_uv);
     result.report = std::move(m_report);
     return result;
   }
@@ -247,7 +246,11 @@ private:
     lower_energy();
     if(m_options.polish && !m_report.polished)
       polish();
-    widen_crushed_triangles();
+    {
+      const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
+      widen_crushed_triangles(m_coarsening.mesh().chart(), m_uv, is_isometric(), m_options.barrier,
+                              m_relaxation);
+    }
     m_relaxation.take_border();
     const Border_contact contact = m_keeper.contact();
     m_report.contact = contact.share;
@@ -298,35 +301,6 @@ private:
       ++m_report.polish_iterations;
     }
     m_report.energy = sweeps.energy();
-  }
-
-  std::vector<Chart::Point_2> positions() const
-  {
-    std::vector<Chart::Point_2> result;
-    for(const Planar_point& p : m_uv)
-      result.emplace_back(p.x(), p.y());
-    return result;
-  }
-
-  // If areas count, small triangles have little energy, and large ones may crush them. Energies of angles do not depend
-  // on sizes.
-  void widen_crushed_triangles()
-  {
-    const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
-    const Chart& chart = m_coarsening.mesh().chart();
-    const int most_rounds = 20;
-    std::vector<int> crushed = crushed_triangles(chart, positions());
-    if(crushed.empty())
-      return;
-    const std::vector<double> beta = target_angles(chart);
-    const Angle_star star(beta, Angle_energy{m_options.barrier});
-    for(int round = 0; round < most_rounds && !crushed.empty(); ++round) {
-      std::vector<int> vertices;
-      for(int t : crushed)
-        vertices.insert(vertices.end(), &chart.vertex[3 * t], &chart.vertex[3 * t] + 3);
-      m_relaxation.move(star, vertices);
-      crushed = crushed_triangles(chart, positions());
-    }
   }
 
   Merged_weights m_weights;
