@@ -88,7 +88,7 @@ void check_copies(const Parameterizer& original)
 // Short loops stay in one thread, longer ones do not.
 BOOST_AUTO_TEST_CASE(loops_meet_each_element_once)
 {
-  for(int n : {0, 1, 2, 1023, 1024, 1025, 4095, 4096, 4097, 300000}) {
+  for(int n : {0, 1, 2, 1023, 1024, 1025, 16383, 16384, 16385, 300000}) {
     std::vector<double> sums;
     for(int number : {1, 2}) {
       std::vector<int> visits(n, 0), sizes(n / abf::block_size + 1, 0); // of the blocks
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(an_exception_ends_a_loop)
 {
   struct Found
   {};
-  for(int size : {1, abf::least_parallel_size})
+  for(int size : {1, abf::least_size_of_pair})
     BOOST_CHECK_THROW(abf::parallel_for(
                           10,
                           [](int k) {
