@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(an_exception_ends_a_loop)
 {
   struct Found
   {};
-  for(int size : {1, abf::least_size_of_pair})
+  for(int size : {1, abf::least_task_size})
     BOOST_CHECK_THROW(abf::parallel_for(
                           10,
                           [](int k) {

@@ -32,9 +32,9 @@ struct Cancelled
 
 inline constexpr int block_size = 1024;
 
-// Loops over fewer elements than this stay in one thread: waking another one takes longer. Factorizations and other
-// work on each element of a pair take longer than a loop.
-inline constexpr int least_parallel_size = 16 * block_size, least_size_of_pair = 4 * block_size;
+// Loops over fewer elements than this stay in one thread: waking another one takes longer. Tasks such as factorizations
+// take longer for each element, so a second thread pays from fewer elements on.
+inline constexpr int least_parallel_size = 16 * block_size, least_task_size = 4 * block_size;
 
 // What a loop calls, without its type, so that a program has the code of a parallel loop only once
 class Loop_body
@@ -73,9 +73,9 @@ inline void run_loop(int n, bool is_parallel, const Loop_body& body)
 
 // Calls `f(b)` for each b in [0, n), in parallel if TBB is available. Each call goes through `size` elements.
 template <typename Function>
-void parallel_for(int n, const Function& f, int size = least_size_of_pair)
+void parallel_for(int n, const Function& f, int size = least_task_size)
 {
-  run_loop(n, size >= least_size_of_pair, Loop_body(f));
+  run_loop(n, size >= least_task_size, Loop_body(f));
 }
 
 // Calls `f(begin, end)` for blocks of [0, n), which do not depend on the number of threads.
