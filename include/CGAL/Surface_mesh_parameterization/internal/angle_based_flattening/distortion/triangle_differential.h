@@ -108,13 +108,12 @@ inline bool is_crushed(const Chart& chart, const std::vector<Chart::Point_2>& uv
   return !map.has_area() || map.largest_stretch() > largest_ratio * map.smallest_stretch();
 }
 
-inline std::vector<int> crushed_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
+inline bool has_crushed_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
 {
-  std::vector<int> result;
   for(int t = 0; t < chart.number_of_triangles(); ++t)
     if(is_crushed(chart, uv, t))
-      result.push_back(t);
-  return result;
+      return true;
+  return false;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

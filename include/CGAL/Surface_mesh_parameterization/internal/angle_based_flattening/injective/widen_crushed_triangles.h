@@ -60,16 +60,15 @@ void widen_crushed_triangles(const Chart& chart, const std::vector<Planar_point>
                              double barrier, Relaxation& relaxation)
 {
   const int most_rounds = 20;
-  if(crushed_triangles(chart, chart_points(uv)).empty())
+  if(!has_crushed_triangles(chart, chart_points(uv)))
     return;
-  const std::vector<double> beta = target_angles(chart);
-  const Angle_star angle_star(beta, Angle_energy{barrier});
+  const std::vector<double> beta = is_isometric ? target_angles(chart) : std::vector<double>();
   for(int round = 0; round < most_rounds; ++round) {
     const std::vector<int> vertices = vertices_to_widen(chart, chart_points(uv), is_isometric);
     if(vertices.empty())
       return;
     if(is_isometric)
-      relaxation.move(angle_star, vertices);
+      relaxation.move(Angle_star(beta, Angle_energy{barrier}), vertices);
     else
       relaxation.move(Area_star(1), vertices);
   }
