@@ -93,8 +93,8 @@ struct Atlas_report : Report
     std::size_t number_of_faces = 0; ///< The number of faces.
     Method method = ABF_PLUS_PLUS;   ///< How the map was made.
 
-    /// Whether ABF++ was not tried, because its map of a coarse copy of the chart overlaps itself. Only copies of charts
-    /// with at least 2400 vertices and at most 20,000 triangles are made.
+    /// Whether ABF++ was not tried, because its map of a coarse copy of the chart overlaps itself. Copies are made only
+    /// of charts with at least 2400 vertices and at most 20,000 triangles.
     bool overlap_is_predicted = false;
     Strategy strategy = USUAL; ///< What the map needed.
     double area = 0;           ///< The area on the surface.

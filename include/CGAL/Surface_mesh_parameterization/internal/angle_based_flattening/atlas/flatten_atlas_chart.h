@@ -80,10 +80,7 @@ public:
     if(m_options.keeps_distance)
       return injective_map(chart);
     const bool is_predicted = overlap_is_predicted(chart);
-    Chart_map map;
-    map.overlaps = is_predicted;
-    if(!is_predicted)
-      map = abf_plus_plus(chart, m_options.separate_overlaps);
+    Chart_map map = is_predicted ? overlap_without_map() : abf_plus_plus(chart, m_options.separate_overlaps);
     if(map.is_valid() && (!map.overlaps || m_options.separate_overlaps))
       return map;
     const bool is_locked = is_hopeless(chart);
@@ -171,6 +168,14 @@ private:
     return coarsening.coarse_chart().chart;
   }
 
+  // Of a chart whose coarse copy overlaps itself
+  static Chart_map overlap_without_map()
+  {
+    Chart_map map;
+    map.overlaps = true;
+    return map;
+  }
+
   static Chart_map hopeless_map()
   {
     Chart_map map;
@@ -239,9 +244,7 @@ private:
       return result(flatten_chart_hierarchically(chart, options, flatten_coarse, m_solvers, &leave_as_it_is),
                     Atlas_report::HIERARCHICAL, other_lengths());
     } catch(const Coarse_map_overlaps&) {
-      Chart_map map;
-      map.overlaps = true;
-      return map;
+      return overlap_without_map();
     }
   }
 
