@@ -773,7 +773,7 @@ BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
 
 BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))
 
-// Longer seams and more stretch than these, which were measured before the function was there, would be noticed.
+// Longer seams and more stretch than these would be noticed.
 BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
 {
   struct Target
@@ -783,9 +783,10 @@ BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
   };
   std::vector<Target> targets{{"elephant.off", 4.97, 1.066}, {"homer.off", 3.83, 1.068}};
   if(std::getenv("ABF_TEST_QUICK") == nullptr)
-    targets.insert(
-        targets.end(),
-        {{"cow.off", 4.34, 1.076}, {"camel.off", 4.52, 1.108}, {"fandisk.off", 2.3 / 1.05, 1.1 / 1.02}});
+    targets.insert(targets.end(), {{"cow.off", 4.34, 1.076},
+                                   {"camel.off", 4.52, 1.108},
+                                   {"fandisk.off", 2.3 / 1.05, 1.1 / 1.02},
+                                   {"man.off", 5.14, 1.064}});
   for(const Target& target : targets)
     BOOST_TEST_CONTEXT(target.name)
     {
@@ -794,23 +795,12 @@ BOOST_AUTO_TEST_CASE(real_surfaces_become_one_chart_with_short_seams)
       const Atlas_run run = make_atlas_of(mesh);
       BOOST_TEST(bool(run.report), run.report.message);
       check_atlas(run, Wishes());
-      BOOST_TEST(run.report.charts.size() == 1u);
+      BOOST_TEST_REQUIRE(run.report.charts.size() == 1u);
+      // a few crushed triangles, as of man.off, are no reason to make another map of the whole chart
+      BOOST_TEST((run.report.charts[0].strategy == Atlas_report::USUAL));
       BOOST_TEST(run.report.relative_seam_length < 1.05 * target.seam);
       BOOST_TEST(run.report.measures.l2_stretch < 1.02 * target.stretch);
     }
-}
-
-// A single crushed triangle is no reason to make another map of the whole chart.
-BOOST_AUTO_TEST_CASE(crushed_triangles_are_widened)
-{
-  Mesh mesh;
-  BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / "man.off", mesh));
-  const Atlas_run run = make_atlas_of(mesh);
-  BOOST_TEST_REQUIRE(run.report.charts.size() == 1u);
-  BOOST_TEST((run.report.charts[0].method == Atlas_report::INJECTIVE));
-  BOOST_TEST((run.report.charts[0].strategy == Atlas_report::USUAL));
-  BOOST_TEST(run.report.charts[0].crushed_faces == 0u);
-  BOOST_TEST(run.report.measures.l2_stretch < 1.09);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
