@@ -127,7 +127,7 @@ class Benchmark:
         return str(rows)
 
     def threads(self) -> str:
-        """Two threads never take longer than one."""
+        """What a second thread gains or costs"""
         rows, base = Table(["what", "triangles"], THREADS), self.options.demo / "camel.off" if self.options.demo else run.EXAMPLES / "egg.off"
         for size in self.options.thread_sizes:
             disk, surface = self.program.resized(self.options.mesh, size), Path(run.FOLDER.name) / f"surface_{size}.ply"
@@ -138,6 +138,7 @@ class Benchmark:
                 two["one"], two["ratio"], two["cpu_ratio"] = one["seconds"], two["seconds"] / one["seconds"], two["cpu"] / one["cpu"]
                 rows.add([what, f"{two['triangles']:,.0f}"], two)
                 self.targets.add(f"{what}, two threads / one, {two['triangles']:,.0f} triangles", ".2f", two["ratio"], most=1.02)
+            surface.unlink()
         return str(rows)
 
     def surfaces(self) -> str:
@@ -161,7 +162,8 @@ class Benchmark:
         return f"{base.stem}, subdivided.\n\n{rows}"
 
 
-PARTS = {"direct": "Direct", "again": "Asked again", "hierarchical": "Hierarchical and injective", "surfaces": "Seams and atlases", "threads": "One thread and two"}
+PARTS = {"direct": "Direct", "again": "Asked again", "hierarchical": "Hierarchical and injective", "surfaces": "Seams and atlases",
+         "threads": "One thread and two"}
 
 
 def main() -> None:
