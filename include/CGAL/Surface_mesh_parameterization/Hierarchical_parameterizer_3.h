@@ -254,16 +254,14 @@ public:
                           VertexIndexMap vimap, VertexParameterizedMap vpmap)
   {
     m_outcome.set(Outcome::interrupted());
+    internal::ABF::Prescriptions<Triangle_mesh> prescriptions;
+    prescriptions.importance = m_importance;
+    prescriptions.equal_seam_lengths = false;
+    prescriptions.points = m_points;
+    prescriptions.pins = internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap);
     const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
-        mesh, bhd, uvmap, vimap,
-        internal::ABF::Prescriptions<Triangle_mesh>{
-            m_importance,
-            {},
-            {},
-            false,
-            m_points,
-            internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap)},
-        m_options, m_linear_algebra, internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
+        mesh, bhd, uvmap, vimap, prescriptions, m_options, m_linear_algebra,
+        internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
         [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
           return internal::ABF::flatten_chart_hierarchically(
