@@ -57,6 +57,7 @@ struct Command_line
   std::string equal_seams;       // "on", "off", or empty: where ABF++ maps a surface that is cut directly
   std::string repair = "on";
   std::string weld; // "on", "off", a distance, or empty: see `welding_of()`
+  bool unique_instances = false;
 
   // With --plain
   int border = 0;

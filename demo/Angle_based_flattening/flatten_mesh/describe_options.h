@@ -53,8 +53,10 @@ inline po::options_description file_options(Command_line& command)
       "faces are those of the input, in their order; faces with a wrong orientation are turned. OBJ also "
       "keeps the rest of the model. PLY keeps normals and colours of points; texture coordinates are a "
       "list 'texcoord' of each face. GLB (where built with tinygltf) is binary glTF: triangles with "
-      "normals, colours and materials, where v points down: 1 - v. --plain writes the repaired surface as "
-      "OBJ, without groups, materials, normals and colours");
+      "normals, colours and materials, where v points down: 1 - v. From glTF to GLB, all else in the file "
+      "stays, too; textures keep their coordinates, which become the second ones. --plain writes the "
+      "repaired "
+      "surface as OBJ, without groups, materials, normals and colours");
   add("svg", po::value(&command.svg)->value_name("FILE.svg"),
       "draw the plane: each chart in a colour of its own, and both sides of a seam in the same colour. "
       "--plain: each triangle is coloured by the change of its angles");
@@ -111,7 +113,13 @@ inline po::options_description surface_options(Command_line& command)
       "example where a file was split along the seams of its texture. A distance, in units of the surface: "
       "faces are also joined where vertices are at most this far apart. Closed parts that touch, and both "
       "sides of a sheet, stay separate. off: nothing is joined. By default on for an atlas; with --plain, "
-      "on if no two faces share a vertex, and otherwise off");
+      "on if no two faces share a vertex, and otherwise off. Vertices that glTF splits within a mesh are "
+      "joined "
+      "unless this is off");
+  add("unique-instances", po::bool_switch(&command.unique_instances),
+      "of glTF files: where several nodes show one mesh, each gets a part of the atlas, and a mesh, of its "
+      "own. "
+      "Otherwise the mesh is flattened once for all of them, at the place of the first");
   return options;
 }
 

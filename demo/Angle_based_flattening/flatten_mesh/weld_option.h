@@ -7,6 +7,8 @@
 #define FLATTEN_MESH_WELD_OPTION_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/model/Gltf_options.h"
 #include "flatten_mesh/model/Welding.h"
 
 #include <charconv>
@@ -38,6 +40,14 @@ inline Welding welding_of(const Command_line& command)
     return {command.is_plain ? Welding::SEPARATE_FACES : Welding::ALL, 0};
   }
   return {Welding::ALL, weld_tolerance(command.weld).value_or(0)};
+}
+
+// How a glTF file is read. What its vertices were split for is joined again even where other faces are not.
+inline Gltf_options gltf_options_of(const Command_line& command)
+{
+  const bool replaces_surface = command.atlas.simplified_triangles > 0 || !command.atlas.bake_from.empty();
+  return {command.unique_instances, welding_of(command).extent != Welding::NONE,
+          command.output.empty() || (file_format(command.output) == "glb" && !replaces_surface)};
 }
 
 } // namespace flatten_mesh

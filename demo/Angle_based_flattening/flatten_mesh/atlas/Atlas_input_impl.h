@@ -76,7 +76,8 @@ FLATTEN_MESH_INLINE Atlas_input atlas_input_of(Model model, const bool repair, N
 
 FLATTEN_MESH_INLINE Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
 {
-  Model model = read_model(command.input, Degenerate_faces::KEPT, notes, command.format);
+  Model model =
+      read_model(command.input, Degenerate_faces::KEPT, notes, command.format, gltf_options_of(command));
   try {
     return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command));
   } catch(const Input_error& error) {

@@ -63,9 +63,11 @@ Fine_surface read_fine_surface(const std::string& name, Notes& notes)
   Command_line quiet;
   quiet.quiet = true;
   Notes own(quiet);
+  Gltf_options every_node; // has its part of the fine surface
+  every_node.unique_instances = true;
   Atlas_input input;
   try {
-    input = atlas_input_of(read_model(name, Degenerate_faces::KEPT, own), true, own);
+    input = atlas_input_of(read_model(name, Degenerate_faces::KEPT, own, "", every_node), true, own);
   } catch(const Input_error& error) {
     const std::string text = error.what();
     throw Input_error("--bake-from: " + (text.find(name) == std::string::npos ? "'" + name + "': " : "") +

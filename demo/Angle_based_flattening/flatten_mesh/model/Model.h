@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,17 @@ struct Statement
   std::string text;
 };
 
+struct Gltf_file;
+
+// Where a model is in a glTF file
+struct Model_in_gltf
+{
+  std::shared_ptr<const Gltf_file> file; // null: it is from another file
+  std::vector<Index> primitives;         // of each polygon
+  std::vector<Index> vertices;           // of each corner, in the primitive
+  std::vector<bool> is_mirrored; // of each primitive: its polygons are turned, because its node mirrors it
+};
+
 // A surface as its file describes it: everything that the program keeps, in the order of the file. Repairs do not
 // change it. Corners are numbered through, polygon by polygon.
 struct Model
@@ -52,8 +64,10 @@ struct Model
   bool has_point_texture = false;
 
   std::vector<Statement> statements;
-  std::vector<std::string> material_names; // each once
-  std::vector<Index> materials;            // of each polygon, or empty
+  std::vector<std::string> material_names;  // each once
+  std::vector<Index> materials;             // of each polygon, or empty
+  std::vector<Point_color> material_colors; // of each name; empty: material files tell
+  Model_in_gltf gltf;
 
   std::string file;       // its name
   bool is_welded = false; // from a file without indices, such as STL: the reader merged equal points

@@ -30,6 +30,8 @@ struct Model_texture
 
   bool has_uv(const Index corner) const { return std::isfinite(uv[corner].x()); }
 
+  bool has_pictures() const { return !normal_picture.empty() || !color_picture.empty(); }
+
   Index chart(const Index polygon) const { return charts.empty() ? 0 : charts[polygon]; }
 };
 

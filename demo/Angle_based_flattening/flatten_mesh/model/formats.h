@@ -17,9 +17,12 @@ namespace flatten_mesh {
 inline const std::vector<std::string>& formats_read()
 {
   static const std::vector<std::string> formats = {
-      "off", "obj", "ply", "stl", "ts",
+      "off", "obj",  "ply", "stl", "ts",
 #ifdef CGAL_USE_VTK
       "vtp",
+#endif
+#ifdef ABF_WITH_GLTF
+      "glb", "gltf",
 #endif
   };
   return formats;
@@ -28,6 +31,11 @@ inline const std::vector<std::string>& formats_read()
 inline bool is_format_read(const std::string& format)
 {
   return std::find(formats_read().begin(), formats_read().end(), format) != formats_read().end();
+}
+
+inline bool is_gltf(const std::string& format)
+{
+  return format == "glb" || format == "gltf";
 }
 
 // Their names as a list

@@ -80,9 +80,13 @@ inline void read_material_colors(const std::string& text, std::map<std::string, 
 
 } // namespace internal
 
-// The diffuse colours of a model's materials, as far as its material files can be read. White otherwise.
+// The diffuse colours of a model's materials, as far as they are known or its material files can be read. White
+// otherwise.
 inline std::vector<Point_color> material_colors(const Model& model)
 {
+  if(!model.material_colors.empty()) {
+    return model.material_colors;
+  }
   const std::filesystem::path folder = internal::folder_of(model.file);
   std::map<std::string, Point_color> all;
   for(const Statement& statement : model.statements) {

@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Degenerate_faces.h"
+#include "flatten_mesh/model/Gltf_options.h"
 #include "flatten_mesh/model/Model.h"
 
 #include <string>
@@ -19,11 +20,11 @@ namespace flatten_mesh {
 // file. Throws an `Input_error` if it cannot be read. Does not check whether the polygons fit together; of
 // an OBJ file, degenerate faces are refused at once if they are not kept, because then their line is known.
 void read_content(std::string_view content, const std::string& format, Degenerate_faces degenerate,
-                  Model& model, Notes& notes);
+                  Model& model, Notes& notes, const Gltf_options& gltf = Gltf_options());
 
 // Reads a file. Its name tells the format; of standard input, "-", and of pipes, `format` does.
 Model read_model(const std::string& name, Degenerate_faces degenerate, Notes& notes,
-                 const std::string& format_of_pipe = "");
+                 const std::string& format_of_pipe = "", const Gltf_options& gltf = Gltf_options());
 
 } // namespace flatten_mesh
 

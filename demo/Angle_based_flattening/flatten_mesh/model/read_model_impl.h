@@ -22,6 +22,10 @@
 #include "flatten_mesh/model/read_vtp.h"
 #endif
 
+#ifdef ABF_WITH_GLTF
+#include "flatten_mesh/model/read_gltf.h"
+#endif
+
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <string>
@@ -40,6 +44,11 @@ inline void check_format(const std::string& name, const std::string& format)
     throw Input_error("cannot read '" + name +
                       "': this program was built without VTK; convert the file to PLY");
   }
+  if(is_gltf(format)) {
+    throw Input_error(
+        "cannot read '" + name +
+        "': this program was built without tinygltf: install libtinygltf-dev and build it again");
+  }
   throw Input_error("cannot tell the format of '" + name + "': its name must end with ." +
                     formats_text(", .", " or .") + (is_other_file(name) ? ", or --format must tell it" : ""));
 }
@@ -57,7 +66,8 @@ inline void check_surface(const Model& model)
 } // namespace internal
 
 FLATTEN_MESH_INLINE void read_content(const std::string_view content, const std::string& format,
-                                      const Degenerate_faces degenerate, Model& model, Notes& notes)
+                                      const Degenerate_faces degenerate, Model& model, Notes& notes,
+                                      [[maybe_unused]] const Gltf_options& gltf)
 {
   const std::string_view text = without_byte_order_mark(content);
   try {
@@ -71,6 +81,10 @@ FLATTEN_MESH_INLINE void read_content(const std::string_view content, const std:
       read_stl(text, model, degenerate);
     } else if(format == "ts") {
       read_ts(text, model, degenerate);
+#ifdef ABF_WITH_GLTF
+    } else if(is_gltf(format)) {
+      read_gltf(text, model, gltf, notes);
+#endif
     }
     internal::check_surface(model);
   } catch(const Input_error& error) {
@@ -84,7 +98,7 @@ FLATTEN_MESH_INLINE void read_content(const std::string_view content, const std:
 }
 
 FLATTEN_MESH_INLINE Model read_model(const std::string& name, const Degenerate_faces degenerate, Notes& notes,
-                                     const std::string& format_of_pipe)
+                                     const std::string& format_of_pipe, const Gltf_options& gltf)
 {
   Model model;
   model.file = name;
@@ -103,7 +117,7 @@ FLATTEN_MESH_INLINE Model read_model(const std::string& name, const Degenerate_f
   }
 #endif
   const std::string content = content_of_file(name);
-  read_content(content, format, degenerate, model, notes);
+  read_content(content, format, degenerate, model, notes, gltf);
   return model;
 }
 

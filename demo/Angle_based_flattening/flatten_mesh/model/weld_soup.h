@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -78,6 +79,26 @@ inline void separate_spoilt_polygons(const std::vector<Polygon>& before, Polygon
   }
 }
 
+// Joins sides of polygons at the same places. Returns how many pairs of places have more sides than can be joined.
+inline std::size_t join_sides(std::vector<Index> places, const double tolerance, Polygon_soup& soup)
+{
+  const Soup_welder welder(soup, tolerance, places);
+  const std::vector<Polygon> polygons = soup.polygons;
+  for(Polygon& polygon : soup.polygons) {
+    for(std::size_t& v : polygon) {
+      v = places[v];
+    }
+  }
+  separate_spoilt_polygons(polygons, soup);
+  return welder.number_of_crowded_edges();
+}
+
+inline bool are_all_different(const std::vector<Index>& places)
+{
+  return std::all_of(places.begin(), places.end(),
+                     [&places](const Index& place) { return &place == &places[place]; });
+}
+
 inline std::size_t number_of_used_points(const Polygon_soup& soup)
 {
   const std::vector<std::size_t> valence = valences(soup);
@@ -112,22 +133,14 @@ inline void weld_soup(const Welding& welding, Polygon_soup& soup, Notes& notes)
     return;
   }
   std::vector<Index> places = internal::places_of_points(soup, welding.tolerance);
-  if(std::all_of(places.begin(), places.end(),
-                 [&places](const Index& place) { return &place == &places[place]; })) {
+  if(internal::are_all_different(places)) {
     return;
   }
   internal::leave_out_collapsed(soup);
-  const std::size_t before = internal::number_of_used_points(soup);
-  const internal::Soup_welder welder(soup, welding.tolerance, places);
-  const std::vector<Polygon> polygons = soup.polygons;
-  for(Polygon& polygon : soup.polygons) {
-    for(std::size_t& v : polygon) {
-      v = places[v];
-    }
-  }
-  internal::separate_spoilt_polygons(polygons, soup);
-  internal::tell_welding(before, internal::number_of_used_points(soup), welder.number_of_crowded_edges(),
-                         welding.tolerance > 0, notes);
+  const std::size_t before = internal::number_of_used_points(soup),
+                    crowded = internal::join_sides(std::move(places), welding.tolerance, soup);
+  internal::tell_welding(before, internal::number_of_used_points(soup), crowded, welding.tolerance > 0,
+                         notes);
 }
 
 } // namespace flatten_mesh

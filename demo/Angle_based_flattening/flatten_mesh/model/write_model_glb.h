@@ -142,7 +142,7 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
   for(std::size_t i = 0; i < colors.size(); ++i) {
     materials.push_back({model.material_names[i], colors[i]});
   }
-  const bool has_pictures = !texture.normal_picture.empty() || !texture.color_picture.empty();
+  const bool has_pictures = texture.has_pictures();
   if(!texture.color_picture.empty()) { // which would be multiplied by them
     for(Glb_material& material : materials) {
       material.color = {1, 1, 1, material.color[3]};

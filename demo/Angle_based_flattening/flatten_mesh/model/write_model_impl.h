@@ -14,6 +14,7 @@
 
 #ifdef ABF_WITH_GLTF
 #include "flatten_mesh/model/write_model_glb.h"
+#include "flatten_mesh/model/write_model_into_gltf.h"
 #endif
 
 #include <string>
@@ -27,6 +28,8 @@ FLATTEN_MESH_INLINE void write_model(Output_file& file, const std::string& name,
   if(format == "ply") {
     write_model_ply(file, model, texture);
 #ifdef ABF_WITH_GLTF
+  } else if(format == "glb" && model.gltf.file != nullptr && !texture.has_pictures()) {
+    write_model_into_gltf(file, name, model, texture);
   } else if(format == "glb") {
     write_model_glb(file, name, model, texture);
 #endif

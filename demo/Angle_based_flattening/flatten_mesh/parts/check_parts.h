@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/file_names.h"
+#include "flatten_mesh/model/formats.h"
 #include "flatten_mesh/texts.h"
 
 #include <string>
@@ -20,7 +21,7 @@ inline void check_part(const bool is_needed, const std::string& option)
 {
   if(is_needed) {
     throw Usage_error("this program was built without its part for " + option +
-                      ": scripts/flatten adds the part when it is called with this option");
+                      ": scripts/flatten adds the part when it is called like this");
   }
 }
 
@@ -41,6 +42,11 @@ inline void check_parts([[maybe_unused]] const Command_line& command)
 #endif
 #ifdef FLATTEN_MESH_WITHOUT_GLB
   internal::check_part(file_format(command.output) == "glb", "--output FILE.glb");
+  bool is_read = is_gltf(command.format) || is_gltf(file_format(command.atlas.bake_from));
+  for(const std::string& input : command.inputs) {
+    is_read = is_read || is_gltf(file_format(input));
+  }
+  internal::check_part(is_read, ".glb and .gltf files");
 #endif
 }
 

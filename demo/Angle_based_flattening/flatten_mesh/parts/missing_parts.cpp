@@ -54,10 +54,21 @@ std::string report_page(const Report_contents&, int)
 
 #ifdef FLATTEN_MESH_WITHOUT_GLB
 #include "flatten_mesh/model/glb_text.h"
+#include "flatten_mesh/model/gltf_surface.h"
 
 namespace flatten_mesh {
 
 std::string glb_text(const std::vector<Glb_material>&, const std::vector<Glb_primitive>&, const Glb_pictures&)
+{
+  CGAL_error_msg("built without the part for .glb files");
+}
+
+Gltf_surface gltf_surface(std::string_view, bool, const std::string&, bool)
+{
+  CGAL_error_msg("built without the part for .glb files");
+}
+
+std::string gltf_with_texture(const Gltf_file&, const std::vector<Gltf_triangles>&, const std::string&)
 {
   CGAL_error_msg("built without the part for .glb files");
 }

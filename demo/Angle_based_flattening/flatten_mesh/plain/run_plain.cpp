@@ -77,7 +77,8 @@ struct Surface
 Surface read_surface(const Command_line& command, Notes& notes)
 {
   Surface surface;
-  surface.model = read_model(command.input, Degenerate_faces::REFUSED, notes, command.format);
+  surface.model =
+      read_model(command.input, Degenerate_faces::REFUSED, notes, command.format, gltf_options_of(command));
   surface.soup = polygon_soup(surface.model);
   try {
     Surface_of_model built =
