@@ -64,16 +64,28 @@ inline void leave_out_collapsed(Polygon_soup& soup)
   }
 }
 
-// Polygons that joined vertices made equal to others, or have one twice, get vertices of their own back.
-inline void separate_spoilt_polygons(const std::vector<Polygon>& before, Polygon_soup& soup)
+// Polygons with their vertices before some were joined
+struct Joined_polygons
 {
-  const std::vector<std::size_t> first = first_equal_polygons(soup.polygons);
-  for(std::size_t p = 0; p < first.size(); ++p) {
-    const bool is_new = first[p] != p && canonical(before[p]) != canonical(before[first[p]]);
-    if(is_new || (soup.polygons[p] != before[p] && has_repeated_vertex(soup.polygons[p]))) {
-      for(std::size_t i = 0; i < before[p].size(); ++i) {
-        soup.polygons[p][i] = soup.points.size();
-        soup.points.push_back(Kernel::Point_3(soup.points[before[p][i]]));
+  std::vector<std::size_t> numbers;
+  std::vector<Polygon> before;
+};
+
+// Those that joined vertices made equal to others, or have one twice, get vertices of their own back.
+inline void separate_spoilt_polygons(const Joined_polygons& joined, Polygon_soup& soup)
+{
+  std::vector<Polygon> after;
+  for(const std::size_t p : joined.numbers) {
+    after.push_back(soup.polygons[p]);
+  }
+  const std::vector<std::size_t> first = first_equal_polygons(after);
+  for(std::size_t i = 0; i < first.size(); ++i) {
+    const Polygon& before = joined.before[i];
+    const bool is_new = first[i] != i && canonical(before) != canonical(joined.before[first[i]]);
+    if(is_new || (after[i] != before && has_repeated_vertex(after[i]))) {
+      for(std::size_t k = 0; k < before.size(); ++k) {
+        soup.polygons[joined.numbers[i]][k] = soup.points.size();
+        soup.points.push_back(Kernel::Point_3(soup.points[before[k]]));
       }
     }
   }
@@ -83,13 +95,25 @@ inline void separate_spoilt_polygons(const std::vector<Polygon>& before, Polygon
 inline std::size_t join_sides(std::vector<Index> places, const double tolerance, Polygon_soup& soup)
 {
   const Soup_welder welder(soup, tolerance, places);
-  const std::vector<Polygon> polygons = soup.polygons;
-  for(Polygon& polygon : soup.polygons) {
-    for(std::size_t& v : polygon) {
-      v = places[v];
+  std::vector<bool> is_shared(places.size(), false);
+  for(std::size_t v = 0; v < places.size(); ++v) {
+    if(places[v] != v) {
+      is_shared[places[v]] = true;
     }
   }
-  separate_spoilt_polygons(polygons, soup);
+  Joined_polygons joined;
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    Polygon& polygon = soup.polygons[p];
+    if(std::any_of(polygon.begin(), polygon.end(),
+                   [&](const std::size_t v) { return is_shared[places[v]]; })) {
+      joined.numbers.push_back(p);
+      joined.before.push_back(polygon);
+      for(std::size_t& v : polygon) {
+        v = places[v];
+      }
+    }
+  }
+  separate_spoilt_polygons(joined, soup);
   return welder.number_of_crowded_edges();
 }
 
