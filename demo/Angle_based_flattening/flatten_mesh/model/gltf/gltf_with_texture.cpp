@@ -245,6 +245,11 @@ private:
     for(tinygltf::Scene& scene : m_model.scenes) {
       scene.name = scene.name.empty() && scene.nodes.empty() ? "empty" : scene.name;
     }
+    for(tinygltf::Camera& camera : m_model.cameras) { // no far plane is written as one at 0
+      if(camera.perspective.zfar == 0) {
+        camera.perspective.zfar = 1e9 * (std::max)(camera.perspective.znear, 1.);
+      }
+    }
     for(tinygltf::Texture& texture : m_model.textures) {
       texture.name = texture.name.empty() && texture.source < 0 ? "empty" : texture.name;
     }
