@@ -407,7 +407,7 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "step",       "solver",
                             "verbose",    "help",
                             "cut",        "stretch-bound",
-                            "seams",      "split-overlaps",
+                            "seams-to",   "split-overlaps",
                             "injective",  "area-weight",
                             "clearance",  "equal-seams",
                             "rectangle",  "border-angles",
@@ -591,7 +591,7 @@ BOOST_FIXTURE_TEST_SUITE(seams, Plain_folder)
 BOOST_AUTO_TEST_CASE(maps_along_seams_are_injective)
 {
   const std::string seams = file("dinosaur.selection.txt");
-  flatten(dinosaur(), "--stretch-bound 1.05 --injective --seams " + quoted(seams));
+  flatten(dinosaur(), "--stretch-bound 1.05 --injective --seams-to " + quoted(seams));
   BOOST_TEST(status == 0);
   BOOST_TEST(json().get<std::string>("injective") == "true");
   BOOST_TEST(json().get<std::string>("border") == "simple");
@@ -618,7 +618,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
     BOOST_TEST_CONTEXT(block.text())
     {
       const std::string seams = file("block.selection.txt"), input = write("block.off", block.text());
-      flatten(input, "--seams " + quoted(seams));
+      flatten(input, "--seams-to " + quoted(seams));
       check_success();
       const auto tree = json();
       BOOST_TEST(tree.get<int>("borders") == 1);
@@ -675,7 +675,7 @@ BOOST_AUTO_TEST_CASE(overlaps_are_split)
   const auto faces = obj_faces(obj(), has_texture);
 
   const std::string seams = file("dinosaur.selection.txt");
-  flatten(dinosaur(), "--stretch-bound 1.05 --split-overlaps --seams " + quoted(seams));
+  flatten(dinosaur(), "--stretch-bound 1.05 --split-overlaps --seams-to " + quoted(seams));
   check_success();
   const auto tree = json();
   BOOST_TEST(tree.get<int>("split.pieces") > 1);
@@ -706,7 +706,7 @@ BOOST_AUTO_TEST_CASE(overlaps_of_quadrangles_are_split)
 {
   const int columns = 48;
   const std::string seams = file("strip.selection.txt"), input = write("strip.off", spiral(columns));
-  flatten(input, "--split-overlaps --seams " + quoted(seams));
+  flatten(input, "--split-overlaps --seams-to " + quoted(seams));
   check_success();
   const int pieces = json().get<int>("split.pieces");
   BOOST_TEST(pieces >= 2);
@@ -753,7 +753,7 @@ BOOST_AUTO_TEST_CASE(disks_are_left_alone)
     const std::string input = write("sheet.off", off(sheet)), seams = file("sheet.selection.txt");
     flatten(input, "--cut none");
     const std::string flat = obj();
-    flatten(input, "--seams " + quoted(seams));
+    flatten(input, "--seams-to " + quoted(seams));
     check_success();
     BOOST_TEST(obj() == flat);
     BOOST_TEST(json().get<std::string>("seams") == "null");
@@ -791,7 +791,7 @@ BOOST_AUTO_TEST_CASE(a_missed_bound_is_told)
   block.noise = 0.5;
   const std::string input = write("crumpled.off", block.make().text()),
                     seams = file("crumpled.selection.txt");
-  flatten(input, "--seams " + quoted(seams));
+  flatten(input, "--seams-to " + quoted(seams));
   BOOST_TEST(status == 0);
   BOOST_TEST(json().get<double>("seams.scale_stretch") > 1.03 * 1.1);
   BOOST_TEST(!json().get<bool>("seams.bound_reached"));
@@ -840,7 +840,7 @@ BOOST_AUTO_TEST_CASE(closed_component)
     faces.push_back({face[0] + 3, face[1] + 3, face[2] + 3});
   }
   const std::string seams = file("seams.selection.txt");
-  flatten(write("two.off", off(n + 3, points, faces)), "--seams " + quoted(seams));
+  flatten(write("two.off", off(n + 3, points, faces)), "--seams-to " + quoted(seams));
   check_success();
   std::vector<bool> has_texture;
   BOOST_TEST((obj_faces(obj(), has_texture) == faces));
@@ -1064,7 +1064,7 @@ BOOST_AUTO_TEST_CASE(wrong_seams)
   run(quoted(input) + " --cut " + quoted(file("absent.selection.txt")));
   check_refusal({"absent.selection.txt"});
   const std::string seams = write("kept.selection.txt", around_end);
-  run(quoted(input) + " --cut " + quoted(seams) + " --seams " + quoted(seams));
+  run(quoted(input) + " --cut " + quoted(seams) + " --seams-to " + quoted(seams));
   check_refusal({"overwrite"});
 }
 
@@ -1346,7 +1346,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                    "--cut none --stretch-bound 1.2",
                                    "--stretch-bound 1",
                                    "--stretch-bound nan",
-                                   "--seams seams.txt",
+                                   "--seams-to seams.txt",
                                    "--injective --split-overlaps"}) {
     BOOST_TEST_CONTEXT(options)
     {

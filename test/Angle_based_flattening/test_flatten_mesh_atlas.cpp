@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces)
     BOOST_TEST_CONTEXT(block.text())
     {
       const std::string seams = file("block.selection.txt");
-      flatten(write("block.off", block.text()), "--seams " + quoted(seams));
+      flatten(write("block.off", block.text()), "--seams-to " + quoted(seams));
       check_atlas(block.faces);
       BOOST_TEST(charts() == 1u);
       BOOST_TEST((edges_with_two_textures(obj()) == edges_in(content(seams))));
@@ -218,6 +218,34 @@ BOOST_AUTO_TEST_CASE(closed_surfaces)
       BOOST_TEST(chart.get<std::string>("method") != "");
     }
   }
+}
+
+// All seams of a cube lie on its edges, where there are six seams or more; the faces stay squares.
+BOOST_AUTO_TEST_CASE(seams_along_creases)
+{
+  for(const char* seams : {"creases", "creases:80"}) {
+    flatten(write("cube.off", cube().text()), std::string("--seams ") + seams);
+    check_success();
+    BOOST_TEST(charts() == 1u);
+    BOOST_TEST(atlas().get<double>("seams.relative_length") == 7 / std::sqrt(6.),
+               boost::test_tools::tolerance(1e-4));
+    BOOST_TEST(atlas().get<double>("mean_angle_change") < 1e-4);
+  }
+  flatten(write("cube.off", cube().text()), "--seams creases:100"); // there are none
+  check_success();
+  BOOST_TEST(atlas().get<double>("mean_angle_change") > 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(hidden_seams_are_others)
+{
+  const std::string shortest = file("shortest.selection.txt"), hidden = file("hidden.selection.txt");
+  flatten(dinosaur(), "--seams length --seams-to " + quoted(shortest));
+  BOOST_TEST(status == 0);
+  const double length = atlas().get<double>("seams.length");
+  flatten(dinosaur(), "--seams hidden --seams-to " + quoted(hidden));
+  BOOST_TEST(status == 0);
+  BOOST_TEST((edges_in(content(hidden)) != edges_in(content(shortest))));
+  BOOST_TEST(atlas().get<double>("seams.length") > length);
 }
 
 BOOST_AUTO_TEST_CASE(figures_and_lines_of_the_reports)
@@ -485,7 +513,7 @@ BOOST_AUTO_TEST_CASE(given_seams_are_kept)
 {
   const Block block = two_rings();
   const std::string input = write("block.off", block.text()), seams = file("seams.selection.txt");
-  flatten(input, "--seams " + quoted(seams));
+  flatten(input, "--seams-to " + quoted(seams));
   const std::string first = obj();
   const Edges given = edges_in(content(seams));
 
@@ -537,7 +565,7 @@ BOOST_AUTO_TEST_CASE(same_bytes_on_any_number_of_threads)
   const std::string input = write("all.off", all.text());
   std::array<std::string, 2> results;
   for(std::size_t i = 0; i < 2; ++i) {
-    flatten(input, "--threads " + std::to_string(i + 1) + " --seams " + quoted(file("all.selection.txt")));
+    flatten(input, "--threads " + std::to_string(i + 1) + " --seams-to " + quoted(file("all.selection.txt")));
     check_atlas(all.faces);
     results[i] = obj() + content(file("flat.svg")) + content(file("all.selection.txt"));
   }
@@ -820,15 +848,38 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
     check_refused(input, option, {"goes with --plain only", option.substr(0, option.find(' '))});
   }
   for(const std::string option :
-      {"--separate", "--no-pack", "--units world", "--seams-from uv", "--charts-from-materials",
-       "--resolution 64", "--gutter 1", "--rotations 4"}) {
+      {"--separate", "--seams hidden", "--no-pack", "--units world", "--seams-from uv",
+       "--charts-from-materials", "--resolution 64", "--gutter 1", "--rotations 4"}) {
     check_refused(input, "--plain " + option, {"not with --plain", option.substr(0, option.find(' '))});
   }
-  for(const std::string options :
-      {"--no-pack --units square", "--no-pack --gutter 3", "--units inches", "--resolution 1", "--gutter=-1",
-       "--rotations 0", "--seams-from seams.txt", "--quiet --verbose", "--format off", "--area-weight 2",
-       "--repair maybe", "--stretch-bound 1", "--weld maybe", "--weld=-1", "--weld nan", "--weld 1mm",
-       "--weld ''", "--weld on --repair off", "--up x"}) {
+  for(const std::string options : {"--no-pack --units square",
+                                   "--no-pack --gutter 3",
+                                   "--units inches",
+                                   "--resolution 1",
+                                   "--gutter=-1",
+                                   "--rotations 0",
+                                   "--seams-from seams.txt",
+                                   "--quiet --verbose",
+                                   "--format off",
+                                   "--area-weight 2",
+                                   "--repair maybe",
+                                   "--stretch-bound 1",
+                                   "--weld maybe",
+                                   "--weld=-1",
+                                   "--weld nan",
+                                   "--weld 1mm",
+                                   "--weld ''",
+                                   "--weld on --repair off",
+                                   "--up x",
+                                   "--seams seen",
+                                   "--seams ''",
+                                   "--seams creases:",
+                                   "--seams creases:0",
+                                   "--seams creases:180",
+                                   "--seams creases:nan",
+                                   "--seams creases:4O",
+                                   "--seams cut.selection.txt",
+                                   "--seams-to cut.txt"}) {
     check_refused(input, options, {"flatten_mesh: "});
   }
 }

@@ -368,7 +368,7 @@ BOOST_AUTO_TEST_CASE(of_a_component)
   collection.add(second);
   const int vertices = static_cast<int>(first.places.size());
   flatten(write("balls.off", collection.text()),
-          "--cones 6 --component 1 --seams " + quoted(file("flat.selection.txt")));
+          "--cones 6 --component 1 --seams-to " + quoted(file("flat.selection.txt")));
   check_cones();
   for(const auto& cone : cones()) {
     BOOST_TEST(cone.first >= vertices);

@@ -458,7 +458,7 @@ BOOST_AUTO_TEST_CASE(seams_of_the_file)
 {
   write("ball.gltf", ball_with_nodes("{\"mesh\":0}").text());
   BOOST_TEST_REQUIRE(
-      flatten("ball.gltf", "flat.obj", "--seams-from uv --seams '" + file("s.selection.txt") + "'") == 0,
+      flatten("ball.gltf", "flat.obj", "--seams-from uv --seams-to '" + file("s.selection.txt") + "'") == 0,
       content("stderr"));
   const Model model = read_again("flat.obj");
   BOOST_TEST(model.points.size() == 86u);

@@ -21,7 +21,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 struct Atlas_options
 {
   bool separates = false;
-  std::string seams_from; // a file, "uv", or empty
+  std::string seams = "length"; // or "creases", "creases:DEGREES", "hidden"
+  std::string seams_from;       // a file, "uv", or empty
   bool charts_from_materials = false;
   bool is_packed = true;
   std::string units = "square";
@@ -47,7 +48,7 @@ struct Command_line
   std::string up = "auto"; // the axis that points upwards in it
   std::string report;
   std::string json;
-  std::string seams;
+  std::string seams_to;
   bool is_plain = false;
   Atlas_options atlas;
   int component = 0;

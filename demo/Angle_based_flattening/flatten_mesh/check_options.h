@@ -9,6 +9,7 @@
 #include "flatten_mesh/plain/corner_numbers.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/commands_of_inputs.h"
+#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/formats.h"
@@ -122,9 +123,9 @@ inline void check_seams(const Values& values, Command_line& command)
   if(command.asks_for_stretch && command.cut != "auto") {
     throw Usage_error("--stretch-bound goes with --cut auto only");
   }
-  if(!command.seams.empty() && command.seams != standard_output && !is_selection_file(command.seams) &&
-     !is_other_file(resolved(command.seams))) {
-    throw Usage_error("--seams takes a name that ends with .selection.txt");
+  if(!command.seams_to.empty() && command.seams_to != standard_output &&
+     !is_selection_file(command.seams_to) && !is_other_file(resolved(command.seams_to))) {
+    throw Usage_error("--seams-to takes a name that ends with .selection.txt");
   }
 }
 
@@ -283,10 +284,23 @@ inline void check_baking(const Values& values, const Command_line& command)
   }
 }
 
+inline void check_way_of_seams(const std::string& seams)
+{
+  if(is_selection_file(seams)) {
+    throw Usage_error("--seams says where seams run: give --seams-to '" + seams +
+                      "' to write them, or --seams-from '" + seams + "' to keep them");
+  }
+  if(!crease_angle(seams)) {
+    check_name("seams", seams,
+               {"length", "creases", "creases:DEGREES with an angle above 0 and below 180", "hidden"});
+  }
+}
+
 inline void check_atlas(const Values& values, Command_line& command)
 {
   Atlas_options& atlas = command.atlas;
   check_name("units", atlas.units, {"square", "world"});
+  check_way_of_seams(atlas.seams);
   if(is_given(values, "seams-from") && atlas.seams_from != "uv" && !is_selection_file(atlas.seams_from)) {
     throw Usage_error("--seams-from takes the name of a .selection.txt file, or 'uv' for the texture "
                       "coordinates in the input");
@@ -354,7 +368,7 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
   if(std::count(command.inputs.begin(), command.inputs.end(), "") != 0) {
     empty.push_back("input");
   }
-  for(const char* option : {"output", "svg", "picture", "report", "seams", "json", "bake-from"}) {
+  for(const char* option : {"output", "svg", "picture", "report", "seams-to", "json", "bake-from"}) {
     if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
       empty.push_back(option);
     }

@@ -37,7 +37,7 @@ inline const std::array<Output_option, 6>& output_options()
        {"svg", &Command_line::svg, {"svg"}},
        {"picture", &Command_line::picture, {"png"}},
        {"report", &Command_line::report, {"html"}},
-       {"seams", &Command_line::seams, {"txt"}},
+       {"seams-to", &Command_line::seams_to, {"txt"}},
        {"json", &Command_line::json, {"json"}}}};
   return options;
 }

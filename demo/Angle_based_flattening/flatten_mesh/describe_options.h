@@ -71,7 +71,7 @@ inline po::options_description file_options(Command_line& command)
       "write a page for browsers, which needs no network: the surface, which can be turned, beside the "
       "plane, both with a checkerboard, or coloured by chart or by distortion; the measures; the worst "
       "faces. Surfaces of more than 250,000 triangles are thinned for display (where built with three.js)");
-  add("seams", po::value(&command.seams)->value_name("FILE.selection.txt"),
+  add("seams-to", po::value(&command.seams_to)->value_name("FILE.selection.txt"),
       "write the edges along which the surface was cut open, for --seams-from, --cut, CGAL::Seam_mesh and "
       "CGAL's demo: pairs of vertices of the surface in FILE.obj, from 0");
   add("json", po::value(&command.json)->value_name("FILE.json"),
@@ -131,9 +131,13 @@ inline po::options_description atlas_options(Command_line& command)
   add("separate", po::bool_switch(&atlas.separates),
       "where a map would overlap itself, split the chart into several, which keep the angles, instead of "
       "changing the map; also cut off branches of charts, for denser packing");
+  add("seams", po::value(&atlas.seams)->value_name("NAME")->default_value(atlas.seams),
+      "where seams run. length: they are short. creases, or creases:DEGREES: first along edges whose faces "
+      "differ by more than this angle, 40 degrees if it is not given; flat faces stay whole. For machine "
+      "parts and buildings. hidden: in folds and cavities, and below and behind other parts. For characters");
   add("seams-from", po::value(&atlas.seams_from)->value_name("FILE.selection.txt|uv"),
-      "keep these seams, and add more where they are needed: the seams in a file that --seams or CGAL's "
-      "demo wrote, or the seams of the texture coordinates in the input");
+      "keep these seams, and add more where they are needed: the seams in a file that --seams-to or "
+      "CGAL's demo wrote, or the seams of the texture coordinates in the input");
   add("charts-from-materials", po::bool_switch(&atlas.charts_from_materials),
       "edges between faces of different materials are seams");
   add("no-pack", po::bool_switch()->notifier([&atlas](const bool is_given) { atlas.is_packed = !is_given; }),

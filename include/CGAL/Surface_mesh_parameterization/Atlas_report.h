@@ -58,7 +58,7 @@ struct Atlas_report : Report
   /// How the map of a chart was made.
   enum Method
   {
-    ABF_PLUS_PLUS, ///< By ABF++; the map does not overlap itself.
+    ABF_PLUS_PLUS, ///< By ABF++, or flat as it is, with holes; the map does not overlap itself.
     HIERARCHICAL, ///< By hierarchical ABF++, for more than 20,000 triangles; the map does not overlap itself.
     INJECTIVE, ///< As an injective map, because the map of ABF++ overlaps itself, or does so after rounding.
     SEPARATED  ///< As a piece of a map of ABF++ that overlaps itself, as by `split_overlaps()`.

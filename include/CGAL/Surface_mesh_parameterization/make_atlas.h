@@ -32,7 +32,7 @@ makes a texture atlas of any surface: cuts it open, flattens it, and packs the c
 Each connected part of the surface, of any genus and with any number of borders, is cut to a disk along seams with a
 predicted stretch of at most `Seam_options::stretch_bound`. ABF++ flattens the disk. If the map overlaps itself, an
 injective map replaces it. If the chart stretches too much all the same, it gets more seams, more weight of areas, or is
-divided into several charts. Section \ref ABF_atlases_steps describes all steps.
+divided into several charts. A flat part is its own map, and keeps its holes. Section \ref ABF_atlases_steps describes all steps.
 
 Exact predicates certify the final coordinates, rounded to the number type of `uv`: no triangle is flipped, no chart
 overlaps itself, and no two charts come nearer to one another than the gutter. Stretch is measured, not certified:

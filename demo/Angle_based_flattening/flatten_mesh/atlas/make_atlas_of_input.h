@@ -11,16 +11,22 @@
 #include "flatten_mesh/atlas/Atlas_progress.h"
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/plain/Cut_mesh.h"
 #include "flatten_mesh/atlas/keep_seams.h"
+#include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
+#include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace flatten_mesh {
@@ -45,6 +51,33 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command, Atlas_pr
   return options;
 }
 
+// Marks seams along creases, if these are asked for. They do not divide polygons.
+inline void lay_seams_along_creases(const std::string& seams, Mesh& mesh, const Edge_marks& is_seam)
+{
+  const std::optional<double> angle = crease_angle(seams);
+  if(!angle || mesh.faces().empty()) {
+    return;
+  }
+  SMP::Crease_options options;
+  options.angle = *angle;
+  const auto report = SMP::select_crease_seams(mesh, is_seam, options,
+                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
+  if(!report) {
+    throw Input_error("cannot lay seams along creases: " + report.message);
+  }
+}
+
+// What seams cost along each edge, unless that is its length
+inline void weigh_edges(const std::string& seams, const Mesh& mesh,
+                        const Mesh::Property_map<Edge, double>& weight)
+{
+  const auto report = seams == "hidden" ? SMP::compute_visibility_weights(mesh, weight)
+                                        : SMP::compute_crease_weights(mesh, weight);
+  if(!report) {
+    throw Input_error("cannot weigh edges for --seams " + seams + ": " + report.message);
+  }
+}
+
 // No seam divides a polygon of the input.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
                                          Atlas_progress& progress)
@@ -55,9 +88,20 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
       boost::make_function_property_map<Edge>([is_diagonal](const Edge e) { return !is_diagonal[e]; });
   auto polygon = mesh.add_property_map<Face, std::size_t>().first;
   CGAL::Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
-  SMP::Atlas_report report =
-      SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options_of_atlas(command, progress),
-                      np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
+  const auto make = [&](const auto& parameters) -> SMP::Atlas_report {
+    return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options_of_atlas(command, progress),
+                           parameters);
+  };
+  SMP::Atlas_report report;
+  if(command.atlas.seams == "length") {
+    report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
+  } else {
+    auto weight = mesh.add_property_map<Edge, double>().first;
+    lay_seams_along_creases(command.atlas.seams, mesh, atlas.seams);
+    weigh_edges(command.atlas.seams, mesh, weight);
+    report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
+    mesh.remove_property_map(weight);
+  }
   mesh.remove_property_map(polygon);
   return report;
 }

@@ -244,8 +244,8 @@ void write_files(const Command_line& command, const Atlas_input& input, const At
     if(!command.svg.empty() || !command.picture.empty() || !command.report.empty()) {
       draw(command, input, atlas, record, files);
     }
-    if(!command.seams.empty()) {
-      files.open(command.seams).write(seams_text(input.mesh, atlas));
+    if(!command.seams_to.empty()) {
+      files.open(command.seams_to).write(seams_text(input.mesh, atlas));
     }
   }
   record.write_seconds = timer.time();

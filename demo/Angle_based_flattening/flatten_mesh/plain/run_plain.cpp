@@ -172,8 +172,9 @@ Output_files write_files(const Command_line& command, Surface& surface, const st
                            command.options.threads));
   }
 #endif
-  if(!command.seams.empty() && record.flattening.succeeded()) {
-    open(command.seams).write(surface.seamed ? seams_text(surface.input, *surface.seamed) : no_seams_text());
+  if(!command.seams_to.empty() && record.flattening.succeeded()) {
+    open(command.seams_to)
+        .write(surface.seamed ? seams_text(surface.input, *surface.seamed) : no_seams_text());
   }
   record.write_seconds = timer.time();
   record.written = files.names();

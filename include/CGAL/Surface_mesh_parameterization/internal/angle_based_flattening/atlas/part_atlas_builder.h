@@ -19,9 +19,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/flatten_atlas_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/flat_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/separate_overlaps.h>
@@ -69,6 +72,8 @@ public:
     if(has_no_area())
       return failure(Diagnosis::NO_AREA, "the part of the surface with the vertex at " +
                                              position_text(m_surface, 0) + " has no area");
+    if(take_flat_surface())
+      return result();
     m_progress.set_stage(0, 0.1);
     Seams seams = find_seams(m_surface, m_cost, m_options, m_solvers);
     if(seams.status != Seams::DONE)
@@ -106,6 +111,34 @@ private:
       if(surface_area(m_surface, t) > 0)
         return false;
     return true;
+  }
+
+  // A flat surface keeps its holes: as it lies in its plane, it is a map of its own. Returns whether it is flat, has
+  // holes, and does not overlap itself.
+  bool take_flat_surface()
+  {
+    if(m_surface.number_of_holes() == 0 || m_options.keeps_distance)
+      return false;
+    std::vector<int> all(m_surface.number_of_triangles());
+    std::iota(all.begin(), all.end(), 0);
+    const Flat_layout layout(m_surface, all);
+    if(!layout.is_flat())
+      return false;
+    m_best.is_seam.assign(m_surface.vertex.size(), false);
+    m_best.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), m_best.is_seam);
+    const Chart& chart = m_best.patch.chart;
+    for(const Chart::Point_3& p : chart.points)
+      m_best.map.uv.push_back(layout(p));
+    scale_to_surface_area(chart, m_best.map.uv);
+    std::vector<Border_edge> border;
+    for(const std::vector<int>& cycle : chart.borders)
+      for(int c : cycle)
+        border.push_back({chart.edge_source(c), chart.edge_target(c)});
+    const std::vector<Exact_point_2> uv = exact_points(m_best.map.uv);
+    if(flipped_triangles(chart.vertex, uv).empty() && bounds_region(border, uv))
+      return true;
+    m_best = Attempt();
+    return false;
   }
 
   void flatten(Attempt& attempt) const

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -47,6 +48,7 @@ struct Chart_outline
   std::vector<Planar_point> hull;      // counterclockwise
   double hull_area = 0;                // after scaling
   double angle_of_rectangle = 0;       // turned by that, the bounding box is smallest
+  bool has_axes = false; // most of the border is parallel to the sides of a rectangle, which is that one then
 
   bool has_area() const { return extent > least_extent && area > least_relative_area; }
 
@@ -146,6 +148,36 @@ inline double angle_of_smallest_rectangle(const std::vector<Planar_point>& hull)
     return 0;
   const auto side = corners[1] - corners[0];
   return -std::atan2(side.y(), side.x());
+}
+
+// Turned by this angle, most of the border is parallel to the axes; none if it has no such main directions.
+inline std::optional<double> angle_of_axes(const std::vector<Planar_segment>& edges, double perimeter)
+{
+  const int sectors = 360; // of a quarter turn
+  const double quarter = std::acos(0.), least_share = 0.5;
+  std::vector<double> length(sectors, 0), moment(sectors, 0);
+  for(const Planar_segment& edge : edges) {
+    const Planar_point side = edge[1] - edge[0];
+    const double turn = std::atan2(side.y(), side.x()) / quarter + 2,
+                 place = (turn - std::floor(turn)) * sectors;
+    const int sector = static_cast<int>(place) % sectors;
+    length[sector] += side.norm();
+    moment[sector] += side.norm() * (place - static_cast<int>(place));
+  }
+  const auto sum_around = [&](int i) {
+    return length[(i + sectors - 1) % sectors] + length[i] + length[(i + 1) % sectors];
+  };
+  int best = 0;
+  for(int i = 1; i < sectors; ++i)
+    best = sum_around(i) > sum_around(best) ? i : best;
+  if(!(sum_around(best) >= least_share * perimeter))
+    return std::nullopt;
+  double place = 0;
+  for(int k = -1; k <= 1; ++k) {
+    const int i = (best + k + sectors) % sectors;
+    place += (length[i] * (best + k) + moment[i]) / sum_around(best);
+  }
+  return -place / sectors * quarter;
 }
 
 // Turned by this angle, the chart has the smallest bounding box that is a square: of many angles the best one, refined

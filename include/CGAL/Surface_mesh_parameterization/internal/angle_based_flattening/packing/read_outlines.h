@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -113,7 +114,9 @@ private:
     }
     for(std::size_t i = 0; i < m_outline.hull.size(); ++i)
       m_outline.hull_area += cross(m_outline.hull[i], m_outline.hull[(i + 1) % m_outline.hull.size()]) / 2;
-    m_outline.angle_of_rectangle = angle_of_smallest_rectangle(m_outline.hull);
+    const std::optional<double> axes = angle_of_axes(m_outline.edges, m_outline.perimeter);
+    m_outline.has_axes = axes.has_value();
+    m_outline.angle_of_rectangle = axes ? *axes : angle_of_smallest_rectangle(m_outline.hull);
   }
 
   const std::vector<Planar_point>& m_corners;

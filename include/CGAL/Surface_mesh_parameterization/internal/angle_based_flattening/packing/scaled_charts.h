@@ -31,7 +31,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // A chart is not made smaller than that, in texels.
 inline constexpr double least_extent = 1. / 16;
 
-// All directions are tried for charts of at least this share of the area, four for others.
+// All directions are tried for charts of at least this share of the area, four for others and along axes.
 inline constexpr double least_turned_share = 0.02;
 
 // Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts
@@ -65,7 +65,7 @@ public:
   const std::vector<int>& texels_of_cells() const { return m_cells; }
 
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
-  bool is_turned(int c) const { return share(c) >= least_turned_share; }
+  bool is_turned(int c) const { return share(c) >= least_turned_share && !keeps_axes(c); }
   bool is_small(int c) const { return share(c) < largest_small_share; }
   bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent; }
 
@@ -85,6 +85,18 @@ public:
 private:
   // The most cells along a side of the square, and the least along a side of a chart
   static constexpr std::pair<double, double> finenesses[] = {{256, 12}, {512, 18}, {1024, 24}};
+
+  // Charts with axes lie along them, except for strips and the like, which may need the diagonal.
+  bool keeps_axes(int c) const
+  {
+    const Chart_outline& outline = m_outlines[c];
+    if(!outline.has_axes)
+      return false;
+    const double side = outline.length * turned_extent(outline.hull, outline.angle_of_rectangle).maxCoeff();
+    return side <= longest_side || share(c) >= least_share_of_square * side * side;
+  }
+
+  static constexpr double longest_side = 1.2, least_share_of_square = 0.29; // where all areas together are 1
 
   // That of the smallest square first, if the chart is one of few
   std::vector<double> angles(int c) const
