@@ -28,6 +28,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 struct Chart_place
 {
+  int direction = 0;
   double cosine = 1, sine = 0;               // times the scale, in texels
   Planar_point shift = Planar_point::Zero(); // in texels
 };
@@ -82,6 +83,7 @@ private:
     if(best.direction < 0)
       return false;
     m_first_row = best.place.y;
+    m_places[c].direction = best.direction;
     occupy(*m_scaled.shape(c, best.direction), best.place, m_places[c]);
     return true;
   }
