@@ -418,7 +418,8 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "rotations",  "threads",
                             "quiet",      "format",
                             "cones",      "cone-angle-multiple",
-                            "weld",       "up"}) {
+                            "weld",       "up",
+                            "mip-levels"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

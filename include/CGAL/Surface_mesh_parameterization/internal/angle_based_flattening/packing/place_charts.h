@@ -45,7 +45,7 @@ class Chart_placer
 {
 public:
   Chart_placer(const Scaled_charts& scaled, const Placement_rule& rule)
-      : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().gutter),
+      : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().number_of_gutter_texels()),
         m_border((m_gutter + 1) / 2), m_cell(scaled.texels_of_cell()),
         m_margin((m_gutter + m_cell - 1) / m_cell),
         m_occupied((std::max)(0, scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),

@@ -78,7 +78,7 @@ public:
   // About the texels that a chart takes with its share of the gutter
   double needed_texels(int c, double scale) const
   {
-    const double s = scale_of(c, scale), wide = m_options.gutter + 1;
+    const double s = scale_of(c, scale), wide = m_options.number_of_gutter_texels() + 1;
     return m_outlines[c].area * s * s + m_outlines[c].perimeter * s * wide / 2 + wide * wide;
   }
 

@@ -44,7 +44,8 @@ public:
   // Returns whether there is one.
   bool run()
   {
-    const double room = m_resolution + m_charts.options().gutter, least = 1. + m_charts.options().gutter;
+    const int gutter = m_charts.options().number_of_gutter_texels();
+    const double room = m_resolution + gutter, least = 1. + gutter;
     if(m_charts.number_of_charts() * least * least > room * room)
       return false;
     for(int cell : m_charts.texels_of_cells()) {
