@@ -69,7 +69,7 @@ class Benchmark:
                 rows.add([file.stem, f"{m['triangles']:,.0f}" if "triangles" in m else "", how, ways(m)], m)
                 self.add_targets(file.stem, how, m, targets)
         return (f"On {self.options.threads} thread(s). Energy: of Equation 1, for each corner. Contact: the largest of a chart. "
-                f"Covered: of the square, at 1024 by 1024 texels with a gutter of 2.\n\n{rows}" + (str(targets) if targets.rows else ""))
+                f"Covered: of the square, at 1024 by 1024 texels with a gutter of 4.\n\n{rows}" + (str(targets) if targets.rows else ""))
 
     @staticmethod
     def add_targets(name: str, how: str, m: run.Measurement, targets: Targets) -> None:

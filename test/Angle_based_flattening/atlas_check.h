@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -132,10 +133,13 @@ struct Atlas_run
 // What was asked for
 struct Wishes
 {
-  int resolution = 1024, gutter = 2;
+  int resolution = 1024;
+  std::optional<int> gutter; // by default, 4 texels of 1024
   bool packs = true;
   double stretch_bound = 1.1;
   std::vector<double> weight; // of each face; empty if all are 1
+
+  int gutter_texels() const { return gutter ? *gutter : resolution < 256 ? 1 : resolution / 256; }
 };
 
 template <typename Mesh, typename VertexPointMap, typename UVMap, typename ChartMap, typename SeamMap>
@@ -591,7 +595,7 @@ inline void check_atlas(const Atlas_run& run, const Wishes& wishes)
     check_overlaps(run, vertex, wishes.packs);
   const int largest_resolution = 256;
   if(wishes.packs && wishes.resolution <= largest_resolution)
-    check_texels(run, wishes.resolution, wishes.gutter);
+    check_texels(run, wishes.resolution, wishes.gutter_texels());
   if(!wishes.packs)
     check_corners(run);
   const std::vector<Chart_sums> sums = chart_sums(run, wishes.weight);

@@ -765,7 +765,8 @@ BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
   for(int i = 0; i < 40; ++i)
     all.add(component(seam_surfaces::tetrahedron()));
   const Mesh mesh = all.mesh<Mesh>();
-  const Atlas_run run = make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 16));
+  const Atlas_run run =
+      make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 16, &Atlas_options::gutter, 2));
   check_diagnosis(run, Diagnosis::PACKING_FAILED);
   BOOST_TEST(run.report.message.find("40 charts") != std::string::npos, run.report.message);
   BOOST_TEST(bool(make_atlas_of(mesh, with<Atlas_options>(&Atlas_options::resolution, 256)).report));

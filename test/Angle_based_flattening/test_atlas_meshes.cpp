@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(coordinates_may_be_floats)
       const std::vector<int> vertex = chart_vertices(run);
       check_vertices(run, vertex);
       check_overlaps(run, vertex, true);
-      check_texels(run, wishes.resolution, wishes.gutter);
+      check_texels(run, wishes.resolution, wishes.gutter_texels());
     }
   }
 }

@@ -419,7 +419,8 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "quiet",      "format",
                             "cones",      "cone-angle-multiple",
                             "weld",       "unique-instances",
-                            "up",         "repair"}) {
+                            "up",         "repair",
+                            "mip-levels"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

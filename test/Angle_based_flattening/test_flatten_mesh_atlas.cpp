@@ -507,6 +507,13 @@ BOOST_AUTO_TEST_CASE(units)
   flatten(input, "--resolution 128 --gutter 4 --rotations 4");
   check_atlas(all.faces);
   BOOST_TEST(atlas().get<int>("packing.gutter") == 4);
+  for(const auto& [options, gutter] :
+      {std::pair("", 4), std::pair("--resolution 2048", 8), std::pair("--resolution 64", 1),
+       std::pair("--mip-levels 0", 1), std::pair("--mip-levels 3", 8)}) {
+    flatten(input, options);
+    check_atlas(all.faces);
+    BOOST_TEST(atlas().get<int>("packing.gutter") == gutter, options);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(given_seams_are_kept)
@@ -849,11 +856,16 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
   }
   for(const std::string option :
       {"--separate", "--seams hidden", "--no-pack", "--units world", "--seams-from uv",
-       "--charts-from-materials", "--resolution 64", "--gutter 1", "--rotations 4"}) {
+       "--charts-from-materials", "--resolution 64", "--gutter 1", "--mip-levels 1", "--rotations 4"}) {
     check_refused(input, "--plain " + option, {"not with --plain", option.substr(0, option.find(' '))});
   }
   for(const std::string options : {"--no-pack --units square",
                                    "--no-pack --gutter 3",
+                                   "--no-pack --mip-levels 1",
+                                   "--mip-levels=-1",
+                                   "--mip-levels 11",
+                                   "--resolution 64 --mip-levels 5",
+                                   "--gutter 2 --mip-levels 1",
                                    "--units inches",
                                    "--resolution 1",
                                    "--gutter=-1",

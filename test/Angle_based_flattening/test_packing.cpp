@@ -25,6 +25,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_packing)
@@ -81,11 +82,11 @@ void check_packing(const Planar_charts& charts, const Packing& packing, const Pa
   BOOST_REQUIRE_EQUAL(packing.placement.size(), charts.number);
   const std::vector<Planar_point> corners = placed_corners(charts, packing);
   const Texel_oracle oracle(corners, charts.chart, options.resolution);
-  BOOST_TEST(!oracle.are_too_near(options.gutter));
-  BOOST_TEST(oracle.border() >= (options.gutter + 1) / 2);
-  BOOST_TEST((
-      ABF::certify_packing(corners, charts.chart, charts.number, options.resolution, options.gutter).status ==
-      Packing_check::CERTIFIED));
+  BOOST_TEST(!oracle.are_too_near(options.number_of_gutter_texels()));
+  BOOST_TEST(oracle.border() >= (options.number_of_gutter_texels() + 1) / 2);
+  BOOST_TEST((ABF::certify_packing(corners, charts.chart, charts.number, options.resolution,
+                                   options.number_of_gutter_texels())
+                  .status == Packing_check::CERTIFIED));
   BOOST_TEST(std::abs(sum_of_areas(corners) / packing.covered_share - 1) < 1e-6);
 
   std::vector<double> area(charts.number, 0), should(charts.number, 0);
@@ -153,9 +154,33 @@ BOOST_AUTO_TEST_CASE(high_resolutions)
     const Packing packing = pack(charts, o);
     BOOST_REQUIRE(packing.status == Packing::DONE);
     const std::vector<Planar_point> corners = placed_corners(charts, packing);
-    BOOST_TEST((ABF::certify_packing(corners, charts.chart, charts.number, resolution, o.gutter).status ==
-                Packing_check::CERTIFIED));
+    BOOST_TEST(
+        (ABF::certify_packing(corners, charts.chart, charts.number, resolution, o.number_of_gutter_texels())
+             .status == Packing_check::CERTIFIED));
   }
+}
+
+// In a copy of the texture whose texels are 2^n times as long, no texel belongs to two charts.
+BOOST_AUTO_TEST_CASE(reduced_textures_keep_charts_apart)
+{
+  std::mt19937 random(31);
+  for(int levels : {0, 1, 2, 3}) {
+    const Planar_charts charts = test_charts::random_charts(12, random);
+    const Packing_options o = options(256, 1 << levels);
+    const Packing packing = pack(charts, o);
+    check_packing(charts, packing, o);
+    const std::vector<Planar_point> corners = placed_corners(charts, packing);
+    for(int level = 0; level <= levels; ++level)
+      BOOST_TEST(!Texel_oracle(corners, charts.chart, 256 >> level).are_too_near(0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(gutter_grows_with_the_resolution)
+{
+  for(const auto& [resolution, gutter] :
+      {std::pair(1, 1), {64, 1}, {512, 2}, {1024, 4}, {2048, 8}, {32768, 128}})
+    BOOST_TEST(with<Packing_options>(&Packing_options::resolution, resolution).number_of_gutter_texels() ==
+               gutter);
 }
 
 BOOST_AUTO_TEST_CASE(any_resolution_and_gutter)
@@ -193,12 +218,14 @@ BOOST_AUTO_TEST_CASE(certificate_equals_the_oracle)
         if(charts.chart[c / 3] == moved)
           corners[c] += shift;
       const Texel_oracle oracle(corners, charts.chart, 64);
-      const Packing_check check = ABF::certify_packing(corners, charts.chart, 6, 64, o.gutter);
-      if(oracle.border() < (o.gutter + 1) / 2) {
+      const Packing_check check =
+          ABF::certify_packing(corners, charts.chart, 6, 64, o.number_of_gutter_texels());
+      if(oracle.border() < (o.number_of_gutter_texels() + 1) / 2) {
         BOOST_TEST((check.status == Packing_check::OUTSIDE));
         BOOST_TEST(charts.chart[check.triangle] == moved);
       } else
-        BOOST_TEST((check.status == Packing_check::SHARED_TEXEL) == oracle.are_too_near(o.gutter));
+        BOOST_TEST((check.status == Packing_check::SHARED_TEXEL) ==
+                   oracle.are_too_near(o.number_of_gutter_texels()));
       BOOST_TEST((check.status == Packing_check::CERTIFIED) == (check.triangle < 0));
       wrong += check.status != Packing_check::CERTIFIED;
     }
@@ -476,25 +503,27 @@ BOOST_AUTO_TEST_CASE(weights)
   for(const auto f : charts.mesh.faces())
     charts.weight[f] = f.idx() % 3 == 0 ? 3 : 1;
   const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                                                 with<Packing_options>(&Packing_options::resolution, 256),
+                                                 with<Packing_options>(&Packing_options::resolution, 512),
                                                  parameters::face_size_map(charts.weight));
   BOOST_REQUIRE_MESSAGE(report, report.message);
-  check_mesh(charts, 256, 2);
+  check_mesh(charts, 512, 2);
   for(const auto f : charts.mesh.faces())
-    BOOST_TEST(std::abs(256 * charts.density(f) / report.texels_per_length / charts.weight[f] - 1) < 1e-9);
+    BOOST_TEST(std::abs(512 * charts.density(f) / report.texels_per_length / charts.weight[f] - 1) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_of_floats_and_of_exact_numbers)
 {
   Charts_of_mesh<Floats::Point_3, Floats::Point_2> floats(25, 23);
-  const Packing_report report = SMP::pack_charts(floats.mesh, floats.chart, floats.uv,
-                                                 with<Packing_options>(&Packing_options::resolution, 256));
+  const Packing_report report =
+      SMP::pack_charts(floats.mesh, floats.chart, floats.uv,
+                       with<Packing_options>(&Packing_options::resolution, 256, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(floats, 256, 2);
 
   Charts_of_mesh<Exact::Point_3, Exact::Point_2> exact(8, 24);
-  const Packing_report exact_report = SMP::pack_charts(
-      exact.mesh, exact.chart, exact.uv, with<Packing_options>(&Packing_options::resolution, 64));
+  const Packing_report exact_report =
+      SMP::pack_charts(exact.mesh, exact.chart, exact.uv,
+                       with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(exact_report, exact_report.message);
   check_mesh(exact, 64, 2);
 }
@@ -513,8 +542,8 @@ BOOST_AUTO_TEST_CASE(polyhedron)
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
       put(uv, h, Doubles::Point_2(target(h, mesh)->point().x(), target(h, mesh)->point().y()));
   }
-  const Packing_report report =
-      SMP::pack_charts(mesh, chart, uv, with<Packing_options>(&Packing_options::resolution, 128));
+  const Packing_report report = SMP::pack_charts(
+      mesh, chart, uv, with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   std::vector<Planar_point> corners;
   std::vector<int> numbers;
@@ -533,8 +562,9 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_stay)
   charts.chart[f] = -3;
   for(const auto h : charts.mesh.halfedges_around_face(charts.mesh.halfedge(f)))
     charts.uv[h] = Doubles::Point_2(infinity, h.idx());
-  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                                                 with<Packing_options>(&Packing_options::resolution, 64));
+  const Packing_report report =
+      SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
+                       with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_charts == 8u);
   check_mesh(charts, 64, 2);
@@ -573,7 +603,8 @@ BOOST_AUTO_TEST_CASE(wrong_meshes)
     check_failure(charts, Diagnosis::WRONG_OPTION, with<Packing_options>(&Packing_options::gutter, -1));
     check_failure(charts, Diagnosis::WRONG_OPTION,
                   with<Packing_options>(&Packing_options::number_of_rotations, 0));
-    check_failure(charts, Diagnosis::TOO_MANY_CHARTS, with<Packing_options>(&Packing_options::resolution, 5));
+    check_failure(charts, Diagnosis::TOO_MANY_CHARTS,
+                  with<Packing_options>(&Packing_options::resolution, 5, &Packing_options::gutter, 2));
   }
   {
     Charts charts(3, 30);

@@ -245,7 +245,7 @@ class Commands(unittest.TestCase):
                 self.assertTrue(defaults[name], name)
                 self.assertEqual(float(value), float(defaults[name][1]), name)
                 checked.add(name)
-        self.assertGreaterEqual(checked, {"stretch-bound", "resolution", "gutter", "rotations"})
+        self.assertGreaterEqual(checked, {"stretch-bound", "resolution", "rotations"})
         weight = " ".join(next(option for option in options if option.startswith("area-weight")).split())
         told = r"given, ([\d.]+) for an atlas; --plain: with --injective only, ([\d.]+)"
         atlas, chart = re.search(told, weight).groups()

@@ -27,7 +27,8 @@ struct Atlas_options
   bool is_packed = true;
   std::string units = "square";
   int resolution = 1024;
-  int gutter = 2;
+  int gutter = 0; // set by check_gutter(), unless it is given
+  int mip_levels = 0;
   int rotations = 32;
   std::string bake_from;        // a file, or empty
   int simplified_triangles = 0; // 0: the surface stays as it is

@@ -16,6 +16,8 @@
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
+
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
@@ -112,9 +114,29 @@ inline void check_numbers(const Command_line& command)
   check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
   check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
   check(atlas.resolution >= 16 && atlas.resolution <= 16384, "--resolution takes a number from 16 to 16384");
-  check(atlas.gutter >= 0 && atlas.gutter <= atlas.resolution / 4,
-        "--gutter takes a number from 0 to a quarter of --resolution");
   check(atlas.rotations >= 1 && atlas.rotations <= 1024, "--rotations takes a number from 1 to 1024");
+}
+
+// Sets the gutter where it is not given.
+inline void check_gutter(const Values& values, Atlas_options& atlas)
+{
+  if(is_given(values, "mip-levels")) {
+    if(is_given(values, "gutter")) {
+      throw Usage_error("--mip-levels and --gutter exclude each other: N levels are a gutter of 2^N texels");
+    }
+    if(atlas.mip_levels < 0 || atlas.mip_levels > 10 || 1 << atlas.mip_levels > atlas.resolution / 4) {
+      throw Usage_error("--mip-levels takes a number N from 0 to 10, where 2^N is at most a quarter of "
+                        "--resolution; see --help");
+    }
+    atlas.gutter = 1 << atlas.mip_levels;
+  } else if(!is_given(values, "gutter")) {
+    SMP::Packing_options options;
+    options.resolution = atlas.resolution;
+    atlas.gutter = options.number_of_gutter_texels();
+  }
+  if(atlas.gutter < 0 || atlas.gutter > atlas.resolution / 4) {
+    throw Usage_error("--gutter takes a number from 0 to a quarter of --resolution; see --help");
+  }
 }
 
 inline void check_seams(const Values& values, Command_line& command)
@@ -306,10 +328,11 @@ inline void check_atlas(const Values& values, Command_line& command)
                       "coordinates in the input");
   }
   check_baking(values, command);
+  check_gutter(values, atlas);
   if(atlas.is_packed) {
     return;
   }
-  for(const char* option : {"resolution", "gutter", "rotations"}) {
+  for(const char* option : {"resolution", "gutter", "mip-levels", "rotations"}) {
     if(is_given(values, option)) {
       throw Usage_error(std::string("--") + option +
                         " goes without --no-pack: it says how charts are packed");

@@ -146,7 +146,10 @@ inline po::options_description atlas_options(Command_line& command)
       "square: the atlas fills the unit square. world: it is as large as the surface; charts that are not "
       "packed always are");
   add("resolution", count_option(atlas.resolution), "number of texels along each side of the square");
-  add("gutter", count_option(atlas.gutter), "number of texels that stay free between charts");
+  add("gutter", po::value(&atlas.gutter)->value_name("N"),
+      "number of texels that stay free between charts; by default, a 256th of --resolution, at least 1");
+  add("mip-levels", po::value(&atlas.mip_levels)->value_name("N"),
+      "charts stay apart in N reduced copies of the texture (mipmaps): a gutter of 2^N texels");
   add("rotations", count_option(atlas.rotations), "number of directions in which each large chart is tried");
   add("simplify", po::value(&atlas.simplified_triangles)->value_name("N"),
       "first simplify the surface to N triangles, or to the fewest that keep it valid; the output is then "

@@ -8,6 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <algorithm>
+#include <optional>
+
 /// \file Atlas_options.h
 
 namespace CGAL {
@@ -33,11 +36,15 @@ struct Packing_options
 {
   int resolution = 1024; ///< Number of texels along each side of the unit square, from 1 to 32768.
 
-  /// Number of free texels between two charts, from 0 to 1024. Half as many, rounded up, are free at the border of the
-  /// square.
-  int gutter = 2;
+  /// Number of free texels between two charts, from 0 to 1024; by default, a 256th of the resolution, at least 1: 4 for
+  /// 1024. Half as many, rounded up, are free at the border of the square. With \f$2^n\f$, no texel of the first
+  /// \f$n\f$ reduced copies of a texture (mipmaps) belongs to two charts.
+  std::optional<int> gutter;
 
   int number_of_rotations = 32; ///< Number of directions that are tried for large charts, from 1 to 1024.
+
+  /// The number of free texels between two charts: `gutter`, or its default.
+  int number_of_gutter_texels() const { return gutter.value_or((std::max)(1, resolution / 256)); }
 };
 
 class Atlas_visitor;

@@ -327,7 +327,7 @@ private:
     const Packed_triangles triangles = packed_triangles();
     const Packing_check check =
         certify_packing(triangles.corners, triangles.chart, static_cast<int>(m_atlas.report.charts.size()),
-                        m_options.resolution, m_options.gutter);
+                        m_options.resolution, m_options.number_of_gutter_texels());
     if(check.status == Packing_check::CERTIFIED)
       return true;
     fail(Diagnosis::PACKING_FAILED,
@@ -377,7 +377,8 @@ private:
     case Packing::TOO_MANY_CHARTS:
       return std::to_string(m_atlas.report.charts.size()) +
              " charts do not fit into the square with a resolution of " +
-             std::to_string(m_options.resolution) + " and a gutter of " + std::to_string(m_options.gutter);
+             std::to_string(m_options.resolution) + " and a gutter of " +
+             std::to_string(m_options.number_of_gutter_texels());
     case Packing::NO_AREA:
       return "all faces have the weight 0";
     default:

@@ -99,6 +99,12 @@ private:
   static void draw_segment(const Planar_point& p, const Planar_point& q, double tolerance, double neighbours,
                            Texel_mask& mask)
   {
+    const double reach = neighbours + 2 * tolerance;
+    const int x = floor_of((std::min)(p.x(), q.x()) - reach), y = floor_of((std::min)(p.y(), q.y()) - reach);
+    if(x == floor_of((std::max)(p.x(), q.x()) + reach) && y == floor_of((std::max)(p.y(), q.y()) + reach)) {
+      mask.add(x, x + 1, y);
+      return;
+    }
     visit_texels(
         std::array<Planar_point, 2>{p, q}, tolerance,
         [&](int y, int first, int last) { mask.add(first, last + 1, y); }, neighbours);
@@ -108,7 +114,7 @@ private:
   {
     const int turn = p.y() > q.y() ? 1 : -1;
     const Planar_point &lower = turn > 0 ? q : p, &upper = turn > 0 ? p : q;
-    for(int y = static_cast<int>(std::ceil(lower.y() - 0.5)); y + 0.5 < upper.y(); ++y)
+    for(int y = -floor_of(0.5 - lower.y()); y + 0.5 < upper.y(); ++y)
       crossings.push_back(
           {y, lower.x() + (y + 0.5 - lower.y()) / (upper.y() - lower.y()) * (upper.x() - lower.x()), turn});
   }
@@ -131,8 +137,7 @@ private:
       for(; begin != stop; ++begin) {
         winding += begin->turn;
         if(winding != 0)
-          mask.add(static_cast<int>(std::ceil(begin->x - 0.5)),
-                   static_cast<int>(std::ceil((begin + 1)->x - 0.5)), y);
+          mask.add(-floor_of(0.5 - begin->x), -floor_of(0.5 - (begin + 1)->x), y);
       }
     }
   }

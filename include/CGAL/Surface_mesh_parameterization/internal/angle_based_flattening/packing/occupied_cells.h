@@ -84,14 +84,15 @@ private:
     int y, length;
   };
 
-  static constexpr int least_width = 64; // of masks for which it pays to look at free runs
+  // Of masks for which it pays to look at free runs, as a share of the side
+  static constexpr int least_width_of_side = 32;
 
   // Of some rows of a mask
-  static std::vector<Row_run> longest_runs(const Texel_mask& mask)
+  std::vector<Row_run> longest_runs(const Texel_mask& mask) const
   {
     const int number = 8;
     std::vector<Row_run> runs;
-    for(int i = 0, last = -1; i < number && mask.width() >= least_width; ++i)
+    for(int i = 0, last = -1; i < number && mask.width() * least_width_of_side >= m_side; ++i)
       if(const int y = (mask.height() - 1) * i / (number - 1); y != last)
         runs.push_back({last = y, mask.longest_run(y, false)});
     return runs;

@@ -231,7 +231,7 @@ private:
     for(std::size_t c = 0; c < m_corners.size(); ++c)
       m_corners[c] = Planar_point(CGAL::to_double(placed[c].x()), CGAL::to_double(placed[c].y()));
     const Packing_check check = certify_packing(m_corners, m_chart, static_cast<int>(m_numbers.size()),
-                                                m_options.resolution, m_options.gutter);
+                                                m_options.resolution, m_options.number_of_gutter_texels());
     if(check.status != Packing_check::CERTIFIED)
       fail_at(m_faces[check.triangle], Diagnosis::NOT_CERTIFIED,
               check.status == Packing_check::OUTSIDE ? " is not certified to be in the square"
@@ -250,7 +250,7 @@ private:
       fail(Diagnosis::NO_AREA, "no face has both an area in space and a weight above 0");
     else
       fail(Diagnosis::TOO_MANY_CHARTS, std::to_string(m_numbers.size()) + " charts with " +
-                                           std::to_string(m_options.gutter) +
+                                           std::to_string(m_options.number_of_gutter_texels()) +
                                            " texels between them do not fit into a square with " +
                                            std::to_string(m_options.resolution) + " texels along each side");
   }

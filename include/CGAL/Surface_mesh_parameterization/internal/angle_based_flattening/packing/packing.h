@@ -32,7 +32,7 @@ inline std::string wrong_option(const Packing_options& options)
   };
   std::string wrong = text("resolution", options.resolution, 1, largest_resolution);
   if(wrong.empty())
-    wrong = text("gutter", options.gutter, 0, largest_gutter);
+    wrong = text("gutter", options.number_of_gutter_texels(), 0, largest_gutter);
   if(wrong.empty())
     wrong = text("number of rotations", options.number_of_rotations, 1, most_rotations);
   return wrong;

@@ -28,6 +28,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 struct Chart_place
 {
+  int direction = 0;
   double cosine = 1, sine = 0;               // times the scale, in texels
   Planar_point shift = Planar_point::Zero(); // in texels
 };
@@ -44,7 +45,7 @@ class Chart_placer
 {
 public:
   Chart_placer(const Scaled_charts& scaled, const Placement_rule& rule)
-      : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().gutter),
+      : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().number_of_gutter_texels()),
         m_border((m_gutter + 1) / 2), m_cell(scaled.texels_of_cell()),
         m_margin((m_gutter + m_cell - 1) / m_cell),
         m_occupied((std::max)(0, scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),
@@ -82,6 +83,7 @@ private:
     if(best.direction < 0)
       return false;
     m_first_row = best.place.y;
+    m_places[c].direction = best.direction;
     occupy(*m_scaled.shape(c, best.direction), best.place, m_places[c]);
     return true;
   }

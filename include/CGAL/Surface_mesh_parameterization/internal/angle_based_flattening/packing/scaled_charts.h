@@ -78,7 +78,7 @@ public:
   // About the texels that a chart takes with its share of the gutter
   double needed_texels(int c, double scale) const
   {
-    const double s = scale_of(c, scale), wide = m_options.gutter + 1;
+    const double s = scale_of(c, scale), wide = m_options.number_of_gutter_texels() + 1;
     return m_outlines[c].area * s * s + m_outlines[c].perimeter * s * wide / 2 + wide * wide;
   }
 
@@ -128,8 +128,10 @@ public:
     Texel_mask cells;
   };
 
-  Scaled_charts(const Charts_to_pack& charts, double scale, int cell)
-      : m_charts(charts), m_scale(scale), m_cell(cell)
+  // `is_allowed` tells the directions to try of each chart.
+  Scaled_charts(const Charts_to_pack& charts, const std::vector<std::vector<char>>& is_allowed, double scale,
+                int cell)
+      : m_charts(charts), m_is_allowed(is_allowed), m_scale(scale), m_cell(cell)
   {
     sort();
     m_shapes.resize(m_order.size());
@@ -137,13 +139,14 @@ public:
       m_shapes[c].resize(charts.directions(c).size());
   }
 
-  // Makes missing shapes: of the largest chart in the wanted directions, of other charts in all directions.
+  // Makes missing shapes: of the largest chart in those of the allowed directions that are wanted, of other charts in
+  // all allowed ones.
   void make_shapes(const std::vector<char>& is_wanted)
   {
     std::vector<std::pair<int, int>> missing;
     for(int c : m_order)
       for(std::size_t i = 0; i < m_shapes[c].size(); ++i)
-        if(!m_shapes[c][i] && (c == m_order.front() ? is_wanted[i] : !m_is_made))
+        if(!m_shapes[c][i] && m_is_allowed[c][i] && (c == m_order.front() ? is_wanted[i] : !m_is_made))
           missing.emplace_back(c, static_cast<int>(i));
     parallel_for(static_cast<int>(missing.size()), [&](int i) {
       const auto [c, direction] = missing[i];
@@ -162,7 +165,7 @@ public:
   double needed_texels(int c) const { return m_charts.needed_texels(c, m_scale); }
   int number_of_directions(int c) const { return static_cast<int>(m_shapes[c].size()); }
 
-  // None if it is larger than the square
+  // None if it is larger than the square, or the direction is not allowed
   const std::optional<Shape>& shape(int c, int direction) const { return m_shapes[c][direction]; }
 
 private:
@@ -180,6 +183,7 @@ private:
   }
 
   const Charts_to_pack& m_charts;
+  const std::vector<std::vector<char>>& m_is_allowed;
   double m_scale;
   int m_cell;
   bool m_is_made = false; // of the charts but the largest one

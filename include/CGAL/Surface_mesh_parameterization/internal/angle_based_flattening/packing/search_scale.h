@@ -37,12 +37,15 @@ public:
     for(int c = 0; c < charts.number_of_charts(); ++c)
       largest = (std::max)(largest, charts.outline(c).length);
     m_least = least_extent / largest;
+    for(int c = 0; c < charts.number_of_charts(); ++c)
+      m_is_allowed.emplace_back(charts.directions(c).size(), true);
   }
 
   // Returns whether there is one.
   bool run()
   {
-    const double room = m_resolution + m_charts.options().gutter, least = 1. + m_charts.options().gutter;
+    const int gutter = m_charts.options().number_of_gutter_texels();
+    const double room = m_resolution + gutter, least = 1. + gutter;
     if(m_charts.number_of_charts() * least * least > room * room)
       return false;
     for(int cell : m_charts.texels_of_cells()) {
@@ -69,7 +72,7 @@ private:
   static constexpr double precision = 1.003, first_step = 0.06, last_step = 0.0004;
   static constexpr std::size_t rules_of_bisection = 2, rules_at_once = 8;
 
-  // With large cells, all rules are tried, and with smaller ones those that were best or nearly so.
+  // With large cells, all rules and directions are tried, and with smaller ones those that were best or nearly so.
   static constexpr double nearly = 0.99;
 
   // The more charts, the fewer rules
@@ -138,15 +141,41 @@ private:
     bisect(m_rules.size());
   }
 
+  // That many, and at most half of them
   void keep_best_rules(std::size_t most)
   {
+    most = (std::min)(most, (m_rules.size() + 1) / 2);
     const auto places = try_rules(nearly * m_scale, 0, m_rules.size());
     std::vector<Placement_rule> best = {m_rules[m_best_rule]};
+    forbid_turning();
+    allow_directions(m_places);
     for(std::size_t i = 0; i < m_rules.size() && best.size() < most; ++i)
-      if(i != m_best_rule && places[i])
+      if(i != m_best_rule && places[i]) {
         best.push_back(m_rules[i]);
+        allow_directions(*places[i]);
+      }
     m_rules = std::move(best);
     m_best_rule = 0;
+  }
+
+  // Charts that are tried in few directions keep them.
+  void forbid_turning()
+  {
+    for(int c = 0; c < m_charts.number_of_charts(); ++c)
+      if(m_charts.is_turned(c))
+        m_is_allowed[c].assign(m_is_allowed[c].size(), false);
+  }
+
+  // Those of some places, and the next ones on both sides. Direction 0 is not one of the circle, if there are others.
+  void allow_directions(const std::vector<Chart_place>& places)
+  {
+    for(int c = 0; c < m_charts.number_of_charts(); ++c) {
+      const int direction = places[c].direction, circle = static_cast<int>(m_is_allowed[c].size()) - 1;
+      m_is_allowed[c][direction] = true;
+      if(m_charts.is_turned(c) && direction > 0)
+        for(const int step : {1, circle - 1})
+          m_is_allowed[c][1 + (direction - 1 + step) % circle] = true;
+    }
   }
 
   // Whether all fit by one of the rules: the first of those counts, whatever the order in time.
@@ -169,7 +198,7 @@ private:
   {
     ++m_attempts;
     if(!m_scaled || m_scaled->scale() != scale || m_scaled->texels_of_cell() != m_cell)
-      m_scaled.emplace(m_charts, scale, m_cell);
+      m_scaled.emplace(m_charts, m_is_allowed, scale, m_cell);
     m_scaled->make_shapes(directions_of_largest(begin, end));
     std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
     parallel_for(static_cast<int>(places.size()),
@@ -212,7 +241,8 @@ private:
   double m_scale = 0, m_above = 0;
   std::size_t m_best_rule = 0;
   int m_attempts = 0;
-  std::optional<Scaled_charts> m_scaled; // of the last attempt: the next one may have the same scale
+  std::vector<std::vector<char>> m_is_allowed; // of each chart, each direction
+  std::optional<Scaled_charts> m_scaled;       // of the last attempt: the next one may have the same scale
   std::vector<Chart_place> m_places;
 };
 

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -24,6 +23,13 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // A texel is the closed square from (x, y) to (x + 1, y + 1). Of coordinates up to 2^16, a product and what is computed
 // of it here have errors below 2^-32.
 inline constexpr double rounding_tolerance = 1. / (1 << 24);
+
+// std::floor() to int; without instructions of newer processors, it is a call.
+inline int floor_of(double x)
+{
+  const int i = static_cast<int>(x);
+  return i - (x < i);
+}
 
 // Calls `visit(y, first, last)` for each row with texels that a triangle or a segment touches, or comes nearer to than
 // `tolerance`, which is at least the one above: an interval of each row, which may be longer by up to two tolerances at
@@ -38,8 +44,7 @@ void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, 
     bottom = (std::min)(bottom, p.y());
     top = (std::max)(top, p.y());
   }
-  const int first_row = static_cast<int>(std::floor(bottom - reach)),
-            last_row = static_cast<int>(std::floor(top + reach));
+  const int first_row = floor_of(bottom - reach), last_row = floor_of(top + reach);
   for(int y = first_row; y <= last_row; ++y) {
     const double lower = y - reach, upper = y + 1 + reach;
     double left = std::numeric_limits<double>::infinity(), right = -left;
@@ -57,8 +62,7 @@ void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, 
       right = (std::max)(right, (std::max)(a, b));
     }
     if(left <= right)
-      visit(y, static_cast<int>(std::floor(left - reach - tolerance)),
-            static_cast<int>(std::floor(right + reach + tolerance)));
+      visit(y, floor_of(left - reach - tolerance), floor_of(right + reach + tolerance));
   }
 }
 
