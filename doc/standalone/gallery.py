@@ -27,7 +27,7 @@ head = """/*!
 \\page ABF_part_gallery Gallery
 \\cgalAutoToc
 
-These atlases were made by `flatten_mesh` with default options, and drawn by `scripts/gallery`, which also wrote this page:
+These atlases were made by `flatten_mesh --for few-charts`, and drawn by `scripts/gallery`, which also wrote this page:
 all figures are those of the program's reports. Left: the surface with a checkerboard of the plane, in a colour for each chart; seams are
 dark lines, and the inside of a surface is grey. Right: the atlas in the unit square.
 
@@ -56,7 +56,7 @@ def make_atlas(arguments, mesh, folder):
     """Returns the name of the atlas and the report."""
     atlas, report = folder / f"{mesh['file']}.ply", folder / f"{mesh['file']}.json"
     if not atlas.exists():
-        run = subprocess.run([arguments.program, mesh["file"], "--quiet", "--output", atlas, "--json", report],
+        run = subprocess.run([arguments.program, mesh["file"], "--for", "few-charts", "--quiet", "--output", atlas, "--json", report],
                              cwd=arguments.meshes, stderr=subprocess.PIPE, text=True)
         if not atlas.exists():
             sys.exit(f"{mesh['file']}: no atlas (exit status {run.returncode})\n{run.stderr}")

@@ -760,8 +760,8 @@ public:
     const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
     const auto chart = copy.add_property_map<Face, int>("f:chart").first;
     const Seam_map seams = copy.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-    SMP::Atlas_options options;
-    options.separate_overlaps = options.cut_necks = is_dense;
+    const SMP::Atlas_options options(is_dense ? SMP::Atlas_options::CONFORMAL
+                                              : SMP::Atlas_options::FEW_CHARTS);
     const SMP::Atlas_report report = SMP::make_atlas(copy, seams, uv, chart, options);
     if(!report)
       throw std::runtime_error(name + ": " + report.message);

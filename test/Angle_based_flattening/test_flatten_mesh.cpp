@@ -420,7 +420,8 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "cones",      "cone-angle-multiple",
                             "weld",       "unique-instances",
                             "up",         "repair",
-                            "mip-levels"}) {
+                            "mip-levels", "for",
+                            "isometric",  "seam-price"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces)
     BOOST_TEST_CONTEXT(block.text())
     {
       const std::string seams = file("block.selection.txt");
-      flatten(write("block.off", block.text()), "--seams-to " + quoted(seams));
+      flatten(write("block.off", block.text()), "--for few-charts --seams-to " + quoted(seams));
       check_atlas(block.faces);
       BOOST_TEST(charts() == 1u);
       BOOST_TEST((edges_with_two_textures(obj()) == edges_in(content(seams))));
@@ -224,14 +224,14 @@ BOOST_AUTO_TEST_CASE(closed_surfaces)
 BOOST_AUTO_TEST_CASE(seams_along_creases)
 {
   for(const char* seams : {"creases", "creases:80"}) {
-    flatten(write("cube.off", cube().text()), std::string("--seams ") + seams);
+    flatten(write("cube.off", cube().text()), std::string("--for few-charts --seams ") + seams);
     check_success();
     BOOST_TEST(charts() == 1u);
     BOOST_TEST(atlas().get<double>("seams.relative_length") == 7 / std::sqrt(6.),
                boost::test_tools::tolerance(1e-4));
     BOOST_TEST(atlas().get<double>("mean_angle_change") < 1e-4);
   }
-  flatten(write("cube.off", cube().text()), "--seams creases:100"); // there are none
+  flatten(write("cube.off", cube().text()), "--for few-charts --seams creases:100"); // there are none
   check_success();
   BOOST_TEST(atlas().get<double>("mean_angle_change") > 0.01);
 }
@@ -239,10 +239,10 @@ BOOST_AUTO_TEST_CASE(seams_along_creases)
 BOOST_AUTO_TEST_CASE(hidden_seams_are_others)
 {
   const std::string shortest = file("shortest.selection.txt"), hidden = file("hidden.selection.txt");
-  flatten(dinosaur(), "--seams length --seams-to " + quoted(shortest));
+  flatten(dinosaur(), "--for few-charts --seams length --seams-to " + quoted(shortest));
   BOOST_TEST(status == 0);
   const double length = atlas().get<double>("seams.length");
-  flatten(dinosaur(), "--seams hidden --seams-to " + quoted(hidden));
+  flatten(dinosaur(), "--for few-charts --seams hidden --seams-to " + quoted(hidden));
   BOOST_TEST(status == 0);
   BOOST_TEST((edges_in(content(hidden)) != edges_in(content(shortest))));
   BOOST_TEST(atlas().get<double>("seams.length") > length);
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(hidden_seams_are_others)
 
 BOOST_AUTO_TEST_CASE(figures_and_lines_of_the_reports)
 {
-  flatten(dinosaur(), "--weld off"); // it was cut open
+  flatten(dinosaur(), "--for few-charts --weld off"); // it was cut open
   check_success();
   const auto tree = json();
   for(const char* key : {"vertices", "triangles", "components", "atlas.seams.length", "atlas.l2_stretch",
@@ -311,7 +311,8 @@ BOOST_AUTO_TEST_CASE(lengths_of_seams)
     block.triangulated = block.round = true;
     block.noise = 0.1;
     block.make();
-    flatten(write("ball.off", block.text()), equal ? "" : "--equal-seams off");
+    flatten(write("ball.off", block.text()),
+            equal ? "--for few-charts" : "--for few-charts --equal-seams off");
     check_atlas(block.faces);
     const auto tree = atlas();
     const auto chart = tree.get_child("charts").front().second;
@@ -326,7 +327,7 @@ BOOST_AUTO_TEST_CASE(lengths_of_seams)
   }
   BOOST_TEST(jumps[true] <= 1e-5);
   BOOST_TEST(jumps[false] > 1e-2);
-  flatten(write("sheet.off", off(Sheet())), "--equal-seams on"); // no seams
+  flatten(write("sheet.off", off(Sheet())), "--for few-charts --equal-seams on"); // no seams
   BOOST_TEST(atlas().get_child("charts").front().second.get<std::string>("seam_lengths") == "NO_SEAMS");
   BOOST_TEST((standard_output.find("seam jump") == std::string::npos));
 }
@@ -335,15 +336,15 @@ BOOST_AUTO_TEST_CASE(holes_and_a_looser_bound)
 {
   Sheet sheet;
   sheet.holes = {7, 16};
-  flatten(write("holes.off", off(sheet)));
+  flatten(write("holes.off", off(sheet)), "--for few-charts");
   check_atlas(sheet.faces());
   BOOST_TEST(charts() == 1u);
   const std::string input = write("sphere.off", sphere().text());
-  flatten(input, "--stretch-bound 1.5");
+  flatten(input, "--for few-charts --stretch-bound 1.5");
   check_atlas(sphere().faces);
   const double loose = atlas().get<double>("seams.length");
   BOOST_TEST(atlas().get<double>("seams.stretch_bound") == 1.5);
-  flatten(input, "--stretch-bound 1.03");
+  flatten(input, "--for few-charts --stretch-bound 1.03");
   check_atlas(sphere().faces);
   BOOST_TEST(atlas().get<double>("seams.length") > loose);
 }
@@ -354,7 +355,7 @@ BOOST_AUTO_TEST_CASE(several_components)
   all.add(sphere());
   all.add(Sheet());
   all.add(two_rings());
-  flatten(write("all.off", all.text()));
+  flatten(write("all.off", all.text()), "--for few-charts");
   check_atlas(all.faces);
   BOOST_TEST(charts() == 3u);
   BOOST_TEST(json().get<int>("components") == 3);
@@ -377,7 +378,7 @@ BOOST_AUTO_TEST_CASE(one_component)
   const auto check = [&](const std::string& number, const std::size_t first, const std::size_t count) {
     BOOST_TEST_CONTEXT("component " << number)
     {
-      flatten(input, "--component " + number);
+      flatten(input, "--for few-charts --component " + number);
       BOOST_TEST(status == 0);
       check_told_nothing();
       BOOST_TEST(charts() == 1u);
@@ -402,20 +403,43 @@ BOOST_AUTO_TEST_CASE(overlaps)
   std::vector<bool> has_texture;
   flatten(input, "--plain");
   const auto faces = obj_faces(obj(), has_texture);
-  flatten(input);
+  for(const std::string options : {"", "--for conformal", "--for few-charts --separate on"}) {
+    flatten(input, options);
+    check_atlas(faces);
+    BOOST_TEST(charts() > 1u);
+  }
+  flatten(input, "--for few-charts");
   check_atlas(faces);
   BOOST_TEST(charts() == 1u);
-  flatten(input, "--separate");
-  check_atlas(faces);
-  BOOST_TEST(charts() > 1u);
-  flatten(input, "--area-weight 1");
-  check_atlas(faces);
-  const std::string isometric = obj();
-  flatten(input, "--area-weight 0.02"); // the default, as --help says
   const std::string usual = obj();
-  BOOST_TEST(usual != isometric);
-  flatten(input);
-  BOOST_TEST(obj() == usual);
+  flatten(input, "--for few-charts --area-weight 1");
+  check_atlas(faces);
+  BOOST_TEST(obj() != usual);
+}
+
+// A purpose is nothing else than its options, as --help names them.
+BOOST_AUTO_TEST_CASE(purposes)
+{
+  const std::string input = write("strip.off", spiral());
+  for(const auto& [purpose, options] :
+      {std::pair<std::string, std::string>("few-charts",
+                                           "--separate off --isometric off --seam-price inf "
+                                           "--stretch-bound 1.1 --area-weight 0.02 --equal-seams on"),
+       {"conformal", "--separate on --isometric off --seam-price 0.04 --stretch-bound 1.1 "
+                     "--area-weight 0.02 --equal-seams on"},
+       {"texture", "--separate on --isometric on --seam-price 0.04 --stretch-bound 1.07 "
+                   "--area-weight 1 --equal-seams off"}}) {
+    flatten(input, "--for " + purpose);
+    const std::string usual = obj();
+    for(const std::string other : {"few-charts", "conformal", "texture"}) {
+      flatten(input, "--for " + other + " " + options);
+      BOOST_TEST(obj() == usual);
+    }
+  }
+  flatten(input, "--for texture");
+  const std::string texture = obj();
+  flatten(input); // the default
+  BOOST_TEST(obj() == texture);
 }
 
 // Exporters give each side of a seam vertices of its own. The output has those, too.
@@ -427,7 +451,7 @@ BOOST_AUTO_TEST_CASE(split_models_are_joined)
        write("split.ply", ply(floats(split.vertices(), split.points), split.faces))}) {
     BOOST_TEST_CONTEXT(input)
     {
-      flatten(input);
+      flatten(input, "--for few-charts");
       BOOST_TEST(status == 0);
       check_told("were merged: " + std::to_string(sphere().places.size()) + " vertices remain of " +
                  std::to_string(split.vertices()));
@@ -436,10 +460,10 @@ BOOST_AUTO_TEST_CASE(split_models_are_joined)
       std::vector<bool> has_texture;
       BOOST_TEST((obj_faces(obj(), has_texture) == split.faces));
       BOOST_TEST(lines_with(obj(), "v").size() == static_cast<std::size_t>(split.vertices()));
-      flatten(input, "--weld off");
+      flatten(input, "--for few-charts --weld off");
       check_success();
       BOOST_TEST(charts() == 6u);
-      flatten(input, "--repair off");
+      flatten(input, "--for few-charts --repair off");
       BOOST_TEST(charts() == 6u);
     }
   }
@@ -520,15 +544,15 @@ BOOST_AUTO_TEST_CASE(given_seams_are_kept)
 {
   const Block block = two_rings();
   const std::string input = write("block.off", block.text()), seams = file("seams.selection.txt");
-  flatten(input, "--seams-to " + quoted(seams));
+  flatten(input, "--for few-charts --seams-to " + quoted(seams));
   const std::string first = obj();
   const Edges given = edges_in(content(seams));
 
-  flatten(input, "--seams-from " + quoted(seams));
+  flatten(input, "--for few-charts --seams-from " + quoted(seams));
   check_atlas(block.faces);
   BOOST_TEST((edges_with_two_textures(obj()) == given));
 
-  flatten(write("textured.obj", first), "--seams-from uv");
+  flatten(write("textured.obj", first), "--for few-charts --seams-from uv");
   check_atlas(block.faces);
   BOOST_TEST((edges_with_two_textures(obj()) == given));
 
@@ -554,7 +578,7 @@ BOOST_AUTO_TEST_CASE(charts_of_materials)
   text.insert(text.find("f "), "usemtl first\n");
   text.insert(text.rfind("f ", text.size() - 40), "usemtl second\n");
   const std::string input = write("sheet.obj", text);
-  flatten(input);
+  flatten(input, "--for few-charts");
   check_atlas(sheet.faces());
   BOOST_TEST(charts() == 1u);
   flatten(input, "--charts-from-materials");
@@ -603,7 +627,8 @@ BOOST_AUTO_TEST_CASE(drawn_plane)
 // Six views and the plane: both colours of the checkerboard, the lighter fill of the chart, and dark lines
 BOOST_AUTO_TEST_CASE(picture)
 {
-  run(quoted(write("sphere.off", sphere().text())) + " --picture " + quoted(file("flat.png")));
+  run(quoted(write("sphere.off", sphere().text())) + " --for few-charts --picture " +
+      quoted(file("flat.png")));
   BOOST_TEST(status == 0);
   const std::vector<Pixel> pixels = pixels_of(file("flat.png"));
   const std::size_t width = 2100, size = 420;
@@ -764,7 +789,7 @@ BOOST_AUTO_TEST_CASE(rubbish_is_named)
   faces.push_back({n, n + 1, n + 3});
   faces.push_back({n, n + 3, n + 2});
   faces.push_back({3, 4, 4});
-  flatten(write("rubbish.ply", ply(points, faces)));
+  flatten(write("rubbish.ply", ply(points, faces)), "--for few-charts");
   BOOST_TEST(status == 2);
   check_told("no chart for 2 faces, the first is face " + std::to_string(right + 1));
   check_told("NON_FINITE_POINT: vertex " + std::to_string(n + 3));
@@ -855,8 +880,9 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
     check_refused(input, option, {"goes with --plain only", option.substr(0, option.find(' '))});
   }
   for(const std::string option :
-      {"--separate", "--seams hidden", "--no-pack", "--units world", "--seams-from uv",
-       "--charts-from-materials", "--resolution 64", "--gutter 1", "--mip-levels 1", "--rotations 4"}) {
+      {"--for texture", "--separate on", "--isometric on", "--seam-price 1", "--seams hidden", "--no-pack",
+       "--units world", "--seams-from uv", "--charts-from-materials", "--resolution 64", "--gutter 1",
+       "--mip-levels 1", "--rotations 4"}) {
     check_refused(input, "--plain " + option, {"not with --plain", option.substr(0, option.find(' '))});
   }
   for(const std::string options : {"--no-pack --units square",
@@ -870,6 +896,12 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
                                    "--resolution 1",
                                    "--gutter=-1",
                                    "--rotations 0",
+                                   "--for games",
+                                   "--separate yes",
+                                   "--isometric 1",
+                                   "--seam-price=-1",
+                                   "--seam-price nan",
+                                   "--seam-price 1 --no-pack",
                                    "--seams-from seams.txt",
                                    "--quiet --verbose",
                                    "--format off",

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `make_atlas()` cuts branches of charts off where the seam is short, and only there.
+// `make_atlas()` cuts charts where they then cover more of the square, along short seams, and only there.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,8 @@ Mesh flat_surface(const std::vector<std::string>& picture)
   return mesh;
 }
 
+const double infinity = std::numeric_limits<double>::infinity();
+
 const std::vector<std::string> dumbbell = {"######  ######", //
                                            "######  ######", //
                                            "##############", //
@@ -60,7 +64,7 @@ struct Result
 };
 
 // The edges in `forbidden` must not become seams.
-Result atlas_of(Mesh& mesh, bool cuts, const std::vector<Mesh::Edge_index>& forbidden = {})
+Result atlas_of(Mesh& mesh, double seam_price, const std::vector<Mesh::Edge_index>& forbidden = {})
 {
   namespace np = CGAL::parameters;
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
@@ -73,7 +77,7 @@ Result atlas_of(Mesh& mesh, bool cuts, const std::vector<Mesh::Edge_index>& forb
   Result result;
   const auto charts = mesh.add_property_map<Mesh::Face_index, int>("f:chart").first;
   SMP::Atlas_options options;
-  options.cut_necks = cuts;
+  options.seam_price = seam_price;
   result.report = SMP::make_atlas(mesh, seams, uv, charts, options, np::edge_is_constrained_map(constrained));
   for(const Mesh::Edge_index e : mesh.edges())
     if(seams[e])
@@ -97,7 +101,7 @@ std::vector<Mesh::Edge_index> across_the_bar(const Mesh& mesh)
 BOOST_AUTO_TEST_CASE(bar_is_cut)
 {
   Mesh mesh = flat_surface(dumbbell);
-  const Result whole = atlas_of(mesh, false), cut = atlas_of(mesh, true);
+  const Result whole = atlas_of(mesh, infinity), cut = atlas_of(mesh, 1);
   BOOST_TEST(bool(whole.report));
   BOOST_TEST(whole.report.charts.size() == 1);
   BOOST_TEST(whole.seams.empty());
@@ -114,21 +118,23 @@ BOOST_AUTO_TEST_CASE(seams_stay_where_they_are_allowed)
 {
   Mesh mesh = flat_surface(dumbbell);
   const std::vector<Mesh::Edge_index> bar = across_the_bar(mesh);
-  const Result result = atlas_of(mesh, true, bar);
+  const Result result = atlas_of(mesh, 0.1, bar);
   BOOST_TEST(bool(result.report));
   for(const Mesh::Edge_index e : result.seams)
     BOOST_TEST((std::find(bar.begin(), bar.end(), e) == bar.end()));
 }
 
-BOOST_AUTO_TEST_CASE(compact_charts_are_not_cut)
+// A square fills the page anyway, and two halves of an oblong do so only if seams are cheap.
+BOOST_AUTO_TEST_CASE(charts_are_cut_if_that_is_worth_the_price)
 {
   Mesh square = flat_surface(std::vector<std::string>(12, std::string(12, '#')));
-  Mesh oblong = flat_surface(std::vector<std::string>(8, std::string(14, '#')));
-  for(Mesh* mesh : {&square, &oblong}) {
-    const Result result = atlas_of(*mesh, true);
+  Mesh oblong = flat_surface(std::vector<std::string>(8, std::string(16, '#')));
+  for(const auto& [mesh, price, is_cut] :
+      {std::tuple(&square, 0.01, false), {&oblong, 2., false}, {&oblong, 0.1, true}}) {
+    const Result result = atlas_of(*mesh, price);
     BOOST_TEST(bool(result.report));
-    BOOST_TEST(result.report.charts.size() == 1);
-    BOOST_TEST(result.seams.empty());
+    BOOST_TEST((result.report.charts.size() > 1) == is_cut);
+    BOOST_TEST(result.seams.empty() == !is_cut);
   }
 }
 

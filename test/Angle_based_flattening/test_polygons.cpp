@@ -388,7 +388,7 @@ BOOST_FIXTURE_TEST_CASE(polygons_that_were_lost_are_kept, Program)
       "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\nv .5 .5 -1\nf 1 2 3 4 5\n"};
   for(const std::string& model : models) {
     const std::string input = write("polygon.obj", model);
-    for(const std::string options : {"", "--plain", "--separate"}) {
+    for(const std::string options : {"", "--plain", "--for few-charts"}) {
       for(const std::string output : {"flat.obj", "flat.ply"}) {
         check(input, output, options);
       }
@@ -402,7 +402,7 @@ BOOST_FIXTURE_TEST_CASE(all_readers_draw_the_same, Program)
   for(const double noise : {0.05, 0.15, 0.3}) {
     const random_polygons::Animal animal(noise > 0.1 ? 2 : 1, noise);
     const std::string input = write("animal.obj", animal.text());
-    for(const std::string options : {"", "--separate", "--plain --injective"}) {
+    for(const std::string options : {"", "--for few-charts", "--plain --injective"}) {
       for(const std::string output : {"flat.obj", "flat.ply"}) {
         const std::size_t kept = check(input, output, options),
                           told = number_before(standard_error, "divided into triangles");
@@ -441,7 +441,7 @@ BOOST_FIXTURE_TEST_CASE(caps_with_720_corners_are_drawn_alike, Program)
   }
   const std::string input = write("prism.obj", text.str());
   for(const std::string output : {"flat.obj", "flat.ply"}) {
-    check(input, output, "--separate");
+    check(input, output, "--for conformal");
   }
 }
 

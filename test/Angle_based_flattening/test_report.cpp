@@ -303,7 +303,7 @@ BOOST_AUTO_TEST_CASE(atlas_of_quadrangles)
 
 BOOST_AUTO_TEST_CASE(several_charts)
 {
-  for(const std::string options : {"", "--no-pack", "--units world", "--component 0", "--separate"}) {
+  for(const std::string options : {"", "--no-pack", "--units world", "--component 0", "--for few-charts"}) {
     Collection surfaces;
     surfaces.add(two_rings());
     surfaces.add(sphere());
@@ -609,7 +609,7 @@ BOOST_AUTO_TEST_CASE(thinned_surfaces_keep_borders_places_and_values)
   bumpy.places.clear();
   bumpy.faces.clear();
   bumpy.noise = 0.02;
-  for(const std::string options : {"", "--separate", "--plain --cut topology"}) {
+  for(const std::string options : {"", "--for few-charts", "--plain --cut topology"}) {
     const Report_page page = report(write("ball.off", bumpy.make().text()), options);
     const fm::Wedge_mesh mesh = mesh_of_page(page);
     const fm::Triangle_measures measures = fm::measure_triangles(mesh);

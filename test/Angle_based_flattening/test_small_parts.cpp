@@ -79,18 +79,20 @@ Mesh small_parts(int number)
 BOOST_AUTO_TEST_CASE(ten_thousand_parts_have_charts)
 {
   const int number = 10000;
-  const Atlas_run run = make_atlas_of(small_parts(number));
+  const Atlas_run run = make_atlas_of(small_parts(number), with<Atlas_options>(&Atlas_options::gutter, 2));
   BOOST_TEST(run.report.status == Diagnosis::NOTHING_WRONG, run.report.message);
   BOOST_TEST(run.report.number_of_parts == std::size_t(number));
   BOOST_TEST(run.report.charts.size() == std::size_t(number));
   BOOST_TEST(run.report.covered_share > 0.25);
-  check_atlas(run, Wishes());
+  Wishes wishes;
+  wishes.gutter = 2;
+  check_atlas(run, wishes);
 }
 
 BOOST_AUTO_TEST_CASE(small_parts_need_texels)
 {
-  const Atlas_run run =
-      make_atlas_of(small_parts(2000), with<Atlas_options>(&Atlas_options::resolution, 128));
+  const Atlas_run run = make_atlas_of(
+      small_parts(2000), with<Atlas_options>(&Atlas_options::resolution, 128, &Atlas_options::gutter, 2));
   BOOST_TEST(run.report.status == Diagnosis::PACKING_FAILED);
   BOOST_TEST(run.report.message.find("2000 charts do not fit into the square") != std::string::npos,
              run.report.message);

@@ -245,11 +245,16 @@ class Commands(unittest.TestCase):
                 self.assertTrue(defaults[name], name)
                 self.assertEqual(float(value), float(defaults[name][1]), name)
                 checked.add(name)
-        self.assertGreaterEqual(checked, {"stretch-bound", "resolution", "rotations"})
-        weight = " ".join(next(option for option in options if option.startswith("area-weight")).split())
-        told = r"given, ([\d.]+) for an atlas; --plain: with --injective only, ([\d.]+)"
-        atlas, chart = re.search(told, weight).groups()
-        self.assertTrue([row for row in rows if f"({atlas}; with `--plain --injective`, {chart})" in row[1]])
+        self.assertGreaterEqual(checked, {"resolution", "rotations"})
+        # What depends on the purpose, in words
+        for name, told, written in [
+                ("stretch-bound", r"(\d+(?:\.\d+)?) for textures if it is not given, and otherwise (\d+(?:\.\d+)?)", "({1}; {0} for textures)"),
+                ("area-weight", r"given, (\d+(?:\.\d+)?) for textures, and (\d+(?:\.\d+)?) for other atlases; --plain: with --injective only, (\d+(?:\.\d+)?)",
+                 "({0} for textures, {1} for other atlases; with `--plain --injective`, {2})"),
+                ("seam-price", r"texture, conformal: (\d+(?:\.\d+)?)", "({0} for textures and conformal charts)")]:
+            words = " ".join(next(option for option in options if option.startswith(name)).split())
+            expected = written.format(*re.search(told, words).groups())
+            self.assertTrue([row for row in rows if expected in " ".join(row[1].split())], expected)
 
     def test_readme(self):
         """The commands of README.md and of the page on the program, with meshes of the package in place of the reader's."""

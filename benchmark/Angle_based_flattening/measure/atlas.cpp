@@ -170,12 +170,24 @@ void add_report(const SMP::Atlas_report& report, Measurement& m)
   m.add("hierarchical", made_by[SMP::Atlas_report::HIERARCHICAL]);
   m.add("injective", made_by[SMP::Atlas_report::INJECTIVE]);
   m.add("separated", made_by[SMP::Atlas_report::SEPARATED]);
+  m.add("texel_density", report.texel_density);
+  m.add("low_texel_density", report.low_texel_density);
   m.add("read", report.seconds.read);
   m.add("chart_seconds", report.seconds.charts);
   m.add("pack", report.seconds.pack);
   m.add("certify", report.seconds.certify);
   m.add("measure", report.seconds.measure);
   m.add("write", report.seconds.write);
+}
+
+SMP::Atlas_options::Purpose purpose_of(const std::string& name)
+{
+  for(const auto& [purpose, known] : {std::pair(SMP::Atlas_options::FEW_CHARTS, "few-charts"),
+                                      {SMP::Atlas_options::CONFORMAL, "conformal"},
+                                      {SMP::Atlas_options::TEXTURE, "texture"}})
+    if(name == known)
+      return purpose;
+  throw std::runtime_error("unknown purpose '" + name + "'");
 }
 
 } // namespace
@@ -186,10 +198,9 @@ void atlas(const std::string& file, const Atlas_choice& choice, Measurement& m)
   Textured_mesh t;
   read(file, t.mesh);
   m.add("triangles", t.mesh.number_of_faces());
-  SMP::Atlas_options options;
-  options.separate_overlaps = choice.separates;
-  options.cut_necks = choice.cuts_necks;
-  options.stretch_bound = choice.bound;
+  SMP::Atlas_options options(purpose_of(choice.purpose));
+  if(choice.bound > 0)
+    options.stretch_bound = choice.bound;
   const Gauge gauge;
   const SMP::Atlas_report report = SMP::make_atlas(t.mesh, t.is_seam, t.uv, t.chart, options);
   gauge.add_to(m);

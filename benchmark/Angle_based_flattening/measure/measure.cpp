@@ -36,7 +36,7 @@ int main(int argc, char* argv[])
       "                            [--injective] [--area-weight X] [--clearance X]\n"
       "measure seams cones|farthest|peaks|random FILE [--bound X] [--terminals N] [--method METHOD]\n"
       "measure overlaps FILE [--bound X]\n"
-      "measure atlas FILE [--bound X] [--separate] [--necks] [--check] [--output FILE]\n"
+      "measure atlas FILE [--bound X] [--for PURPOSE] [--check] [--output FILE]\n"
       "measure packing FILE [--regions N] [--resolution N] [--gutter N]\n"
       "measure cones FILE [--cones N] [--repeat N]\n"
       "measure rectangle FILE [--repeat N]\n"
@@ -61,8 +61,7 @@ int main(int argc, char* argv[])
       "any-topology", po::bool_switch(&changes.any_topology), "the mesh need not be a disk")(
       "bound", po::value(&seam_options.bound), "of the stretch that is predicted")(
       "terminals", po::value(&seam_options.terminals), "number of ends of seams")(
-      "separate", po::bool_switch(&atlas_choice.separates), "cut charts where they overlap themselves")(
-      "necks", po::bool_switch(&atlas_choice.cuts_necks), "cut branches of charts off")(
+      "for", po::value(&atlas_choice.purpose), "few-charts, conformal or texture: what the atlas is for")(
       "check", po::bool_switch(&atlas_choice.checks), "look for flips, overlaps and shared texels")(
       "method", po::value(&seam_options.method), "what flattens the surface that is cut open")(
       "regions", po::value(&packing_choice.regions), "number of regions that a surface is cut into")(
@@ -93,7 +92,8 @@ int main(int argc, char* argv[])
     } else if(is("overlaps", 1)) {
       overlaps(words[1], seam_options.bound, m);
     } else if(is("atlas", 1)) {
-      atlas_choice.bound = seam_options.bound;
+      if(values.count("bound") > 0)
+        atlas_choice.bound = seam_options.bound;
       atlas_choice.output = output;
       atlas(words[1], atlas_choice, m);
     } else if(is("packing", 1)) {

@@ -56,11 +56,10 @@ void overlaps(const std::string& file, double bound, Measurement& m);
 
 struct Atlas_choice
 {
-  double bound = 1.1; // of the stretch
-  bool separates = false;
-  bool cuts_necks = false;
-  bool checks = false; // looks for flips, overlaps and shared texels
-  std::string output;  // a file for the surface, cut open; empty for none
+  double bound = 0;                   // of the stretch; 0: that of the purpose
+  std::string purpose = "few-charts"; // or "conformal" or "texture"
+  bool checks = false;                // looks for flips, overlaps and shared texels
+  std::string output;                 // a file for the surface, cut open; empty for none
 };
 
 // Makes an atlas of a surface. Polygons are triangulated before.

@@ -10,6 +10,7 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,10 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 // Options of an atlas: its input, and how it is packed.
 struct Atlas_options
 {
-  bool separates = false;
+  std::string purpose = "texture";
+  std::string separates; // "on", "off", or empty: as the purpose says
+  std::string isometric; // likewise
+  std::optional<double> seam_price;
   std::string seams = "length"; // or "creases", "creases:DEGREES", "hidden"
   std::string seams_from;       // a file, "uv", or empty
   bool charts_from_materials = false;
@@ -54,9 +58,9 @@ struct Command_line
   Atlas_options atlas;
   int component = 0;
   bool asks_for_component = false; // whether it is given
-  double stretch_bound = 1.1;
-  bool asks_for_stretch = false; // whether the bound is given
-  std::string equal_seams;       // "on", "off", or empty: where ABF++ maps a surface that is cut directly
+  double stretch_bound = 1.1;      // with --plain; an atlas has its own default
+  bool asks_for_stretch = false;   // whether the bound is given
+  std::string equal_seams;         // "on", "off", or empty: where ABF++ maps a surface that is cut directly
   std::string repair = "on";
   std::string weld; // "on", "off", a distance, or empty: see `welding_of()`
   bool unique_instances = false;

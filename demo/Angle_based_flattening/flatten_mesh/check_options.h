@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -322,6 +323,15 @@ inline void check_atlas(const Values& values, Command_line& command)
 {
   Atlas_options& atlas = command.atlas;
   check_name("units", atlas.units, {"square", "world"});
+  check_name("for", atlas.purpose, {"texture", "few-charts", "conformal"});
+  for(const auto& [option, word] : {std::pair("separate", atlas.separates), {"isometric", atlas.isometric}}) {
+    if(is_given(values, option)) {
+      check_name(option, word, {"on", "off"});
+    }
+  }
+  if(atlas.seam_price && !(*atlas.seam_price >= 0)) {
+    throw Usage_error("--seam-price takes a number of at least 0, or inf; see --help");
+  }
   check_way_of_seams(atlas.seams);
   if(is_given(values, "seams-from") && atlas.seams_from != "uv" && !is_selection_file(atlas.seams_from)) {
     throw Usage_error("--seams-from takes the name of a .selection.txt file, or 'uv' for the texture "
@@ -332,7 +342,7 @@ inline void check_atlas(const Values& values, Command_line& command)
   if(atlas.is_packed) {
     return;
   }
-  for(const char* option : {"resolution", "gutter", "mip-levels", "rotations"}) {
+  for(const char* option : {"resolution", "gutter", "mip-levels", "rotations", "seam-price"}) {
     if(is_given(values, option)) {
       throw Usage_error(std::string("--") + option +
                         " goes without --no-pack: it says how charts are packed");

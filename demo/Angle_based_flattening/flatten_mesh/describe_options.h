@@ -89,20 +89,22 @@ inline po::options_description surface_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("component", po::value(&command.component)->value_name("N"),
       "only this connected component, numbered from 0 by falling number of faces. --plain: 0 by default");
-  add("stretch-bound", number_option(command.stretch_bound, "BOUND"),
+  add("stretch-bound", po::value(&command.stretch_bound)->value_name("BOUND"),
       "seams are added until the scale stretch of each chart is at most this bound; 1 is perfect. Up to "
-      "1.03 times the bound is accepted; otherwise, a note says that the bound is missed. --plain: for "
-      "--cut auto; if given, surfaces with borders and without handles also get such seams, which join all "
+      "1.03 times the bound is accepted; otherwise, a note says that the bound is missed. 1.07 for textures "
+      "if it is not given, and otherwise 1.1. --plain: for --cut auto; if given, surfaces with borders and "
+      "without handles also get such seams, which join all "
       "their borders");
   add("area-weight", po::value(&command.options.area_weight)->value_name("THETA"),
       ("how much injective maps preserve areas: 0 not at all, 1 as isometric as possible. If it is not "
-       "given, 0.02 for an atlas; --plain: with --injective only, " +
+       "given, 1 for textures, and 0.02 for other atlases; --plain: with --injective only, " +
        format_number("%g", command.options.area_weight) + " if it is not given")
           .c_str());
   add("equal-seams", po::value(&command.equal_seams)->value_name("on|off"),
       "on: both sides of each edge on a seam get equal lengths, so that the scale does not jump there. "
-      "off: their lengths are free. By default, lengths are equal in the charts of an atlas that ABF++ "
-      "maps directly, and with --plain where the direct method maps a surface that is cut; if that fails, "
+      "off: their lengths are free. By default, they are free for textures, equal in the charts of other "
+      "atlases that ABF++ maps directly, and with --plain where the direct method maps a surface that is "
+      "cut; if that fails, "
       "lengths are free, with a note. --plain with on takes the direct method also for large surfaces");
   add("repair", name_option(command.repair),
       "on: vertices at the same place are merged (see --weld), faces with a different orientation are "
@@ -128,9 +130,23 @@ inline po::options_description atlas_options(Command_line& command)
   Atlas_options& atlas = command.atlas;
   po::options_description options("The atlas", 100, 60);
   po::options_description_easy_init add = options.add_options();
-  add("separate", po::bool_switch(&atlas.separates),
-      "where a map would overlap itself, split the chart into several, which keep the angles, instead of "
-      "changing the map; also cut off branches of charts, for denser packing");
+  add("for", name_option(atlas.purpose),
+      "what the atlas is for, which sets the next three options, --stretch-bound, --area-weight and "
+      "--equal-seams, unless they are given. texture: many and even texels, with charts that are as "
+      "isometric as possible, and cut so that they cover the square. few-charts: one chart for each "
+      "component, if that gives an even scale. conformal: the angles of ABF++ in all charts");
+  add("separate", po::value(&atlas.separates)->value_name("on|off"),
+      "on: where the map of ABF++ overlaps itself, split the chart into several, which keep their maps. "
+      "off: change the map. texture, conformal: on; few-charts: off");
+  add("isometric", po::value(&atlas.isometric)->value_name("on|off"),
+      "on: all charts get injective maps that are as isometric as possible. off: maps keep the angles of "
+      "ABF++ where they can. texture: on; few-charts, conformal: off");
+  add("seam-price", po::value<double>()->value_name("PRICE")->notifier([&atlas](const double price) {
+    atlas.seam_price = price;
+  }),
+      "cut charts in two as long as they then cover more of the square: by a factor of e^(price x length), "
+      "where the length of new seams is in units of the square root of the area; inf: cut none. texture, "
+      "conformal: 0.04; few-charts, or with --seams-from or --charts-from-materials: inf");
   add("seams", po::value(&atlas.seams)->value_name("NAME")->default_value(atlas.seams),
       "where seams run. length: they are short. creases, or creases:DEGREES: first along edges whose faces "
       "differ by more than this angle, 40 degrees if it is not given; flat faces stay whole. For machine "

@@ -25,7 +25,7 @@ inline std::string help_text()
       << internal::all_options(defaults)
       << "\nExamples:\n"
          "  flatten_mesh cow.off --output cow.obj --report cow.html\n"
-         "  flatten_mesh scan.ply --separate --resolution 4096 --output scan.obj --svg scan.svg\n"
+         "  flatten_mesh scan.ply --for few-charts --resolution 4096 --output scan.obj --svg scan.svg\n"
          "  flatten_mesh model.obj --seams-from uv --output model_atlas.obj --json model.json\n"
          "  flatten_mesh parts/*.stl --output 'atlas/%.obj' --json 'atlas/%.json' --quiet\n"
          "  flatten_mesh - --format ply --output - < scan.ply > scan.obj\n"

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 /// \file Atlas_options.h
@@ -52,8 +53,27 @@ class Atlas_visitor;
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// Options of `make_atlas()`, where `Seam_options::stretch_bound` bounds the stretch of each chart.
+///
+/// The constructor takes what the atlas is for, and sets options accordingly. Each of them can be changed afterwards.
+///
+/// | option                | `FEW_CHARTS` | `CONFORMAL` | `TEXTURE` |
+/// | :-------------------- | :----------- | :---------- | :-------- |
+/// | `stretch_bound`       | 1.1          | 1.1         | 1.07      |
+/// | `separate_overlaps`   | `false`      | `true`      | `true`    |
+/// | `isometric_charts`    | `false`      | `false`     | `true`    |
+/// | `area_weight`         | 0.02         | 0.02        | 1         |
+/// | `equal_seam_lengths`  | `true`       | `true`      | `false`   |
+/// | `seam_price`          | infinity     | 0.04        | 0.04      |
 struct Atlas_options : Seam_options, Packing_options
 {
+  /// What an atlas is for.
+  enum Purpose
+  {
+    FEW_CHARTS, ///< As few charts and seams as possible: one chart for each component where that gives an even scale.
+    CONFORMAL, ///< The angles of ABF++ in all charts; there are more charts where a map would overlap itself.
+    TEXTURE ///< Many and even texels: charts are as isometric as possible, and cut so that they cover the square.
+  };
+
   /// How much injective maps preserve areas, from 0 to 1 (see `Flattening_options::area_weight`). The default is larger
   /// than for single charts, because an atlas should have even texels.
   double area_weight = 0.02;
@@ -62,9 +82,14 @@ struct Atlas_options : Seam_options, Packing_options
   /// injective map replaces it.
   bool separate_overlaps = false;
 
-  /// Whether branches of charts, such as legs of a figure, are cut off along chords that are shorter than the square
-  /// root of the area behind them. The charts then cover more of the square.
-  bool cut_necks = false;
+  /// Whether all charts get injective maps that are as isometric as possible, in place of those of ABF++. Charts whose
+  /// map is nearly isometric already keep it.
+  bool isometric_charts = false;
+
+  /// What a seam costs: at least 0. Charts are cut in two as long as they then cover more of the square: by a factor of
+  /// \f$e^{pl}\f$, where \f$p\f$ is this price and \f$l\f$ the length of the new seams, in units of the square root of the
+  /// area of all charts. With infinity, without `pack_into_square`, and if there are more than 256 charts, none is cut.
+  double seam_price = std::numeric_limits<double>::infinity();
 
   /// Whether both sides of each seam edge within a chart get equal lengths in the plane, as by
   /// `ABF_plus_plus_options::equal_seam_lengths`. Hierarchical and injective maps ignore this option. If the solver
@@ -79,6 +104,21 @@ struct Atlas_options : Seam_options, Packing_options
 
   /// If not null, this visitor follows the progress and may cancel the computation.
   Atlas_visitor* visitor = nullptr;
+
+  /// sets the options for a purpose.
+  Atlas_options(Purpose purpose = FEW_CHARTS) // implicit: `make_atlas()` takes the name of a purpose
+  {
+    if(purpose == FEW_CHARTS)
+      return;
+    separate_overlaps = true;
+    seam_price = 0.04;
+    if(purpose == CONFORMAL)
+      return;
+    stretch_bound = 1.07;
+    area_weight = 1;
+    isometric_charts = true;
+    equal_seam_lengths = false;
+  }
 };
 
 } // namespace Surface_mesh_parameterization

@@ -172,6 +172,14 @@ struct Atlas_report : Report
   double covered_share = 0; ///< See `Packing_report::covered_share`; 0 if nothing was packed.
   double scale = 1;         ///< The mean factor from lengths on the surface to lengths in the plane.
 
+  /// The harmonic mean of the density of texels over the surface: `covered_share` divided by the square of the
+  /// \f$L_2\f$ stretch. 1 is an isometric map that fills the square. 0 if nothing was packed.
+  double texel_density = 0;
+
+  /// The density that 95 % of the surface have at least, each face in the direction in which it has the fewest texels.
+  /// 0 if nothing was packed.
+  double low_texel_density = 0;
+
   Seconds seconds; ///< Time of each stage.
 
   /// returns whether there is an atlas, of the whole surface or of some parts.

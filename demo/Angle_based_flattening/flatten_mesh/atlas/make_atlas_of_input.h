@@ -25,6 +25,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,23 +34,45 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline SMP::Atlas_options options_of_atlas(const Command_line& command, Atlas_progress& progress)
+inline SMP::Atlas_options::Purpose purpose_of(const std::string& name)
 {
-  SMP::Atlas_options options;
-  options.stretch_bound = command.stretch_bound;
-  options.resolution = command.atlas.resolution;
-  options.gutter = command.atlas.gutter;
-  options.number_of_rotations = command.atlas.rotations;
+  return name == "texture"
+             ? SMP::Atlas_options::TEXTURE
+             : (name == "conformal" ? SMP::Atlas_options::CONFORMAL : SMP::Atlas_options::FEW_CHARTS);
+}
+
+} // namespace internal
+
+// Those of the purpose, unless the command says otherwise
+inline SMP::Atlas_options options_of_atlas(const Command_line& command)
+{
+  const Atlas_options& atlas = command.atlas;
+  SMP::Atlas_options options(internal::purpose_of(atlas.purpose));
+  const auto choose = [](bool& option, const std::string& word) {
+    option = word.empty() ? option : word == "on";
+  };
+  choose(options.separate_overlaps, atlas.separates);
+  choose(options.isometric_charts, atlas.isometric);
+  choose(options.equal_seam_lengths, command.equal_seams);
+  if(!atlas.seams_from.empty() || atlas.charts_from_materials) { // who gives charts wants these
+    options.seam_price = std::numeric_limits<double>::infinity();
+  }
+  options.seam_price = atlas.seam_price.value_or(options.seam_price);
+  if(command.asks_for_stretch) {
+    options.stretch_bound = command.stretch_bound;
+  }
   if(command.asks_for_area_weight) {
     options.area_weight = command.options.area_weight;
   }
-  options.separate_overlaps = options.cut_necks = command.atlas.separates;
-  options.equal_seam_lengths = command.equal_seams != "off";
-  options.pack_into_square = command.atlas.is_packed;
+  options.resolution = atlas.resolution;
+  options.gutter = atlas.gutter;
+  options.number_of_rotations = atlas.rotations;
+  options.pack_into_square = atlas.is_packed;
   options.threads = command.options.threads;
-  options.visitor = &progress;
   return options;
 }
+
+namespace internal {
 
 // Marks seams along creases, if these are asked for. They do not divide polygons.
 inline void lay_seams_along_creases(const std::string& seams, Mesh& mesh, const Edge_marks& is_seam)
@@ -88,9 +111,10 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
       boost::make_function_property_map<Edge>([is_diagonal](const Edge e) { return !is_diagonal[e]; });
   auto polygon = mesh.add_property_map<Face, std::size_t>().first;
   CGAL::Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
+  SMP::Atlas_options options = options_of_atlas(command);
+  options.visitor = &progress;
   const auto make = [&](const auto& parameters) -> SMP::Atlas_report {
-    return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options_of_atlas(command, progress),
-                           parameters);
+    return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
   SMP::Atlas_report report;
   if(command.atlas.seams == "length") {

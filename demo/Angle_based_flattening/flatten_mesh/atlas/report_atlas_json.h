@@ -48,6 +48,8 @@ inline std::string packing_json(const Atlas_record& record)
   json.add("resolution", json_number(record.options.resolution));
   json.add("gutter", json_number(record.options.gutter));
   json.add("covered_share", json_number(record.report.covered_share));
+  json.add("texel_density", json_number(record.report.texel_density));
+  json.add("low_texel_density", json_number(record.report.low_texel_density));
   return json.text();
 }
 
@@ -65,6 +67,7 @@ inline std::string atlas_json(const Atlas_record& record)
              return chart_json(record.report.charts[i], record.share_of_area[i]);
            }));
   json.add("seams", seams.text());
+  json.add("purpose", json_text(record.options.purpose));
   json.add("units", json_text(record.options.units));
   json.add("packing", record.options.is_packed ? packing_json(record) : "null");
   json.add("flipped_triangles", json_number(report.measures.flipped_triangles));

@@ -269,7 +269,7 @@ Atlas_record record_of(const Command_line& command, const Atlas_input& input)
   Atlas_record record;
   record.input = name_of_input(command);
   record.options = command.atlas;
-  record.stretch_bound = command.stretch_bound;
+  record.stretch_bound = options_of_atlas(command).stretch_bound;
   record.vertices = number_of_vertices(input.mesh);
   record.triangles = input.mesh.number_of_faces();
   return record;

@@ -26,6 +26,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 // The options of `make_atlas()`, and settings that it changes for some parts.
 struct Atlas_settings : Atlas_options
 {
+  Atlas_settings(const Atlas_options& options) : Atlas_options(options) {}
+
   double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
   bool is_isometric = false;   // injective maps preserve areas, because conformal maps were bad
   bool keeps_distance = false; // all maps are injective, with some clearance between parts of their borders
@@ -64,12 +66,20 @@ inline Hierarchical_options hierarchical_options(const Atlas_settings& options, 
   return result;
 }
 
+inline std::string wrong_price(const Atlas_options& options)
+{
+  return options.seam_price >= 0
+             ? std::string()
+             : "the seam price is " + std::to_string(options.seam_price) + ", and must be at least 0";
+}
+
 inline std::string wrong_option(const Atlas_settings& options)
 {
   const Seam_options& seams = options;
   const Packing_options& packing = options;
-  for(const std::string& wrong : {wrong_option(seams), wrong_option(flattening_options(options)),
-                                  options.pack_into_square ? wrong_option(packing) : std::string()})
+  for(const std::string& wrong :
+      {wrong_option(seams), wrong_option(flattening_options(options)),
+       options.pack_into_square ? wrong_option(packing) : std::string(), wrong_price(options)})
     if(!wrong.empty())
       return wrong;
   return "";

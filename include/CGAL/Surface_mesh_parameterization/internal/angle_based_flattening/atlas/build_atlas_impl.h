@@ -14,7 +14,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/certify_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/cover_page.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/divided_part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/isometric_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
@@ -27,6 +29,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +92,10 @@ private:
       const double n = part.chart.number_of_triangles();
       work.push_back(n * std::log2(n + 1));
     }
-    Atlas_progress progress(m_options.visitor, work);
+    std::vector<double> all_work = work;
+    if(m_options.isometric_charts)
+      all_work.insert(all_work.end(), work.begin(), work.end());
+    Atlas_progress progress(m_options.visitor, all_work);
     std::vector<int> order(m_parts.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return work[i] > work[j]; });
@@ -106,6 +112,10 @@ private:
     else
       for(int k = 0; k < n; ++k)
         make(order[k]);
+    if(m_options.pack_into_square && std::isfinite(m_options.seam_price))
+      Page_coverer(m_parts, m_options, m_atlas.parts).run();
+    if(m_options.isometric_charts)
+      Isometric_charts(m_parts, m_options, m_solvers, progress, m_atlas.parts).run();
   }
 
   // Numbers the charts, part by part, and returns how many there are.
@@ -354,6 +364,10 @@ private:
       }
     report.measures = measurement.measures();
     report.measures.border_is_simple = true; // certify() saw to that
+    if(m_options.pack_into_square) {
+      report.texel_density = report.covered_share / CGAL::square(report.measures.l2_stretch);
+      report.low_texel_density = measurement.density_of_share(0.95);
+    }
     look_at_stretch();
   }
 

@@ -110,10 +110,10 @@ public:
 
   Chart_map injective_map(const Chart& chart) const { return injective_map(chart, m_options.area_weight); }
 
-  // Injective, and as isometric as possible
-  Chart_map isometric_map(const Chart& chart) const
+  // Injective, and as isometric as possible; from an injective map, if one is given
+  Chart_map isometric_map(const Chart& chart, const std::vector<Chart::Point_2>* start = nullptr) const
   {
-    Chart_map map = injective_map(chart, isometric_weight);
+    Chart_map map = injective_map(chart, isometric_weight, start);
     map.is_isometric = true;
     return map;
   }
@@ -124,13 +124,14 @@ private:
   // Several charts take less time than a larger one whose border has so many bends, and fill a page better.
   static constexpr int largest_isometric_chart = 100000;
 
-  Chart_map injective_map(const Chart& chart, double area_weight) const
+  Chart_map injective_map(const Chart& chart, double area_weight,
+                          const std::vector<Chart::Point_2>* start = nullptr) const
   {
     Hierarchical_options options = hierarchical_options(m_options, true);
     options.area_weight = area_weight;
     options.visitor = m_visitor;
     const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-    return result(flatten_chart_hierarchically(chart, options, no_solver, m_solvers, &leave_as_it_is),
+    return result(flatten_chart_hierarchically(chart, options, no_solver, m_solvers, &leave_as_it_is, start),
                   Atlas_report::INJECTIVE, other_lengths());
   }
 

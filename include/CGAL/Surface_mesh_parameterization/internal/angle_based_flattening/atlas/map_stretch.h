@@ -80,7 +80,7 @@ public:
   {
     Map_stretch result;
     if(m_surface > 0) {
-      result.scale = std::sqrt(m_scale * m_plane) / m_surface;
+      result.scale = (std::max)(1., std::sqrt(m_scale * m_plane) / m_surface); // but for rounding
       result.l2 = std::sqrt(m_squares / m_surface * (m_plane / m_surface));
       result.ordinary_l2 = std::sqrt(m_ordinary_squares / m_surface * (m_plane / m_surface));
       result.length = std::hypot(m_box.x_span(), m_box.y_span()) * std::sqrt(m_surface / m_plane);

@@ -19,11 +19,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -41,6 +43,7 @@ public:
   {
     const std::vector<Stretch_sums> sums = stretch_of_pieces(part);
     measure_triangles(part, sums);
+    measure_densities(part);
     for(std::size_t i = 0; i < sums.size(); ++i) {
       Atlas_report::Chart& chart = report.charts[first + i];
       const Map_stretch stretch = sums[i].stretch();
@@ -60,7 +63,31 @@ public:
 
   Flattening_measures measures() { return m_totals.measures(); }
 
+  // The density of texels that this share of the surface has at least, where the plane is the page
+  double density_of_share(double share)
+  {
+    std::sort(m_densities.begin(), m_densities.end());
+    double sum = 0;
+    for(const auto& [density, area] : m_densities) {
+      sum += area;
+      if(sum >= (1 - share) * m_surface)
+        return density * m_surface;
+    }
+    return 0;
+  }
+
 private:
+  // Each in the direction with the fewest texels, for the area 1 of the surface
+  void measure_densities(const Part_atlas& part)
+  {
+    for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
+      const Triangle_differential map(part.chart, part.uv, t);
+      const double area = surface_area(part.chart, t), stretch = map.has_area() ? map.largest_stretch() : 0;
+      m_densities.emplace_back(stretch > 0 ? 1 / (stretch * stretch) : 0, area);
+      m_surface += area;
+    }
+  }
+
   static void measure_seams(const Part_atlas& part, Atlas_report& report, std::size_t first)
   {
     std::vector<char> has_seams(part.pieces.size(), false);
@@ -104,6 +131,8 @@ private:
 
   Measure_totals m_totals;
   double m_bound;
+  std::vector<std::pair<float, float>> m_densities; // and areas, of all triangles
+  double m_surface = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

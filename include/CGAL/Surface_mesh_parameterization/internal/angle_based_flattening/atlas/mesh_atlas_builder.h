@@ -75,7 +75,7 @@ class Mesh_atlas_builder
 public:
   Mesh_atlas_builder(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
                      const Atlas_options& options, const NamedParameters& np)
-      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts), m_options{options}, m_np(np),
+      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts), m_options(options), m_np(np),
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                               get_const_property_map(CGAL::vertex_point, mesh))),
         m_reader(mesh, m_points)

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
 
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,29 @@ inline void renumber_pieces(Part_atlas& atlas)
     if(atlas.piece[t] == static_cast<int>(pieces.size())) // they are numbered by their first triangles
       pieces.push_back(atlas.pieces[before[t]]);
   atlas.pieces = std::move(pieces);
+}
+
+// Opens the charts along further seams. Their maps stay as they are. `cost` is that of the edge that each corner faces.
+inline void open_along(const std::vector<char>& is_seam, const std::vector<double>& cost, Part_atlas& atlas)
+{
+  std::vector<int> all(atlas.piece.size());
+  std::iota(all.begin(), all.end(), 0);
+  Dual_patch patch = Patch_cutter(atlas.chart, cost).cut_out(std::move(all), is_seam);
+  std::vector<Chart::Point_2> uv;
+  for(int v : patch.origin)
+    uv.push_back(atlas.uv[v]);
+  atlas.chart = std::move(patch.chart);
+  atlas.uv = std::move(uv);
+  renumber_pieces(atlas);
+}
+
+// The triangles of each piece
+inline std::vector<std::vector<int>> triangles_of_pieces(const Part_atlas& atlas)
+{
+  std::vector<std::vector<int>> triangles(atlas.pieces.size());
+  for(std::size_t t = 0; t < atlas.piece.size(); ++t)
+    triangles[atlas.piece[t]].push_back(static_cast<int>(t));
+  return triangles;
 }
 
 // The stretch of each piece

@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/add_terminals.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_progress.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/cut_necks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/flatten_atlas_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
@@ -90,10 +89,7 @@ public:
       add_seams();
     avoid_stretch();
     m_progress.set_stage(0.9, 1);
-    Part_atlas atlas = m_best.map.overlaps ? separated() : result();
-    if(m_options.cut_necks && atlas.succeeded())
-      open_along(Neck_cutter(atlas.chart, atlas.uv, m_cost).run(), atlas);
-    return atlas;
+    return m_best.map.overlaps ? separated() : result();
   }
 
 private:
@@ -267,23 +263,9 @@ private:
     Part_atlas atlas = result();
     if(separation.number_of_pieces > 1) {
       atlas.pieces.front().method = Atlas_report::SEPARATED;
-      open_along(separation.is_seam, atlas);
+      open_along(separation.is_seam, m_cost, atlas);
     }
     return atlas;
-  }
-
-  // Opens the charts along further seams. Their maps stay as they are.
-  void open_along(const std::vector<char>& is_seam, Part_atlas& atlas) const
-  {
-    std::vector<int> all(atlas.piece.size());
-    std::iota(all.begin(), all.end(), 0);
-    Dual_patch patch = Patch_cutter(atlas.chart, m_cost).cut_out(std::move(all), is_seam);
-    std::vector<Chart::Point_2> uv;
-    for(int v : patch.origin)
-      uv.push_back(atlas.uv[v]);
-    atlas.chart = std::move(patch.chart);
-    atlas.uv = std::move(uv);
-    renumber_pieces(atlas);
   }
 
   static Part_atlas failure(Diagnosis diagnosis, const std::string& message)

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/angle_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
@@ -42,6 +43,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,16 +55,18 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Injective_flattening
 {
 public:
-  Injective_flattening(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
+  Injective_flattening(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers,
+                       const std::vector<Chart::Point_2>* start)
       : m_weights(chart), m_coarsening(chart), m_keeper(options.clearance), m_options(options),
-        m_solvers(solvers), m_most_newton_vertices(most_newton_vertices(chart)),
+        m_solvers(solvers), m_start(start), m_most_newton_vertices(most_newton_vertices(chart)),
         m_report(report_of<Hierarchical_report>(chart)), m_relaxation(m_coarsening, m_uv, m_keeper)
   {}
 
   Flattening<Hierarchical_report> run()
   {
     bool is_refined = false;
-    for(int size = is_isometric() ? 1000 : 300; !is_refined && succeeded() && size > 2; size /= 4) {
+    for(int size = is_isometric() && m_start == nullptr ? 1000 : 300; !is_refined && succeeded() && size > 2;
+        size /= 4) {
       coarsen(size);
       is_refined = start() && refine();
     }
@@ -108,26 +112,54 @@ private:
   {
     const Stage stage(m_options.visitor, Flattening_visitor::COARSE_CHART, m_report.seconds.coarse_chart);
     const Coarse_chart coarse = coarse_chart();
-    m_report.start = Hierarchical_report::TUTTE_MAP;
     m_report.levels = m_coarsening.number_of_levels();
     m_report.coarse_vertices = coarse.chart.number_of_vertices();
     m_report.coarse_triangles = coarse.chart.number_of_triangles();
-    std::optional<std::vector<Planar_point>> uv = Tutte_map(coarse.chart).run(m_solvers);
+    std::optional<std::vector<Planar_point>> uv = given_map(coarse);
+    const bool is_given = uv && is_injective(coarse.chart, *uv);
+    if(!is_given)
+      uv = tutte_map(coarse.chart);
     if(!uv)
-      fail(m_report, Diagnosis::LINEAR_SYSTEM_FAILED,
-           "the linear system of Tutte's map of the coarse chart could not be solved");
-    if(!uv || !is_injective(coarse.chart, *uv))
       return false;
     // A large area weight at first spreads branches before they lock. Isometric maps begin with a smaller one than they
     // want, as their energy is far from convex.
     const std::vector<double> area_weights =
         is_isometric() ? std::vector<double>{0.2, 0.4, 0.7} : std::vector<double>{0.5};
-    for(double area_weight : area_weights)
+    for(double area_weight : is_given ? std::vector<double>() : area_weights)
       descend(coarse.chart, area_weight, {1e-2, 200}, *uv);
     descend(coarse.chart, m_options.area_weight, {1e-3, 200}, *uv);
     m_uv.resize(m_coarsening.mesh().chart().points.size());
     put_back(coarse, *uv);
     return succeeded();
+  }
+
+  std::optional<std::vector<Planar_point>> tutte_map(const Chart& coarse)
+  {
+    m_report.start = Hierarchical_report::TUTTE_MAP;
+    std::optional<std::vector<Planar_point>> uv = Tutte_map(coarse).run(m_solvers);
+    if(!uv)
+      fail(m_report, Diagnosis::LINEAR_SYSTEM_FAILED,
+           "the linear system of Tutte's map of the coarse chart could not be solved");
+    return uv && is_injective(coarse, *uv) ? uv : std::nullopt;
+  }
+
+  // The map to start from at the vertices of the coarse chart, as large as its surface; nothing if none is given
+  std::optional<std::vector<Planar_point>> given_map(const Coarse_chart& coarse) const
+  {
+    if(m_start == nullptr)
+      return std::nullopt;
+    std::vector<Planar_point> uv;
+    for(int v : coarse.vertices)
+      uv.emplace_back((*m_start)[v].x(), (*m_start)[v].y());
+    double surface = 0, plane = 0;
+    for(int t = 0; t < coarse.chart.number_of_triangles(); ++t) {
+      const int* v = &coarse.chart.vertex[3 * t];
+      surface += surface_area(coarse.chart, t);
+      plane += cross(uv[v[1]] - uv[v[0]], uv[v[2]] - uv[v[0]]) / 2;
+    }
+    for(Planar_point& p : uv)
+      p *= std::sqrt(surface / plane);
+    return uv;
   }
 
   Coarse_chart coarse_chart() const
@@ -308,6 +340,7 @@ private:
   Border_keeper m_keeper;
   const Hierarchical_options& m_options;
   const Linear_solvers& m_solvers;
+  const std::vector<Chart::Point_2>* m_start; // an injective map, or null
   int m_most_newton_vertices;
   Hierarchical_report m_report;
   int m_descent_steps = 0;        // of the last descent
@@ -315,12 +348,13 @@ private:
   Relaxation<Border_keeper> m_relaxation;
 };
 
-// Flattens a disk that `diagnose()` found flawless. Its connectivity changes meanwhile, and is restored if a map was
-// found. The map is not certified yet.
+// Flattens a disk that `diagnose()` found flawless, starting from an injective map if one is given. The connectivity of
+// the disk changes meanwhile, and is restored if a map was found. The map is not certified yet.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
-flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers)
+flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers,
+                    const std::vector<Chart::Point_2>* start)
 {
-  return Injective_flattening(chart, options, solvers).run();
+  return Injective_flattening(chart, options, solvers, start).run();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

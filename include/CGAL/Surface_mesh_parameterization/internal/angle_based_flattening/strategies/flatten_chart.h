@@ -27,12 +27,13 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
               Rounding round, const Planar_angles* last = nullptr);
 
-// The same by way of a coarser chart, which the given one becomes; `solvers` solve the linear systems of polishing.
+// The same by way of a coarser chart, which the given one becomes; `solvers` solve the linear systems of polishing. An
+// injective map of a disk starts from the injective map `start` if there is one.
 // Programs without the compiled library include the header of that name to have it.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
-                             Rounding round);
+                             Rounding round, const std::vector<Chart::Point_2>* start = nullptr);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -85,11 +85,12 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, cons
 // The map before it is certified
 inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchical_options& options,
                                                    const Coarse_flattening& flatten_coarse,
-                                                   const Linear_solvers& solvers)
+                                                   const Linear_solvers& solvers,
+                                                   const std::vector<Chart::Point_2>* start = nullptr)
 {
   // The range of scale is predicted on the coarse chart: on the fine one, that would take longer than all the rest.
   if(options.injective)
-    return optional_strategies.flatten_injectively(chart, options, solvers);
+    return optional_strategies.flatten_injectively(chart, options, solvers, start);
   Hierarchical_report prediction;
   const Coarse_flattening flatten_if_possible =
       [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
@@ -163,11 +164,11 @@ inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
 flatten_chart_hierarchically(Chart chart, const Hierarchical_options& options,
                              const Coarse_flattening& flatten_coarse, const Linear_solvers& solvers,
-                             Rounding round)
+                             Rounding round, const std::vector<Chart::Point_2>* start)
 {
   Flattening<Hierarchical_report> result =
       chart.borders.size() > 1 ? refined_map_with_holes(chart, options, flatten_coarse, solvers)
-                               : refined_map(chart, options, flatten_coarse, solvers);
+                               : refined_map(chart, options, flatten_coarse, solvers, start);
   if(result.succeeded())
     certify(chart, options, round, result);
   return result;

@@ -35,7 +35,8 @@ made_injective(const Chart& chart, const ABF_plus_plus_options& options, const L
                Rounding round, Flattening<ABF_plus_plus_report> direct);
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
-flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers);
+flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers,
+                    const std::vector<Chart::Point_2>* start);
 
 struct Attempts;
 struct Direct_flattening;

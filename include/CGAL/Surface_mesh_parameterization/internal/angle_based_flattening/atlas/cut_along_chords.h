@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Finds seams that cut branches off the map of a chart, so that charts fill more of a page.
-// `part_atlas_builder.h` calls it if the option `cut_necks` is set; the map stays as it is.
+// Finds seams across the maps of charts: along chords that are short compared with what they cut off, the best first.
+// `cover_page.h` decides how many of them are worth their length. The maps stay as they are.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_NECKS_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_NECKS_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_ALONG_CHORDS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_ALONG_CHORDS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -21,13 +21,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Cuts branches off the maps of disks, which then cover more of a square: along chords of the border that are short
-// compared with the square root of the area which they cut off. The map stays as it is.
-class Neck_cutter
+// Cuts the maps of disks along chords of their borders. The score of a chord is its length divided by the square root of
+// the area that it cuts off. The map stays as it is.
+class Chord_cutter
 {
   typedef Chart::Point_2 Point_2;
 
@@ -46,26 +47,48 @@ class Neck_cutter
     double score;
   };
 
+  struct Cut
+  {
+    std::vector<int> path; // the corners that face its edges
+    double score;
+  };
+
 public:
-  // `chart` consists of disks whose maps are injective, and `cost` is that of the edge that each corner faces.
-  Neck_cutter(const Chart& chart, const std::vector<Point_2>& uv, const std::vector<double>& cost)
-      : m_chart(chart), m_uv(uv), m_cost(cost), m_graph(chart)
-  {}
+  // `chart` consists of disks whose maps are injective, and `cost` is that of the edge that each corner faces. Pieces get
+  // at least the given area in the plane.
+  Chord_cutter(const Chart& chart, const std::vector<Point_2>& uv, const std::vector<double>& cost,
+               double least_area)
+      : m_chart(chart), m_uv(uv), m_cost(cost), m_least_area(2 * least_area), m_graph(chart)
+  {
+    for(const std::vector<int>& border : chart.borders)
+      find_cut(border.front());
+  }
+
+  // That of the next cut; infinity if there is none
+  double next_score() const
+  {
+    return m_cuts.empty() ? (std::numeric_limits<double>::infinity)() : m_cuts.front().score;
+  }
+
+  // Makes the next cut, and returns its length on the surface.
+  double cut()
+  {
+    std::pop_heap(m_cuts.begin(), m_cuts.end(), is_worse);
+    const std::vector<int> path = std::move(m_cuts.back().path);
+    m_cuts.pop_back();
+    double length = 0;
+    for(int c : path) {
+      m_graph.set_seam(c, true);
+      length += edge_length(m_chart, c);
+    }
+    find_cut(path.front());
+    find_cut(m_chart.opposite[path.front()]);
+    return length;
+  }
 
   // Returns of each corner whether the edge that it faces is a new seam.
-  std::vector<char> run()
+  std::vector<char> seams() const
   {
-    for(const std::vector<int>& border : m_chart.borders)
-      m_open.push_back(border.front());
-    double largest = 0;
-    for(int c : m_open)
-      largest = (std::max)(largest, border_of(c).total_area);
-    m_least_area = least_share * largest;
-    while(!m_open.empty()) {
-      const Border border = border_of(m_open.back());
-      m_open.pop_back();
-      cut(border);
-    }
     std::vector<char> is_seam;
     for(int c = 0; c < m_chart.number_of_corners(); ++c)
       is_seam.push_back(m_graph.is_seam(c));
@@ -73,6 +96,8 @@ public:
   }
 
 private:
+  static bool is_worse(const Cut& a, const Cut& b) { return a.score > b.score; }
+
   Border border_of(int start) const
   {
     Border border;
@@ -104,18 +129,23 @@ private:
     return (std::min)(area, border.total_area - area);
   }
 
-  // Cuts a piece in two if it has a neck.
-  void cut(const Border& border)
+  // Finds the best cut of a piece. `corner` faces its border.
+  void find_cut(int corner)
   {
-    std::vector<Chord> chords = good_chords(border);
+    const Border border = border_of(corner);
     std::size_t tried = 0;
-    for(const Chord& chord : chords)
-      if(is_within(border, chord)) {
-        if(open_along(border, chord))
-          return;
-        if(++tried == most_paths)
-          return;
+    for(const Chord& chord : good_chords(border)) {
+      if(!is_within(border, chord))
+        continue;
+      std::vector<int> path = path_along(border, chord);
+      if(!path.empty()) {
+        m_cuts.push_back({std::move(path), chord.score});
+        std::push_heap(m_cuts.begin(), m_cuts.end(), is_worse);
+        return;
       }
+      if(++tried == most_paths)
+        return;
+    }
   }
 
   // The best chords come first. On a border with many vertices, only some places are tried, at even distances.
@@ -179,8 +209,8 @@ private:
     return is_inside;
   }
 
-  // Opens the piece along the shortest path between the ends of a chord, if that is not much longer.
-  bool open_along(const Border& border, const Chord& chord)
+  // The shortest path between the ends of a chord; empty if it is much longer than the chord
+  std::vector<int> path_along(const Border& border, const Chord& chord) const
   {
     const int source = m_graph.source_node(border.corners[chord.from]),
               target = m_graph.source_node(border.corners[chord.to]);
@@ -190,31 +220,27 @@ private:
     Shortest_paths paths(m_graph, m_cost);
     paths.restrict_to(std::move(is_allowed));
     if(paths.find({source}, forbidden, [&](int x) { return x == target; }) < 0)
-      return false;
-    const std::vector<int> path = paths.path(target);
+      return {};
+    std::vector<int> path = paths.path(target);
     double length = 0;
     for(int c : path)
       length += distance(m_uv[m_chart.edge_source(c)], m_uv[m_chart.edge_target(c)]);
     if(length > most_detour * distance(border.points[chord.from], border.points[chord.to]))
-      return false;
-    for(int c : path)
-      m_graph.set_seam(c, true);
-    m_open.push_back(path.front());
-    m_open.push_back(m_chart.opposite[path.front()]);
-    return true;
+      path.clear();
+    return path;
   }
 
-  static constexpr double largest_score = 1, least_share = 0.02, most_detour = 1.5;
-  static constexpr std::size_t most_places = 256, most_paths = 8;
+  static constexpr double largest_score = 1.8, most_detour = 1.5;
+  static constexpr std::size_t most_places = 128, most_paths = 8;
 
   const Chart& m_chart;
   const std::vector<Point_2>& m_uv;
   const std::vector<double>& m_cost;
+  const double m_least_area; // twice that of a piece
   Sector_graph m_graph;
-  double m_least_area = 0; // twice the least area of what is cut off
-  std::vector<int> m_open; // of each piece to look at: a corner that faces its border
+  std::vector<Cut> m_cuts; // a heap
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_NECKS_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_CUT_ALONG_CHORDS_H
