@@ -20,7 +20,7 @@ BAKING = [("texels of charts", "texels", ",.0f"), ("baking, s", "bake", "seconds
 
 def flatten(options: argparse.Namespace, mesh: Path, *arguments: object) -> run.Measurement:
     """The report of a run, with the seconds of its stages"""
-    done = subprocess.run([options.program, mesh, *map(str, arguments), "--threads", str(options.threads), "--json", "-"],
+    done = subprocess.run([options.program, mesh, "--for", "few-charts", *map(str, arguments), "--threads", str(options.threads), "--json", "-"],
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
     result = json.loads(done.stdout)
     return run.Measurement(result) if result["status"] == "OK" else run.Measurement(failure=result["message"])

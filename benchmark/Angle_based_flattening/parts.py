@@ -88,7 +88,7 @@ def write(file: Path, parts: Iterator[Part]) -> None:
 
 
 def measure_file(options: argparse.Namespace, file: Path, resolution: int) -> run.Measurement:
-    process = subprocess.Popen([options.program, file, "--threads", "1", "--resolution", str(resolution), "--json", "-"],
+    process = subprocess.Popen([options.program, file, "--for", "few-charts", "--threads", "1", "--resolution", str(resolution), "--json", "-"],
                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
     text = process.stdout.read()
     _, _, usage = os.wait4(process.pid, 0)
