@@ -168,6 +168,34 @@ BOOST_AUTO_TEST_CASE(the_name_of_a_purpose_is_an_argument)
              boost::test_tools::tolerance(1e-6));
 }
 
+// Until the last chart is isometric
+BOOST_AUTO_TEST_CASE(progress_reaches_the_end_and_can_be_cancelled)
+{
+  struct Visitor : CGAL::Surface_mesh_parameterization::Atlas_visitor
+  {
+    double last = 0, end = 2;
+    bool is_rising = true;
+
+    bool progress(double share) override
+    {
+      is_rising = is_rising && share >= last;
+      last = share;
+      return share < end;
+    }
+  };
+  Atlas_options options(Atlas_options::TEXTURE);
+  Visitor visitor, other;
+  options.visitor = &visitor;
+  BOOST_TEST(bool(make_atlas_of(surface(2), options).report));
+  BOOST_TEST(visitor.last == 1);
+  BOOST_TEST(visitor.is_rising);
+  other.end = 0.8; // all charts are made then, and some of them isometric
+  options.visitor = &other;
+  const Atlas_run run = make_atlas_of(surface(2), options);
+  BOOST_TEST(run.report.status == Diagnosis::CANCELLED);
+  BOOST_TEST(run.is_untouched());
+}
+
 BOOST_AUTO_TEST_CASE(a_price_is_at_least_0)
 {
   for(const double price : {-1., std::numeric_limits<double>::quiet_NaN()}) {
