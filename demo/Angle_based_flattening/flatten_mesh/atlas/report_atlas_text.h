@@ -110,8 +110,8 @@ inline Report_rows chart_rows(const Atlas_record& record)
                         std::to_string(record.options.resolution) + " texels, gutter " +
                         std::to_string(record.options.gutter)});
     rows.push_back({"texel density", format_number("%.3f", report.texel_density),
-                    format_number("mean; 95 %% of the surface have at least %.3f in all directions; best 1",
-                                  report.low_texel_density)});
+                    "mean; 95 % of the surface have at least " +
+                        format_number("%.3f", report.low_texel_density) + " in all directions; best 1"});
   }
   return rows;
 }
