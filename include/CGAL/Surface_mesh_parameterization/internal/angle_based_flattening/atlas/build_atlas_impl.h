@@ -113,7 +113,7 @@ private:
       for(int k = 0; k < n; ++k)
         make(order[k]);
     if(m_options.pack_into_square && std::isfinite(m_options.seam_price))
-      Page_coverer(m_parts, m_options, m_atlas.parts).run();
+      Page_coverer(m_parts, m_weight, m_options, m_atlas.parts).run();
     if(m_options.isometric_charts)
       Isometric_charts(m_parts, m_options, m_solvers, progress, m_atlas.parts).run();
   }

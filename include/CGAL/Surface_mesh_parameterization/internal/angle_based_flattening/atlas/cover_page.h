@@ -36,9 +36,10 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Page_coverer
 {
 public:
-  Page_coverer(const std::vector<Surface_part>& parts, const Atlas_settings& options,
-               std::vector<Part_atlas>& atlases)
-      : m_parts(parts), m_options(options), m_atlases(atlases), m_cutters(parts.size()),
+  // `weight` multiplies the lengths of each triangle in the plane; empty if all are 1.
+  Page_coverer(const std::vector<Surface_part>& parts, const std::vector<double>& weight,
+               const Atlas_settings& options, std::vector<Part_atlas>& atlases)
+      : m_parts(parts), m_weight(weight), m_options(options), m_atlases(atlases), m_cutters(parts.size()),
         m_best_seams(parts.size())
   {}
 
@@ -83,8 +84,10 @@ private:
           const Chart::Point_2& p = atlas.uv[atlas.chart.vertex[c]];
           m_corners.emplace_back(p.x(), p.y());
         }
-        m_areas.push_back(surface_area(atlas.chart, t));
-        m_area += m_areas.back();
+        const double area = surface_area(atlas.chart, t),
+                     weight = m_weight.empty() ? 1 : m_weight[m_parts[i].first_triangle + t];
+        m_areas.push_back(area * weight * weight);
+        m_area += area;
       }
     }
     for(std::size_t i = 0; i < m_parts.size(); ++i)
@@ -150,13 +153,14 @@ private:
   static constexpr int most_charts = 256, most_cuts = 64, most_worse = 3;
 
   const std::vector<Surface_part>& m_parts;
+  const std::vector<double>& m_weight;
   const Atlas_settings& m_options;
   std::vector<Part_atlas>& m_atlases;
   std::vector<std::optional<Chord_cutter>> m_cutters; // of each part with charts
   std::vector<std::vector<char>> m_best_seams;        // of each part: of its corners
   std::vector<Planar_point> m_corners;                // of all triangles
-  std::vector<double> m_areas;                        // of all triangles
-  double m_area = 0;                                  // of all charts
+  std::vector<double> m_areas;                        // of all triangles, with their weights
+  double m_area = 0;                                  // of all charts, without weights
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

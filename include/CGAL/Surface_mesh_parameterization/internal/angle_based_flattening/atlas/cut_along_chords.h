@@ -54,7 +54,7 @@ class Chord_cutter
   };
 
 public:
-  // `chart` consists of disks whose maps are injective, and `cost` is that of the edge that each corner faces. Pieces get
+  // `chart` consists of disks, and flat pieces with holes, whose maps are injective, and `cost` is that of the edge that each corner faces. Pieces get
   // at least the given area in the plane.
   Chord_cutter(const Chart& chart, const std::vector<Point_2>& uv, const std::vector<double>& cost,
                double least_area)
