@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
@@ -43,7 +42,6 @@ public:
   {
     const std::vector<Stretch_sums> sums = stretch_of_pieces(part);
     measure_triangles(part, sums);
-    measure_densities(part);
     for(std::size_t i = 0; i < sums.size(); ++i) {
       Atlas_report::Chart& chart = report.charts[first + i];
       const Map_stretch stretch = sums[i].stretch();
@@ -77,17 +75,6 @@ public:
   }
 
 private:
-  // Each in the direction with the fewest texels, for the area 1 of the surface
-  void measure_densities(const Part_atlas& part)
-  {
-    for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
-      const Triangle_differential map(part.chart, part.uv, t);
-      const double area = surface_area(part.chart, t), stretch = map.has_area() ? map.largest_stretch() : 0;
-      m_densities.emplace_back(stretch > 0 ? 1 / (stretch * stretch) : 0, area);
-      m_surface += area;
-    }
-  }
-
   static void measure_seams(const Part_atlas& part, Atlas_report& report, std::size_t first)
   {
     std::vector<char> has_seams(part.pieces.size(), false);
@@ -124,9 +111,21 @@ private:
               measure_triangle(part.chart, beta, part.uv, std::sqrt(sum.surface() / sum.plane()), first + i);
         }
       });
-      for(int i = 0; i < size; ++i)
+      for(int i = 0; i < size; ++i) {
         m_totals.add(faces[i]);
+        add_density(faces[i], sums[part.piece[first + i]]);
+      }
     }
+  }
+
+  // In the direction with the fewest texels, for the area 1 of the surface
+  void add_density(const Flattening_face_measures& face, const Stretch_sums& chart)
+  {
+    if(!(face.area > 0))
+      return;
+    const double squared_scale = chart.surface() / chart.plane();
+    m_densities.emplace_back(1 / (face.linf_stretch * face.linf_stretch * squared_scale), face.area);
+    m_surface += face.area;
   }
 
   Measure_totals m_totals;
