@@ -55,6 +55,8 @@ class Atlas_visitor;
 /// Options of `make_atlas()`, where `Seam_options::stretch_bound` bounds the stretch of each chart.
 ///
 /// The constructor takes what the atlas is for, and sets options accordingly. Each of them can be changed afterwards.
+/// `make_atlas(mesh, uv, Atlas_options::TEXTURE)` works; with named parameters, write
+/// `Atlas_options(Atlas_options::TEXTURE)`.
 ///
 /// | option                | `FEW_CHARTS` | `CONFORMAL` | `TEXTURE` |
 /// | :-------------------- | :----------- | :---------- | :-------- |
@@ -70,7 +72,7 @@ struct Atlas_options : Seam_options, Packing_options
   enum Purpose
   {
     FEW_CHARTS, ///< As few charts and seams as possible: one chart for each component where that gives an even scale.
-    CONFORMAL, ///< The angles of ABF++ in all charts; there are more charts where a map would overlap itself.
+    CONFORMAL, ///< The angles of ABF++ wherever it has a valid map; charts are split where it would overlap itself.
     TEXTURE ///< Many and even texels: charts are as isometric as possible, and cut so that they cover the square.
   };
 

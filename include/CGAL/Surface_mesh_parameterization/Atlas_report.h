@@ -60,8 +60,8 @@ struct Atlas_report : Report
   {
     ABF_PLUS_PLUS, ///< By ABF++, or flat as it is, with holes; the map does not overlap itself.
     HIERARCHICAL, ///< By hierarchical ABF++, for more than 20,000 triangles; the map does not overlap itself.
-    INJECTIVE, ///< As an injective map, because the map of ABF++ overlaps itself, or does so after rounding.
-    SEPARATED  ///< As a piece of a map of ABF++ that overlaps itself, as by `split_overlaps()`.
+    INJECTIVE, ///< As an injective map: the map of ABF++ overlaps itself, perhaps only after rounding, or is less isometric.
+    SEPARATED ///< As a piece of a map of ABF++ that overlaps itself, as by `split_overlaps()`.
   };
 
   /// What a good chart (`Chart::is_good`) needed.

@@ -157,6 +157,8 @@ private:
       surface += surface_area(coarse.chart, t);
       plane += cross(uv[v[1]] - uv[v[0]], uv[v[2]] - uv[v[0]]) / 2;
     }
+    if(!(plane > 0))
+      return std::nullopt;
     for(Planar_point& p : uv)
       p *= std::sqrt(surface / plane);
     return uv;
