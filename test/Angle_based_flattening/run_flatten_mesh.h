@@ -17,6 +17,8 @@
 #include <png.h>
 #endif
 
+#include "temporary_folder.h"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -96,27 +98,9 @@ inline std::string quoted(const std::string& word)
 }
 
 // A separate folder for each test, and the results of the program's last run.
-struct Folder
+struct Folder : Temporary_folder
 {
-  Folder() : path(fs::temp_directory_path() / ("test_flatten_mesh_" + std::to_string(::getpid())))
-  {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-
-  ~Folder()
-  {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-
-  std::string file(const std::string& name) const { return (path / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return file(name);
-  }
+  Folder() : Temporary_folder("test_flatten_mesh") {}
 
   void run(const std::string& arguments, const std::string& standard_output_file = "")
   {
@@ -200,7 +184,6 @@ struct Folder
     BOOST_TEST(json().get<int>("flipped_triangles") == 0);
   }
 
-  fs::path path;
   std::string common_options; // with a blank behind
   int status = -1;
   bool asks_for_json = false;

@@ -13,6 +13,7 @@
 
 #include "generated_gltf.h"
 #include "generated_models.h"
+#include "temporary_folder.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/test/unit_test.hpp>
@@ -47,34 +48,9 @@ using generated::Gltf;
 
 namespace {
 
-struct Files
+struct Files : Temporary_folder
 {
-  Files() : path(fs::temp_directory_path() / ("test_gltf_" + std::to_string(::getpid())))
-  {
-    fs::remove_all(path);
-    fs::create_directory(path);
-    command.quiet = true;
-  }
-
-  ~Files()
-  {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-
-  std::string file(const std::string& name) const { return (path / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return file(name);
-  }
-
-  std::string content(const std::string& name) const
-  {
-    std::ifstream stream(path / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  }
+  Files() : Temporary_folder("test_gltf") { command.quiet = true; }
 
   Model read(const std::string& name, const std::string& text, const Gltf_options& options = Gltf_options())
   {
@@ -107,7 +83,6 @@ struct Files
     return WEXITSTATUS(std::system(line.c_str()));
   }
 
-  fs::path path;
   Command_line command;
   Notes notes = Notes(command);
 };

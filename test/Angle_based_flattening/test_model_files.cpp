@@ -19,6 +19,7 @@
 
 #include "generated_models.h"
 #include "read_faces.h"
+#include "temporary_folder.h"
 
 #ifdef ABF_WITH_ASSIMP
 #include "assimp_reader.h"
@@ -55,34 +56,12 @@ using namespace flatten_mesh;
 
 namespace {
 
-struct Files
+struct Files : Temporary_folder
 {
-  Files() : path(fs::temp_directory_path() / ("test_model_files_" + std::to_string(::getpid())))
+  Files() : Temporary_folder("test_model_files")
   {
-    fs::remove_all(path);
-    fs::create_directory(path);
     command.quiet = true;
     write("paint.mtl", "newmtl red paint\nKd 1 0.25 0\nnewmtl blue\r\nKd 0 0 1\r\nd 0.5\r\n");
-  }
-
-  ~Files()
-  {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-
-  std::string file(const std::string& name) const { return (path / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return file(name);
-  }
-
-  std::string content(const std::string& name) const
-  {
-    std::ifstream stream(path / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
   }
 
   Model read(const std::string& name, const std::string& text)
@@ -105,7 +84,6 @@ struct Files
                "no note says " << word);
   }
 
-  fs::path path;
   Command_line command;
   Notes notes = Notes(command);
 };
