@@ -13,8 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
 #include <CGAL/Bbox_2.h>
-
-#include <Eigen/Geometry>
+#include <CGAL/Dimension.h>
+#include <CGAL/centroid.h>
 
 #include <algorithm>
 #include <array>
@@ -25,33 +25,43 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A rotation and a translation
+// A rotation and a translation. (Eigen::umeyama() fits one too, but g++ 12 gives false warnings inside of it.)
 class Planar_motion
 {
+  typedef Corner_table::Kernel::Vector_2 Vector_2;
   typedef Corner_table::Point_2 Point_2;
 
 public:
   // Moves each point `from[i]` as near as possible to `to[i]`. There is at least one.
   Planar_motion(const std::vector<Point_2>& from, const std::vector<Point_2>& to)
-      : m_motion(Eigen::Affine2d(Eigen::umeyama(columns(from), columns(to), false)))
-  {}
+      : m_from(centroid(from)), m_to(centroid(to))
+  {
+    double c = 0, s = 0;
+    for(std::size_t i = 0; i < from.size(); ++i) {
+      const Vector_2 v = from[i] - m_from, w = to[i] - m_to;
+      c += v * w;
+      s += v.x() * w.y() - v.y() * w.x();
+    }
+    if(const double length = std::hypot(c, s); length > 0) {
+      m_cosine = c / length;
+      m_sine = s / length;
+    }
+  }
 
   Point_2 operator()(const Point_2& p) const
   {
-    const Eigen::Vector2d q = m_motion * Eigen::Vector2d(p.x(), p.y());
-    return Point_2(q.x(), q.y());
+    const Vector_2 v = p - m_from;
+    return m_to + Vector_2(m_cosine * v.x() - m_sine * v.y(), m_sine * v.x() + m_cosine * v.y());
   }
 
 private:
-  static Eigen::Matrix2Xd columns(const std::vector<Point_2>& points)
+  static Point_2 centroid(const std::vector<Point_2>& points)
   {
-    Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(points.size()));
-    for(std::size_t i = 0; i < points.size(); ++i)
-      result.col(static_cast<Eigen::Index>(i)) << points[i].x(), points[i].y();
-    return result;
+    return CGAL::centroid(points.begin(), points.end(), CGAL::Dimension_tag<0>());
   }
 
-  Eigen::Affine2d m_motion;
+  Point_2 m_from, m_to;
+  double m_cosine = 1, m_sine = 0;
 };
 
 // Cells of a grid whose centres triangles cover. Two layers tell whether two sets of triangles overlap.
