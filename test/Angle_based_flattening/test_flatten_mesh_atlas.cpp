@@ -571,6 +571,40 @@ BOOST_AUTO_TEST_CASE(given_seams_are_kept)
                 {"no edge between vertices"});
 }
 
+BOOST_AUTO_TEST_CASE(given_charts_are_packed_anew)
+{
+  const Block block = two_rings();
+  const std::string input = write("block.off", block.text());
+  flatten(input, "--for few-charts --resolution 256");
+  const std::string first = obj();
+  const Edges seams = edges_with_two_textures(first);
+  const std::size_t number = charts();
+  const std::string textured = write("textured.obj", first);
+  flatten(textured, "--repack --resolution 64");
+  check_atlas(block.faces);
+  BOOST_TEST(charts() == number);
+  BOOST_TEST((edges_with_two_textures(obj()) == seams));
+  const auto report = atlas();
+  for(const auto& chart : report.get_child("charts")) {
+    BOOST_TEST(chart.second.get<std::string>("method") == "given");
+  }
+  check_refused(input, "--repack", {"no texture coordinates"});
+
+  std::string mirrored, line;
+  for(std::istringstream lines(first); std::getline(lines, line);) {
+    mirrored += line.rfind("vt ", 0) == 0 ? "vt -" + line.substr(3) + '\n' : line + '\n';
+  }
+  const std::string wrong = write("mirrored.obj", mirrored);
+  flatten(wrong, "--repack");
+  BOOST_TEST(status == 2);
+  BOOST_TEST(json().get<std::string>("status") == "FLIPPED_TRIANGLES");
+  BOOST_TEST(!fs::exists(path / "flat.obj"));
+  flatten(wrong, "--repack --repair-charts");
+  check_atlas(block.faces);
+  const Edges after = edges_with_two_textures(obj());
+  BOOST_TEST(std::includes(after.begin(), after.end(), seams.begin(), seams.end()));
+}
+
 BOOST_AUTO_TEST_CASE(charts_of_materials)
 {
   const Sheet sheet;
@@ -882,7 +916,7 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
   for(const std::string option :
       {"--for texture", "--separate on", "--isometric on", "--seam-price 1", "--seams hidden", "--no-pack",
        "--units world", "--seams-from uv", "--charts-from-materials", "--resolution 64", "--gutter 1",
-       "--mip-levels 1", "--rotations 4"}) {
+       "--mip-levels 1", "--rotations 4", "--repack"}) {
     check_refused(input, "--plain " + option, {"not with --plain", option.substr(0, option.find(' '))});
   }
   for(const std::string options : {"--no-pack --units square",
@@ -903,6 +937,12 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
                                    "--seam-price nan",
                                    "--seam-price 1 --no-pack",
                                    "--seams-from seams.txt",
+                                   "--repair-charts",
+                                   "--repack --seams-from uv",
+                                   "--repack --for texture",
+                                   "--repack --stretch-bound 2",
+                                   "--repack --repair-charts --seam-price 1",
+                                   "--repack --component 0",
                                    "--quiet --verbose",
                                    "--format off",
                                    "--area-weight 2",

@@ -28,6 +28,8 @@ struct Atlas_options
   std::string seams = "length"; // or "creases", "creases:DEGREES", "hidden"
   std::string seams_from;       // a file, "uv", or empty
   bool charts_from_materials = false;
+  bool repacks = false;        // keeps the charts of the texture coordinates in the input
+  bool repairs_charts = false; // of these, flattens those anew that are not injective
   bool is_packed = true;
   std::string units = "square";
   int resolution = 1024;
@@ -38,6 +40,7 @@ struct Atlas_options
   int simplified_triangles = 0; // 0: the surface stays as it is
 
   bool is_in_world_units() const { return units == "world"; }
+  bool keeps_all_charts() const { return repacks && !repairs_charts; }
 };
 
 // What the user asks for.

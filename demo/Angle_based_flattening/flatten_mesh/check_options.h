@@ -319,6 +319,29 @@ inline void check_way_of_seams(const std::string& seams)
   }
 }
 
+// Charts that are kept are neither cut nor flattened.
+inline void check_repack(const Values& values, const Atlas_options& atlas)
+{
+  if(!atlas.repacks) {
+    if(atlas.repairs_charts) {
+      throw Usage_error("--repair-charts goes with --repack only");
+    }
+    return;
+  }
+  std::vector<const char*> excluded = {"seams",      "seams-from", "charts-from-materials",
+                                       "seam-price", "simplify",   "component"};
+  if(!atlas.repairs_charts) {
+    excluded.insert(excluded.end(),
+                    {"for", "separate", "isometric", "stretch-bound", "area-weight", "equal-seams"});
+  }
+  for(const char* option : excluded) {
+    if(is_given(values, option)) {
+      throw Usage_error(std::string("--repack and --") + option +
+                        " exclude each other: the charts of the input are kept");
+    }
+  }
+}
+
 inline void check_atlas(const Values& values, Command_line& command)
 {
   Atlas_options& atlas = command.atlas;
@@ -338,6 +361,7 @@ inline void check_atlas(const Values& values, Command_line& command)
                       "coordinates in the input");
   }
   check_baking(values, command);
+  check_repack(values, atlas);
   check_gutter(values, atlas);
   if(atlas.is_packed) {
     return;

@@ -156,6 +156,13 @@ inline po::options_description atlas_options(Command_line& command)
       "CGAL's demo wrote, or the seams of the texture coordinates in the input");
   add("charts-from-materials", po::bool_switch(&atlas.charts_from_materials),
       "edges between faces of different materials are seams");
+  add("repack", po::bool_switch(&atlas.repacks),
+      "keep the charts of the texture coordinates in the input, with their shapes, and only pack them anew, "
+      "all "
+      "with the same density of texels. Charts that are flipped or overlap themselves, and faces without "
+      "coordinates, are named, and nothing is written");
+  add("repair-charts", po::bool_switch(&atlas.repairs_charts),
+      "with --repack: flatten such charts anew, and keep all others");
   add("no-pack", po::bool_switch()->notifier([&atlas](const bool is_given) { atlas.is_packed = !is_given; }),
       "charts have the same size as in space, and lie in rows, in their order, not turned");
   add("units", name_option(atlas.units),

@@ -76,6 +76,19 @@ struct Atlas_options : Seam_options, Packing_options
     TEXTURE ///< Many and even texels: charts are as isometric as possible, and cut so that they cover the square.
   };
 
+  /// What becomes of coordinates that `uv` has already. Edges whose two sides have different ones are seams, and each
+  /// connected part between them is a chart.
+  enum Given_charts
+  {
+    REPLACE, ///< They are ignored.
+    KEEP,    ///< Charts keep their shapes, and are packed anew. All have to be injective.
+    REPAIR ///< The same, but charts that are flipped, overlap themselves or have no coordinates are flattened anew.
+  };
+
+  /// How charts are given. If they are not replaced, `uv` must be a model of `ReadWritePropertyMap`, and charts are not
+  /// cut by their price.
+  Given_charts given_charts = REPLACE;
+
   /// How much injective maps preserve areas, from 0 to 1 (see `Flattening_options::area_weight`). The default is larger
   /// than for single charts, because an atlas should have even texels.
   double area_weight = 0.02;

@@ -61,7 +61,8 @@ struct Atlas_report : Report
     ABF_PLUS_PLUS, ///< By ABF++, or flat as it is, with holes; the map does not overlap itself.
     HIERARCHICAL, ///< By hierarchical ABF++, for more than 20,000 triangles; the map does not overlap itself.
     INJECTIVE, ///< As an injective map: the map of ABF++ overlaps itself, perhaps only after rounding, or is less isometric.
-    SEPARATED ///< As a piece of a map of ABF++ that overlaps itself, as by `split_overlaps()`.
+    SEPARATED, ///< As a piece of a map of ABF++ that overlaps itself, as by `split_overlaps()`.
+    GIVEN      ///< It was there already (`Atlas_options::given_charts`).
   };
 
   /// What a good chart (`Chart::is_good`) needed.
@@ -79,7 +80,7 @@ struct Atlas_report : Report
     NO_SEAMS,      ///< No seam has both sides in the chart.
     EQUAL_LENGTHS, ///< Both sides have equal lengths.
     NOT_WANTED,    ///< `Atlas_options::equal_seam_lengths` is `false`.
-    OTHER_METHOD,  ///< The map, or the map that it is a piece of, is hierarchical or injective.
+    OTHER_METHOD,  ///< The map, or the map that it is a piece of, is hierarchical, injective or given.
     NOT_TRIED, ///< The part has more than 32 handles and borders, and its map with free lengths overlaps itself.
     NO_EQUATIONS,       ///< There are no equations for the lengths of such seams.
     NOT_CONVERGED,      ///< The solver did not reach equal lengths.
@@ -206,6 +207,8 @@ inline std::string to_string(Atlas_report::Method method)
     return "injective";
   case Atlas_report::SEPARATED:
     return "separated";
+  case Atlas_report::GIVEN:
+    return "given";
   }
   return "unknown";
 }

@@ -52,6 +52,9 @@ inline std::string status_name(const Atlas_record& record)
 
 inline Exit_status exit_status(const Atlas_record& record)
 {
+  if(record.options.keeps_all_charts() && !record.report.has_atlas()) {
+    return WRONG_INPUT; // no chart was computed
+  }
   if(std::any_of(record.skipped.begin(), record.skipped.end(), is_failure_of_computation)) {
     return COMPUTATION_FAILED;
   }

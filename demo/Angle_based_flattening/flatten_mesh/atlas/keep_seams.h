@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,10 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline void keep_seams_of_texture(Atlas_input& input, const Edge_marks& seams)
+inline void keep_seams_of_texture(const std::string& option, Atlas_input& input, const Edge_marks& seams)
 {
   if(input.model.texture.empty()) {
-    throw Input_error("--seams-from uv: the input has no texture coordinates; name a .selection.txt file, or "
-                      "leave the option out");
+    throw Input_error(option + ": the input has no texture coordinates; leave the option out");
   }
   const std::vector<bool> is_seam = texture_seams(input.model, input.mesh, input.origins);
   for(const Edge e : input.mesh.edges()) {
@@ -70,12 +70,26 @@ inline void keep_seams_of_file(const std::string& file, Atlas_input& input, cons
 inline void keep_seams(const Atlas_options& options, Atlas_input& input, const Edge_marks& seams)
 {
   if(options.seams_from == "uv") {
-    internal::keep_seams_of_texture(input, seams);
+    internal::keep_seams_of_texture("--seams-from uv", input, seams);
   } else if(!options.seams_from.empty()) {
     internal::keep_seams_of_file(options.seams_from, input, seams);
   }
   if(options.charts_from_materials) {
     internal::keep_seams_of_materials(input, seams);
+  }
+}
+
+// Takes the coordinates of the file, and the seams between them. Corners without any get numbers that are not finite.
+inline void take_texture(Atlas_input& input, const Atlas& atlas)
+{
+  const Model& model = input.model;
+  internal::keep_seams_of_texture("--repack", input, atlas.seams);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for(const Halfedge h : input.mesh.halfedges()) {
+    if(!input.mesh.is_border(h)) {
+      const Index t = model.texture_point(input.origins.corners[h.idx()]);
+      atlas.uv[h] = t == no_index ? Kernel::Point_2(none, none) : model.texture[t];
+    }
   }
 }
 

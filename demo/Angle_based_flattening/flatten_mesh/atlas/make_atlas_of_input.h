@@ -58,6 +58,12 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
     options.seam_price = std::numeric_limits<double>::infinity();
   }
   options.seam_price = atlas.seam_price.value_or(options.seam_price);
+  if(atlas.repacks) {
+    options.given_charts = atlas.repairs_charts ? SMP::Atlas_options::REPAIR : SMP::Atlas_options::KEEP;
+  }
+  if(atlas.keeps_all_charts()) {
+    options.stretch_bound = std::numeric_limits<double>::infinity();
+  }
   if(command.asks_for_stretch) {
     options.stretch_bound = command.stretch_bound;
   }
@@ -117,7 +123,7 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
     return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
   SMP::Atlas_report report;
-  if(command.atlas.seams == "length") {
+  if(command.atlas.seams == "length" || command.atlas.repacks) {
     report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
   } else {
     auto weight = mesh.add_property_map<Edge, double>().first;
@@ -191,6 +197,9 @@ inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_
                                              const Atlas& atlas, Atlas_progress& progress)
 {
   keep_seams(command.atlas, input, atlas.seams);
+  if(command.atlas.repacks) {
+    take_texture(input, atlas);
+  }
   return command.asks_for_component ? internal::make_atlas_of_component(command, input.mesh, atlas, progress)
                                     : internal::call_make_atlas(command, input.mesh, atlas, progress);
 }

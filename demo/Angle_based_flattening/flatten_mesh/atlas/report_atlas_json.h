@@ -67,7 +67,8 @@ inline std::string atlas_json(const Atlas_record& record)
              return chart_json(record.report.charts[i], record.share_of_area[i]);
            }));
   json.add("seams", seams.text());
-  json.add("purpose", json_text(record.options.purpose));
+  json.add("purpose", record.options.keeps_all_charts() ? "null" : json_text(record.options.purpose));
+  json.add("repacked", json_bool(record.options.repacks));
   json.add("units", json_text(record.options.units));
   json.add("packing", record.options.is_packed ? packing_json(record) : "null");
   json.add("flipped_triangles", json_number(report.measures.flipped_triangles));

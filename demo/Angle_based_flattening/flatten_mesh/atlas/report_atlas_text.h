@@ -100,9 +100,11 @@ inline Report_rows chart_rows(const Atlas_record& record)
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +
                       count_text(report.number_of_terminals, "terminal")});
+  const std::string bound = record.options.keeps_all_charts()
+                                ? std::string()
+                                : "bound " + format_number("%.4g", record.stretch_bound) + "; ";
   rows.push_back({"scale stretch", format_number("%.4g", worst),
-                  "of the worst chart, by changes of area; bound " +
-                      format_number("%.4g", record.stretch_bound) + "; best 1"});
+                  "of the worst chart, by changes of area; " + bound + "best 1"});
   append(rows, seam_jump_rows(report));
   if(record.options.is_packed) {
     rows.push_back({"covered", format_number("%.1f %%", 100 * report.covered_share),

@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -54,6 +55,8 @@ public:
     for(const Surface_part& part : parts)
       for(int t = 0; t < part.chart.number_of_triangles(); ++t)
         area += surface_area(part.chart, t) * part.chart.scale * part.chart.scale;
+    if(options.given_charts == Atlas_options::KEEP)
+      m_options.stretch_bound = std::numeric_limits<double>::infinity();
     if(options.pack_into_square && std::isfinite(options.stretch_bound))
       m_options.longest_chart = largest_aspect * std::sqrt(area);
   }
@@ -102,8 +105,11 @@ private:
     m_atlas.parts.resize(m_parts.size());
     const auto make = [&](int i) {
       Part_progress part_progress(progress, static_cast<std::size_t>(i));
-      m_atlas.parts[i] =
-          Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();
+      if(keeps_charts())
+        m_atlas.parts[i] = given_part(m_parts[i]);
+      if(m_options.given_charts != Atlas_options::KEEP && !(keeps_charts() && m_atlas.parts[i].succeeded()))
+        m_atlas.parts[i] =
+            Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();
       part_progress.set_stage(1, 1);
     };
     const int n = static_cast<int>(order.size());
@@ -112,11 +118,15 @@ private:
     else
       for(int k = 0; k < n; ++k)
         make(order[k]);
-    if(m_options.pack_into_square && std::isfinite(m_options.seam_price))
+    if(m_options.pack_into_square && !keeps_charts() && std::isfinite(m_options.seam_price))
       Page_coverer(m_parts, m_weight, m_options, m_atlas.parts).run();
     if(m_options.isometric_charts)
       Isometric_charts(m_parts, m_options, m_solvers, progress, m_atlas.parts).run();
   }
+
+  bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
+
+  static bool is_kept(const Part_atlas& part) { return part.pieces.front().method == Atlas_report::GIVEN; }
 
   // Numbers the charts, part by part, and returns how many there are.
   int number_charts()
@@ -146,9 +156,24 @@ private:
     return static_cast<int>(m_atlas.report.charts.size());
   }
 
+  // Without one of them, the others would be moved onto it.
+  bool are_all_kept()
+  {
+    const auto is_wrong = [](const Part_atlas& part) { return !part.succeeded(); };
+    const auto wrong = std::find_if(m_atlas.parts.begin(), m_atlas.parts.end(), is_wrong);
+    if(wrong == m_atlas.parts.end())
+      return true;
+    const auto count = std::count_if(wrong, m_atlas.parts.end(), is_wrong);
+    fail(wrong->status, std::to_string(count) + " of " + std::to_string(m_parts.size()) +
+                            " given charts cannot be kept; the first: " + wrong->message);
+    return false;
+  }
+
   // Returns whether there are charts, and all have places.
   bool place_charts()
   {
+    if(m_options.given_charts == Atlas_options::KEEP && !are_all_kept())
+      return false;
     const int charts = number_charts();
     if(charts == 0) {
       fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
@@ -172,7 +197,7 @@ private:
     std::vector<std::size_t> mended(m_parts.size(), 0);
     parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
       Part_atlas& part = m_atlas.parts[i];
-      if(!part.succeeded() || m_parts[i].is_diagonal.empty())
+      if(!part.succeeded() || is_kept(part) || m_parts[i].is_diagonal.empty())
         return;
       Divided_polygons polygons{part.chart.vertex, part.chart.opposite, m_parts[i].is_diagonal, {}};
       for(int v = 0; v < part.chart.number_of_vertices(); ++v)
@@ -199,7 +224,7 @@ private:
   void scale_charts()
   {
     for(Part_atlas& part : m_atlas.parts)
-      if(part.succeeded() && part.pieces.size() > 1)
+      if(part.succeeded() && (part.pieces.size() > 1 || is_kept(part)))
         scale_pieces(part);
   }
 
@@ -318,7 +343,7 @@ private:
     Atlas_progress progress(nullptr, {1});
     Divided_part_atlas maker(m_parts[i].chart, m_parts[i].cost, options, m_solvers,
                              Part_progress(progress, 0));
-    while(m_remakes[i] < 2) {
+    while(m_remakes[i] < 2 && m_options.given_charts != Atlas_options::KEEP) {
       m_atlas.parts[i] = ++m_remakes[i] == 1 ? maker.run() : maker.divided(Divided_part_atlas::Division());
       if(m_atlas.parts[i].succeeded())
         return;

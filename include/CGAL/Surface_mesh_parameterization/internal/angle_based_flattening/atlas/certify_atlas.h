@@ -16,8 +16,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -32,20 +39,80 @@ inline std::vector<std::vector<Border_edge>> borders_of_pieces(const Part_atlas&
   return borders;
 }
 
-// Returns why the map of a chart is not injective, by exact predicates, or nothing.
-inline std::string certify_part(const Part_atlas& part)
+// What keeps the map of a part from being injective, if anything
+struct Map_defect
 {
-  const Chart& chart = part.chart;
+  Diagnosis status = Diagnosis::NOTHING_WRONG;
+  int vertex = -1;                   // of the chart
+  std::size_t number_of_flipped = 0; // triangles
+};
+
+// By exact predicates
+inline Map_defect find_map_defect(const Part_atlas& part)
+{
   const std::vector<Exact_point_2> uv = exact_points(part.uv);
-  const std::vector<int> flipped = flipped_triangles(chart.vertex, uv);
+  const std::vector<int> flipped = flipped_triangles(part.chart.vertex, uv);
   if(!flipped.empty())
-    return "the final coordinates have too few digits for " + std::to_string(flipped.size()) +
-           " triangle(s), one at the vertex at " + position_text(chart, chart.vertex[3 * flipped.front()]);
+    return {Diagnosis::FLIPPED_TRIANGLES, part.chart.vertex[3 * flipped.front()], flipped.size()};
   for(const std::vector<Border_edge>& border : borders_of_pieces(part))
     if(!bounds_region(border, uv))
-      return "the final coordinates have too few digits for the border at the vertex at " +
-             position_text(chart, border.front().source);
-  return "";
+      return {Diagnosis::OVERLAPPING, border.front().source, 0};
+  return {};
+}
+
+// Returns why the final map of a part is not injective, or nothing.
+inline std::string certify_part(const Part_atlas& part)
+{
+  const Map_defect defect = find_map_defect(part);
+  if(defect.status == Diagnosis::NOTHING_WRONG)
+    return "";
+  return "the final coordinates have too few digits for " +
+         (defect.number_of_flipped > 0 ? std::to_string(defect.number_of_flipped) + " triangle(s), one"
+                                       : std::string("the border")) +
+         " at the vertex at " + position_text(part.chart, defect.vertex);
+}
+
+// Of a map that was given
+inline std::string defect_text(const Part_atlas& part, const Map_defect& defect)
+{
+  const std::string chart = "the given chart of " + std::to_string(part.piece.size()) + " triangle(s)",
+                    vertex = " the vertex at " + position_text(part.chart, defect.vertex);
+  if(defect.status == Diagnosis::FLIPPED_TRIANGLES)
+    return chart + " has " + std::to_string(defect.number_of_flipped) +
+           " that are flipped or have no area, one at" + vertex;
+  return chart +
+         (defect.status == Diagnosis::OVERLAPPING ? " overlaps itself; its border runs through"
+                                                  : " has no coordinates at") +
+         vertex;
+}
+
+// A part with the map that it has, as one chart. Fails if this map is not injective.
+inline Part_atlas given_part(const Surface_part& part)
+{
+  Part_atlas atlas;
+  std::vector<int> all(part.chart.number_of_triangles());
+  std::iota(all.begin(), all.end(), 0);
+  Dual_patch patch =
+      Patch_cutter(part.chart, part.cost).cut_out(std::move(all), std::vector<char>(part.cost.size(), false));
+  for(int v : patch.origin)
+    atlas.uv.push_back(part.given_map[v]);
+  atlas.chart = std::move(patch.chart);
+  atlas.piece.assign(patch.triangles.size(), 0);
+  atlas.pieces.resize(1);
+  atlas.pieces.front().method = Atlas_report::GIVEN;
+  atlas.pieces.front().seam_lengths = Atlas_report::OTHER_METHOD;
+  const auto bad = std::find_if(atlas.uv.begin(), atlas.uv.end(), [](const Chart::Point_2& p) {
+    return !(std::isfinite(p.x()) && std::isfinite(p.y()));
+  });
+  Map_defect defect;
+  if(bad != atlas.uv.end())
+    defect = {Diagnosis::NO_TEXTURE_COORDINATES, static_cast<int>(bad - atlas.uv.begin()), 0};
+  else
+    defect = find_map_defect(atlas);
+  atlas.status = defect.status;
+  if(!atlas.succeeded())
+    atlas.message = defect_text(atlas, defect);
+  return atlas;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -96,6 +96,8 @@ private:
   void map(Piece& piece, const Atlas_chart_flattener& flattener)
   {
     Part_atlas& atlas = m_atlases[piece.part];
+    if(atlas.pieces[piece.number].method == Atlas_report::GIVEN)
+      return;
     const std::vector<double>& cost = m_parts[piece.part].cost;
     const Dual_patch patch = Patch_cutter(atlas.chart, cost)
                                  .cut_out(std::move(piece.triangles), std::vector<char>(cost.size(), false));

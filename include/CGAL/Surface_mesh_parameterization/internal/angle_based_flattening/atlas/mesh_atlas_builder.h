@@ -60,6 +60,9 @@ class Mesh_atlas_builder
   typedef Mesh_report<TriangleMesh, Atlas_report> Report;
   static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
   static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
+  static constexpr bool has_readable_uv =
+      std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
+                          boost::readable_property_map_tag>::value;
   static constexpr bool has_polygons =
       !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
@@ -85,6 +88,8 @@ public:
   {
     Report report;
     report.message = wrong_option(m_options);
+    if(report.message.empty() && keeps_charts() && !has_readable_uv)
+      report.message = "charts can be kept only if the map of coordinates can be read";
     if(!report.message.empty()) {
       report.status = Diagnosis::WRONG_OPTION;
       return report;
@@ -136,13 +141,37 @@ private:
       throw Cancelled();
   }
 
+  bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
+
   bool is_given_seam(edge_descriptor e) const
   {
     if constexpr(has_seams)
-      return get(m_seams, e);
-    else {
-      (void)e;
-      return false;
+      if(get(m_seams, e))
+        return true;
+    return keeps_charts() && !CGAL::is_border(e, m_mesh) && !has_same_uv(halfedge(e, m_mesh));
+  }
+
+  // Whether both sides of an edge have the same coordinates, or none
+  bool has_same_uv(halfedge_descriptor h) const
+  {
+    const halfedge_descriptor o = opposite(h, m_mesh);
+    const auto is_same = [this](halfedge_descriptor g, halfedge_descriptor k) {
+      const Chart::Point_2 p = given_uv(g), q = given_uv(k);
+      return p == q || !(is_finite(p) || is_finite(q));
+    };
+    return is_same(h, prev(o, m_mesh)) && is_same(o, prev(h, m_mesh));
+  }
+
+  static bool is_finite(const Chart::Point_2& p) { return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()); }
+
+  Chart::Point_2 given_uv(halfedge_descriptor h) const
+  {
+    if constexpr(has_readable_uv) {
+      const auto& p = get(m_uv, h);
+      return Chart::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    } else {
+      (void)h;
+      return CGAL::ORIGIN;
     }
   }
 
@@ -172,6 +201,8 @@ private:
        m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading)) {
       if constexpr(has_polygons)
         m_reader.read_diagonals([this](edge_descriptor e) { return is_in_polygon(e); });
+      if(keeps_charts())
+        m_reader.read_given_maps([this](halfedge_descriptor h) { return given_uv(h); });
       return read_weights(report);
     }
     report.message = reading.message;
@@ -357,6 +388,8 @@ private:
 
   void write()
   {
+    if constexpr(has_seams)
+      write_seams();
     for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
       const Part_atlas& atlas = m_atlas.parts[i];
@@ -365,13 +398,23 @@ private:
       for(int c = 0; c < part.chart.number_of_corners(); ++c)
         put(m_uv, m_reader.halfedge_to(3 * part.first_triangle + c),
             planar_point<Point>(atlas.uv[atlas.chart.vertex[c]]));
-      if constexpr(has_seams)
-        for(int c = 0; c < part.chart.number_of_corners(); ++c)
-          if(part.chart.opposite[c] > c && atlas.chart.opposite[c] < 0)
-            put(m_seams, m_reader.edge_of(3 * part.first_triangle + c), true);
     }
     if constexpr(has_charts)
       write_charts();
+  }
+
+  // Before coordinates are written, which tell the seams that are kept
+  void write_seams()
+  {
+    std::vector<edge_descriptor> seams;
+    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      for(int c = 0; m_atlas.parts[i].succeeded() && c < part.chart.number_of_corners(); ++c)
+        if(is_seam(part, m_atlas.parts[i], c))
+          seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
+    }
+    for(edge_descriptor e : seams)
+      put(m_seams, e, true);
   }
 
   void write_charts() const

@@ -36,9 +36,10 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 struct Surface_part
 {
   Chart chart;
-  int first_triangle = 0;        // among those of the whole surface
-  std::vector<double> cost;      // of the edge that each corner faces
-  std::vector<char> is_diagonal; // the same edge, in a larger polygon; empty if there are none
+  int first_triangle = 0;                // among those of the whole surface
+  std::vector<double> cost;              // of the edge that each corner faces
+  std::vector<char> is_diagonal;         // the same edge, in a larger polygon; empty if there are none
+  std::vector<Chart::Point_2> given_map; // of each vertex of the chart; empty if none is to be kept
 };
 
 // Reads a mesh of any topology as connected parts, and writes seams to it. A vertex whose triangles do not all hang
@@ -127,6 +128,17 @@ public:
         part.is_diagonal.push_back(is_diagonal(edge_of(3 * part.first_triangle + c)));
       if(std::find(part.is_diagonal.begin(), part.is_diagonal.end(), true) == part.is_diagonal.end())
         part.is_diagonal.clear();
+    }
+  }
+
+  // Sets the maps that parts have: `uv_of(h)` is that of the halfedge's target in its face.
+  template <typename UvOf>
+  void read_given_maps(const UvOf& uv_of)
+  {
+    for(Surface_part& part : m_parts) {
+      part.given_map.resize(part.chart.points.size());
+      for(int c = 0; c < part.chart.number_of_corners(); ++c)
+        part.given_map[part.chart.vertex[c]] = uv_of(halfedge_to(3 * part.first_triangle + c));
     }
   }
 
