@@ -8,6 +8,7 @@ says what is wrong and where; and the OBJ that it writes, if any, must be well-f
 Usage: test_dirt.py FLATTEN_MESH [NAME...]    (only the cases with these names)
        test_dirt.py --seeds FOLDER            (writes the contents for fuzz_readers, after a byte for the format)
 """
+import base64
 import concurrent.futures
 import gzip
 import json
@@ -451,7 +452,36 @@ def run(program, folder, number, case):
         check_obj(output, case["faces"])
 
 
+def gltf(is_binary):
+    """Two meshes of one sheet, with coordinates and a texture, and a node that shows the first twice."""
+    positions = b"".join(struct.pack("<3f", *p) for p in POINTS)
+    data = positions + b"".join(struct.pack("<2f", *p[:2]) for p in POINTS) + struct.pack("<6H", *sum(FACES, ()))
+    uri = {} if is_binary else {"uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}
+    content = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+        "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [5, 0, 0]}, {"mesh": 1, "scale": [-1, 1, 1]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]},
+                   {"primitives": [{"attributes": {"POSITION": 0}, "mode": 5}]}],
+        "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [1, 1, 0]},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": offset, "byteLength": length}
+                        for offset, length in ((0, 48), (48, 32), (80, 12))],
+        "buffers": [{"byteLength": len(data), **uri}]}
+    text = json.dumps(content).encode()
+    if not is_binary:
+        return text
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
 def write_seeds(folder):
+    for is_binary in (False, True):
+        with open(os.path.join(folder, f"gltf{int(is_binary)}"), "wb") as file:
+            file.write(bytes([len(WRITERS)]) + gltf(is_binary))
     for number, case in enumerate(cases):
         form = case["name"].split()[0]
         if form in WRITERS and len(case["content"]) < 2000:

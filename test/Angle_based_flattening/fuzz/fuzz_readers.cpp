@@ -97,7 +97,10 @@ void read(std::string_view content, const std::string& format, bool repair)
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
-  const std::vector<std::string> formats = {"off", "obj", "ply", "stl", "ts"};
+  std::vector<std::string> formats = {"off", "obj", "ply", "stl", "ts"};
+#ifdef ABF_WITH_GLTF
+  formats.emplace_back("gltf");
+#endif
   if(size == 0)
     return 0;
   const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
