@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_PARSE_COMMAND_LINE_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/check_one_atlas.h"
 #include "flatten_mesh/check_options.h"
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/texts.h"
@@ -68,6 +69,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   command.asks_for_component = internal::is_given(values, "component");
   command.asks_for_area_weight = internal::is_given(values, "area-weight");
   internal::check_names_of_files(values, command);
+  internal::check_one_atlas(values, command);
   internal::check_files(command);
   internal::check_numbers(command);
   internal::check_kind(values, command);

@@ -60,6 +60,7 @@ inline void build_atlas_input(const bool repair, const Welding& welding, Notes& 
       set_undivided_aside(undivided, soup);
     }
   }
+  input.origins.is_turned.resize(input.model.number_of_polygons(), false); // also if no face remains
   input.set_aside = std::move(soup.left_out);
 }
 
