@@ -29,6 +29,8 @@ struct Atlas_options
   std::string seams = "length"; // or "creases", "creases:DEGREES", "hidden"
   std::string seams_from;       // a file, "uv", or empty
   bool charts_from_materials = false;
+  std::string only_materials; // names with commas between them, or empty; likewise:
+  std::string ignored;
   bool is_packed = true;
   std::string units = "square";
   int resolution = 1024;

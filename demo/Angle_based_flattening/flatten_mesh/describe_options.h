@@ -160,6 +160,11 @@ inline po::options_description atlas_options(Command_line& command)
       "CGAL's demo wrote, or the seams of the texture coordinates in the input");
   add("charts-from-materials", po::bool_switch(&atlas.charts_from_materials),
       "edges between faces of different materials are seams");
+  add("only-material", po::value(&atlas.only_materials)->value_name("NAME[,NAME]"),
+      "only faces of these materials get charts. All others stay in the output with the texture coordinates "
+      "that they had; the surface has a border there");
+  add("ignore", po::value(&atlas.ignored)->value_name("NAME[,NAME]"),
+      "faces of these materials, OBJ objects or groups, or glTF meshes get no charts, and stay likewise");
   add("no-pack", po::bool_switch()->notifier([&atlas](const bool is_given) { atlas.is_packed = !is_given; }),
       "charts have the same size as in space, and lie in rows, in their order, not turned");
   add("units", name_option(atlas.units),

@@ -10,6 +10,7 @@
 #include "flatten_mesh/check_one_atlas.h"
 #include "flatten_mesh/check_options.h"
 #include "flatten_mesh/describe_options.h"
+#include "flatten_mesh/face_options.h"
 #include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>
@@ -80,6 +81,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
     throw Usage_error("--verbose and --quiet exclude each other");
   }
   internal::check_atlas(values, command);
+  internal::check_face_choice(values, command.atlas);
   internal::check_plain(values, command);
 }
 

@@ -9,6 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Face_choice.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/Skipped_part.h"
@@ -29,6 +30,7 @@ struct Atlas_input
   Mesh mesh; // without what is set aside; empty if nothing remains
   Corner_origins origins;
   std::vector<Skipped_part> set_aside;
+  std::size_t left_out = 0;         // the number of faces of the file that are not to be flattened
   std::vector<Joined_model> joined; // several models, whose meshes follow one another in `mesh`; or empty
 };
 
@@ -41,9 +43,11 @@ struct Joined_model
 };
 
 // Throws an `Input_error` if the model is wrong as a whole.
-Atlas_input atlas_input_of(Model model, bool repair, Notes& notes, const Welding& welding = Welding());
+Atlas_input atlas_input_of(Model model, bool repair, Notes& notes, const Welding& welding = Welding(),
+                           const Face_choice& choice = Face_choice());
 
-// Throws an `Input_error` if the file cannot be read, or is wrong as a whole.
+// Throws an `Input_error` if the file cannot be read, or is wrong as a whole. Whether there are the names that the
+// command gives is not checked.
 Atlas_input read_atlas_input(const Command_line& command, Notes& notes);
 
 // The number of the model that a triangle is part of, of several

@@ -42,6 +42,7 @@ struct Atlas_record
   std::size_t vertices = 0; // these three are of the surface that the atlas is made of
   std::size_t triangles = 0;
   std::size_t components = 0;
+  std::size_t left_out = 0; // faces that were not to be flattened
   SMP::Atlas_report report;
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart

@@ -49,6 +49,7 @@ inline void join(Joined_model&& model, Atlas_input& whole)
     part.model = whole.joined.size();
     whole.set_aside.push_back(std::move(part));
   }
+  whole.left_out += model.input.left_out;
   whole.joined.push_back(std::move(model));
 }
 

@@ -122,6 +122,7 @@ inline std::string report_json(const Atlas_record& record)
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));
   json.add("components", json_number(record.components));
+  json.add("left_out", json_number(record.left_out));
   json.add("skipped", internal::skipped_json(record.skipped, internal::names_of_models(record)));
   json.add("atlas", record.report.has_atlas() ? internal::atlas_json(record) : "null");
   json.add("baking", record.baking.from.empty() ? "null" : baking_json(record.baking));

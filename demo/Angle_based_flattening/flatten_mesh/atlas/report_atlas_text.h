@@ -96,6 +96,10 @@ inline Report_rows chart_rows(const Atlas_record& record)
   }
   Report_rows rows = {
       {"charts", std::to_string(report.charts.size()), methods_text(report) + strategies_text(report)}};
+  if(record.left_out > 0) {
+    rows.push_back(
+        {"left out", count_text(record.left_out, "face"), "which keep the coordinates that they had"});
+  }
   append(rows, skipped_rows(record.skipped));
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +

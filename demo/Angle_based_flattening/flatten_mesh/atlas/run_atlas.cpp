@@ -10,6 +10,7 @@
 #include "flatten_mesh/atlas/Atlas_progress.h"
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/concave_polygons.h"
 #include "flatten_mesh/model/divide_polygons.h"
@@ -229,7 +230,9 @@ void write_model_or_baked(const Command_line& command, const Model& model, const
   (void)baked;
 #endif
   if(!command.output.empty()) {
-    write_model(files.open(command.output), command.output, model, texture_of(model, mesh, origins, atlas));
+    Model_texture texture = texture_of(model, mesh, origins, atlas);
+    keep_left_out_texture(face_choice_of(command.atlas), model, texture);
+    write_model(files.open(command.output), command.output, model, texture);
   }
 }
 
@@ -307,6 +310,27 @@ std::size_t number_of_vertices(const Mesh& mesh)
                                                 [&mesh](const Vertex v) { return !mesh.is_isolated(v); }));
 }
 
+// Throws an `Input_error` if no model has a name that the command gives, or nothing remains.
+void check_left_out(const Command_line& command, const Atlas_input& input)
+{
+  std::vector<const Model*> models = {&input.model};
+  for(const Joined_model& model : input.joined) {
+    models.push_back(&model.input.model);
+  }
+  std::size_t faces = 0;
+  for(const Model* model : models) {
+    faces += model->number_of_polygons();
+  }
+  try {
+    check_choice(face_choice_of(command.atlas), models);
+    if(input.left_out == faces) {
+      throw Input_error("--only-material and --ignore leave no face");
+    }
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
+  }
+}
+
 Atlas_record record_of(const Command_line& command, const Atlas_input& input)
 {
   Atlas_record record;
@@ -315,6 +339,7 @@ Atlas_record record_of(const Command_line& command, const Atlas_input& input)
   record.stretch_bound = options_of_atlas(command).stretch_bound;
   record.vertices = number_of_vertices(input.mesh);
   record.triangles = input.mesh.number_of_faces();
+  record.left_out = input.left_out;
   return record;
 }
 
@@ -361,6 +386,7 @@ Exit_status run_atlas(const Command_line& command)
   progress.stage("reading");
   Atlas_input input =
       command.atlas.is_shared ? read_joined_models(command, notes) : read_atlas_input(command, notes);
+  check_left_out(command, input);
   const double read_seconds = timer.time();
   if(command.atlas.simplified_triangles > 0 && !input.mesh.is_empty()) {
     progress.stage("simplifying");
