@@ -150,6 +150,40 @@ struct Ball
   }
 };
 
+inline const std::string scene = ",\"scenes\":[{\"nodes\":[0]}],\"scene\":0";
+
+inline std::string attributes(Gltf& gltf, const Ball& ball)
+{
+  return "{\"POSITION\":" + std::to_string(gltf.add(ball.points, "VEC3")) +
+         ",\"NORMAL\":" + std::to_string(gltf.add(ball.normals, "VEC3")) +
+         ",\"TEXCOORD_0\":" + std::to_string(gltf.add(ball.texture, "VEC2")) + "}";
+}
+
+// A ball in two materials, with a picture, under these nodes
+inline Gltf ball_with_nodes(const std::string& nodes, const std::string& more = scene)
+{
+  Gltf gltf;
+  const Ball ball(8, 12);
+  const auto middle = ball.triangles.begin() + 90;
+  const std::string all = attributes(gltf, ball),
+                    first = std::to_string(
+                        gltf.add(std::vector<std::uint16_t>(ball.triangles.begin(), middle), "SCALAR")),
+                    second = std::to_string(
+                        gltf.add(std::vector<std::uint32_t>(middle, ball.triangles.end()), "SCALAR")),
+                    picture = std::to_string(
+                        gltf.add_view(std::string("\x89PNG\r\n\x1A\n", 8) + "not looked at IEND\xAE"));
+  gltf.json +=
+      ",\"meshes\":[{\"name\":\"ball\",\"primitives\":[{\"attributes\":" + all + ",\"indices\":" + first +
+      ",\"material\":0},{\"attributes\":" + all + ",\"indices\":" + second +
+      ",\"material\":1}]}],\"materials\":[{\"name\":\"wood\",\"pbrMetallicRoughness\":{\"baseColorFactor\":["
+      "1,0.5,0,1],\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":"
+      "0,"
+      "\"offset\":[0.5,0]}}}}},{\"name\":\"wood\"}],\"textures\":[{\"source\":0}],\"images\":[{\"mimeType\":"
+      "\"image/png\",\"bufferView\":" +
+      picture + "}],\"extensionsUsed\":[\"KHR_texture_transform\"],\"nodes\":[" + nodes + "]" + more;
+  return gltf;
+}
+
 } // namespace generated
 
 #endif // TEST_GENERATED_GLTF_H

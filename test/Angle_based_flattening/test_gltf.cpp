@@ -43,8 +43,11 @@ BOOST_AUTO_TEST_SUITE(test_gltf)
 
 namespace fs = std::filesystem;
 using namespace flatten_mesh;
+using generated::attributes;
 using generated::Ball;
+using generated::ball_with_nodes;
 using generated::Gltf;
+using generated::scene;
 
 namespace {
 
@@ -116,40 +119,6 @@ double volume(const Model& model)
            6;
   }
   return sum;
-}
-
-const std::string scene = ",\"scenes\":[{\"nodes\":[0]}],\"scene\":0";
-
-std::string attributes(Gltf& gltf, const Ball& ball)
-{
-  return "{\"POSITION\":" + std::to_string(gltf.add(ball.points, "VEC3")) +
-         ",\"NORMAL\":" + std::to_string(gltf.add(ball.normals, "VEC3")) +
-         ",\"TEXCOORD_0\":" + std::to_string(gltf.add(ball.texture, "VEC2")) + "}";
-}
-
-// A ball in two materials, with a picture, under these nodes
-Gltf ball_with_nodes(const std::string& nodes, const std::string& more = scene)
-{
-  Gltf gltf;
-  const Ball ball(8, 12);
-  const auto middle = ball.triangles.begin() + 90;
-  const std::string all = attributes(gltf, ball),
-                    first = std::to_string(
-                        gltf.add(std::vector<std::uint16_t>(ball.triangles.begin(), middle), "SCALAR")),
-                    second = std::to_string(
-                        gltf.add(std::vector<std::uint32_t>(middle, ball.triangles.end()), "SCALAR")),
-                    picture = std::to_string(
-                        gltf.add_view(std::string("\x89PNG\r\n\x1A\n", 8) + "not looked at IEND\xAE"));
-  gltf.json +=
-      ",\"meshes\":[{\"name\":\"ball\",\"primitives\":[{\"attributes\":" + all + ",\"indices\":" + first +
-      ",\"material\":0},{\"attributes\":" + all + ",\"indices\":" + second +
-      ",\"material\":1}]}],\"materials\":[{\"name\":\"wood\",\"pbrMetallicRoughness\":{\"baseColorFactor\":["
-      "1,0.5,0,1],\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":"
-      "0,"
-      "\"offset\":[0.5,0]}}}}},{\"name\":\"wood\"}],\"textures\":[{\"source\":0}],\"images\":[{\"mimeType\":"
-      "\"image/png\",\"bufferView\":" +
-      picture + "}],\"extensionsUsed\":[\"KHR_texture_transform\"],\"nodes\":[" + nodes + "]" + more;
-  return gltf;
 }
 
 // One primitive, and a node that shows it

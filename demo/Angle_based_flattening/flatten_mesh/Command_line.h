@@ -21,6 +21,7 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 // Options of an atlas: its input, and how it is packed.
 struct Atlas_options
 {
+  bool is_shared = false; // all inputs have one atlas
   std::string purpose = "texture";
   std::string separates; // "on", "off", or empty: as the purpose says
   std::string isometric; // likewise
@@ -30,6 +31,8 @@ struct Atlas_options
   bool charts_from_materials = false;
   bool repacks = false;        // keeps the charts of the texture coordinates in the input
   bool repairs_charts = false; // of these, flattens those anew that are not injective
+  std::string only_materials;  // names with commas between them, or empty; likewise:
+  std::string ignored;
   bool is_packed = true;
   std::string units = "square";
   int resolution = 1024;
@@ -41,14 +44,15 @@ struct Atlas_options
 
   bool is_in_world_units() const { return units == "world"; }
   bool keeps_all_charts() const { return repacks && !repairs_charts; }
+  bool weighs_edges() const { return seams != "length" && !repacks; }
 };
 
 // What the user asks for.
 struct Command_line
 {
   std::vector<std::string> inputs;
-  std::string input;  // the one that is flattened now: the name of a file
-  std::string title;  // its name to people: that of the file, or "standard input"
+  std::string input;  // the one that is flattened now: the name of a file; empty if there are several
+  std::string title;  // its name to people: that of the file, or "standard input", or "3 models"
   std::string format; // of standard input
   std::string output;
   std::string svg;
@@ -96,13 +100,14 @@ struct Command_line
 // A text about the input's file, which is a copy if the input is standard input
 inline std::string with_title(const Command_line& command, const std::string& text)
 {
-  return boost::replace_all_copy(text, "'" + command.input + "'", command.title);
+  return command.input.empty() ? text
+                               : boost::replace_all_copy(text, "'" + command.input + "'", command.title);
 }
 
 // For the reports
 inline std::string name_of_input(const Command_line& command)
 {
-  return command.title == "standard input" ? command.title : command.input;
+  return command.input.empty() || command.title == "standard input" ? command.title : command.input;
 }
 
 } // namespace flatten_mesh

@@ -27,9 +27,15 @@ public:
       : m_command(command), m_make_room(std::move(make_room))
   {}
 
+  // Names what the next texts are about, unless they do: a file in quotes, or nothing.
+  void set_subject(const std::string& subject) { m_subject = subject; }
+
   void add(std::string text)
   {
     text = with_title(m_command, text);
+    if(!m_subject.empty() && text.compare(0, m_subject.size(), m_subject) != 0) {
+      text = m_subject + ": " + text;
+    }
     if(!m_command.quiet) {
       m_make_room();
       std::cerr << "flatten_mesh: note: " << in_one_line(text) << std::endl;
@@ -42,6 +48,7 @@ public:
 private:
   const Command_line& m_command;
   std::function<void()> m_make_room;
+  std::string m_subject;
   std::vector<std::string> m_texts;
 };
 

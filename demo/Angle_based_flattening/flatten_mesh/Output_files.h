@@ -11,6 +11,7 @@
 #include "flatten_mesh/Unfinished_files.h"
 #include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/check_outputs.h"
+#include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/file_names.h"
 
 #include <filesystem>
@@ -69,8 +70,10 @@ private:
 // Throws unless everything can be written that is asked for.
 inline void check_writable(const Command_line& command)
 {
-  for(const internal::Output_option& option : internal::output_options()) {
-    Output_file::check(command.*option.file);
+  for(const Command_line& each : commands_of_models(command)) {
+    for(const internal::Output_option& option : internal::output_options()) {
+      Output_file::check(each.*option.file);
+    }
   }
   for(const std::string& file : baked_files(command)) {
     Output_file::check(file);

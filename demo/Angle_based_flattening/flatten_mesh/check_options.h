@@ -68,7 +68,7 @@ inline void check_files(Command_line& command)
   if(!command.format.empty()) {
     check_name("format", command.format, formats_read());
   }
-  if(command.inputs.size() == 1) {
+  if(command.inputs.size() == 1 && !command.atlas.is_shared) {
     command = command_of_input(command, command.inputs.front());
   }
   check_outputs_of_inputs(command);

@@ -35,8 +35,8 @@ inline Command_line command_of_input(Command_line command, const std::string& in
   return command;
 }
 
-// A command with one input has the names of its outputs already.
-inline std::vector<Command_line> commands_of_inputs(const Command_line& command)
+// One for each input. A command with one input has the names of its outputs already.
+inline std::vector<Command_line> commands_of_models(const Command_line& command)
 {
   if(!command.input.empty()) {
     return {command};
@@ -48,13 +48,26 @@ inline std::vector<Command_line> commands_of_inputs(const Command_line& command)
   return commands;
 }
 
+// One for each run. Inputs that share an atlas have one.
+inline std::vector<Command_line> commands_of_inputs(const Command_line& command)
+{
+  return command.atlas.is_shared ? std::vector<Command_line>{command} : commands_of_models(command);
+}
+
 namespace internal {
+
+// Whether an output is written once for all models that share an atlas
+inline bool is_of_whole_atlas(const Command_line& command, const Output_option& option)
+{
+  return command.atlas.is_shared && option.name != "output" && option.name != "seams-to";
+}
 
 inline void check_placeholders(const Command_line& command)
 {
   for(const Output_option& option : output_options()) {
     const std::string& file = command.*option.file;
-    if(!file.empty() && !has_placeholder(file) && !is_other_file(resolved(file))) {
+    if(!file.empty() && !has_placeholder(file) && !is_other_file(resolved(file)) &&
+       !is_of_whole_atlas(command, option)) {
       throw Output_error("--" + option.name + " '" + file + "' names one file for " +
                          count_text(command.inputs.size(), "input") +
                          ": put a '%' into it, which stands for the name of each input, as in '%." +
@@ -75,7 +88,7 @@ inline void check_outputs_of_inputs(const Command_line& command)
   for(const std::string& input : command.inputs) {
     inputs.emplace(resolved(input), input);
   }
-  for(const Command_line& each : commands_of_inputs(command)) {
+  for(const Command_line& each : commands_of_models(command)) {
     check_outputs(each);
     for(const internal::Output_option& option : internal::output_options()) {
       const std::string& file = each.*option.file;
@@ -84,6 +97,9 @@ inline void check_outputs_of_inputs(const Command_line& command)
       }
       if(inputs.count(resolved(file)) != 0) {
         throw Output_error("'" + file + "' would overwrite the input: choose another name");
+      }
+      if(internal::is_of_whole_atlas(command, option)) {
+        continue;
       }
       if(const auto [other, is_new] = outputs.emplace(resolved(file), each.title); !is_new) {
         throw Output_error("'" + file + "' would be written for " + other->second + " and for " + each.title +

@@ -130,6 +130,10 @@ inline po::options_description atlas_options(Command_line& command)
   Atlas_options& atlas = command.atlas;
   po::options_description options("The atlas", 100, 60);
   po::options_description_easy_init add = options.add_options();
+  add("one-atlas", po::bool_switch(&atlas.is_shared),
+      "all inputs share one atlas, with the same texel density. --output and --seams-to contain a '%' and "
+      "are "
+      "written for each input; all other files are written once, for the whole");
   add("for", name_option(atlas.purpose),
       "what the atlas is for, which sets the next three options, --stretch-bound, --area-weight and "
       "--equal-seams, unless they are given. texture: many and even texels, with charts that are as "
@@ -163,6 +167,11 @@ inline po::options_description atlas_options(Command_line& command)
       "coordinates, are named, and nothing is written");
   add("repair-charts", po::bool_switch(&atlas.repairs_charts),
       "with --repack: flatten such charts anew, and keep all others");
+  add("only-material", po::value(&atlas.only_materials)->value_name("NAME[,NAME]"),
+      "only faces of these materials get charts. All others stay in the output with the texture coordinates "
+      "that they had; the surface has a border there");
+  add("ignore", po::value(&atlas.ignored)->value_name("NAME[,NAME]"),
+      "faces of these materials, OBJ objects or groups, or glTF meshes get no charts, and stay likewise");
   add("no-pack", po::bool_switch()->notifier([&atlas](const bool is_given) { atlas.is_packed = !is_given; }),
       "charts have the same size as in space, and lie in rows, in their order, not turned");
   add("units", name_option(atlas.units),

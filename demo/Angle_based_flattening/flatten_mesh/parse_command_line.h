@@ -7,8 +7,10 @@
 #define FLATTEN_MESH_PARSE_COMMAND_LINE_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/check_one_atlas.h"
 #include "flatten_mesh/check_options.h"
 #include "flatten_mesh/describe_options.h"
+#include "flatten_mesh/face_options.h"
 #include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>
@@ -68,6 +70,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   command.asks_for_component = internal::is_given(values, "component");
   command.asks_for_area_weight = internal::is_given(values, "area-weight");
   internal::check_names_of_files(values, command);
+  internal::check_one_atlas(values, command);
   internal::check_files(command);
   internal::check_numbers(command);
   internal::check_kind(values, command);
@@ -78,6 +81,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
     throw Usage_error("--verbose and --quiet exclude each other");
   }
   internal::check_atlas(values, command);
+  internal::check_face_choice(values, command.atlas);
   internal::check_plain(values, command);
 }
 

@@ -22,11 +22,15 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Faces are counted from 1.
-inline std::string skipped_json(const std::vector<Skipped_part>& parts)
+// Faces are counted from 1, in the file of their model.
+inline std::string skipped_json(const std::vector<Skipped_part>& parts,
+                                const std::vector<std::string>& names_of_models = {})
 {
-  return json_array(parts, [&parts](const std::size_t i) {
+  return json_array(parts, [&](const std::size_t i) {
     Json_object json;
+    if(!names_of_models.empty()) {
+      json.add("input", json_text(names_of_models[parts[i].model]));
+    }
     json.add("first_face", json_number(parts[i].first_face + 1));
     json.add("faces", json_number(parts[i].faces));
     json.add("diagnosis", json_text(parts[i].status));
@@ -46,6 +50,12 @@ inline Report_rows skipped_rows(const std::vector<Skipped_part>& parts)
                                    "without chart, in " + count_text(parts.size(), "part")}};
 }
 
+// The name of the model that lacks a part
+inline std::string title_of_model(const Command_line& command, const Skipped_part& part)
+{
+  return command.atlas.is_shared ? in_one_line("'" + command.inputs[part.model] + "'") : command.title;
+}
+
 } // namespace internal
 
 // On standard error
@@ -54,9 +64,9 @@ inline void tell_skipped_parts(const Command_line& command, const std::vector<Sk
   const std::size_t most = 10;
   for(std::size_t i = 0; i < (std::min)(most, parts.size()); ++i) {
     const Skipped_part& part = parts[i];
-    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << count_text(part.faces, "face")
-              << ", the first is " << face_name(part.first_face) << ": " << part.status << ": "
-              << part.message << std::endl;
+    std::cerr << "flatten_mesh: " << internal::title_of_model(command, part) << ": no chart for "
+              << count_text(part.faces, "face") << ", the first is " << face_name(part.first_face) << ": "
+              << part.status << ": " << part.message << std::endl;
   }
   if(parts.size() > most) {
     std::cerr << "flatten_mesh: " << command.title << ": no chart for " << parts.size() - most

@@ -52,7 +52,7 @@ struct Packing_report : Report
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The report of `make_atlas()`.
+/// The report of `make_atlas()` and `make_common_atlas()`.
 struct Atlas_report : Report
 {
   /// How the map of a chart was made.
@@ -122,6 +122,9 @@ struct Atlas_report : Report
 
     /// Largest difference between the logarithms of the lengths of both sides of a seam edge within the chart.
     double largest_seam_jump = 0;
+
+    /// The number of the mesh that contains the chart, among those of `make_common_atlas()`.
+    std::size_t mesh = 0;
   };
 
   /// A part of the surface that has no charts.
@@ -132,6 +135,7 @@ struct Atlas_report : Report
     std::size_t number_of_faces = 0;             ///< The number of faces.
     Diagnosis status = Diagnosis::NOTHING_WRONG; ///< What is wrong.
     std::string message;                         ///< A sentence that says what is wrong, and where.
+    std::size_t mesh = 0; ///< The number of the mesh that contains it, among those of `make_common_atlas()`.
   };
 
   /// Wall clock time of each stage, in seconds.

@@ -14,9 +14,11 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/common_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/mesh_atlas_builder.h>
 
 #include <cstddef>
+#include <vector>
 
 /// \file make_atlas.h
 
@@ -109,9 +111,10 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::Mesh_atlas_builder<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap,
-                                           NamedParameters>(mesh, seams, uv, charts, options, np)
-      .run();
+  internal::ABF::Mesh_atlas_builder<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap, NamedParameters>
+      builder(options, np);
+  builder.add(mesh, seams, uv, charts);
+  return builder.run();
 }
 
 /*!
@@ -130,9 +133,70 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::Mesh_atlas_builder<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t,
-                                           NamedParameters>(mesh, nullptr, uv, nullptr, options, np)
-      .run();
+  internal::ABF::Mesh_atlas_builder<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t,
+                                    NamedParameters>
+      builder(options, np);
+  builder.add(mesh, nullptr, uv, nullptr);
+  return builder.run();
+}
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+makes one texture atlas of several meshes, with the same texel density, as `make_atlas()` does of one.
+
+The result is, bit by bit, that of one mesh with all faces in their order. Meshes that touch are not joined. Charts are
+numbered through, those of the first mesh first. `Atlas_report::Chart::mesh` and `Atlas_report::Skipped::mesh` say which
+mesh they belong to. `Atlas_report::Skipped::first_face` and messages count the faces of this mesh. If anything but a
+part is wrong, nothing is written to any mesh.
+
+\tparam MeshRange a range of models of `FaceListGraph` and `HalfedgeListGraph` of one type
+\tparam EdgeIsSeamMapRange, HalfedgeUVMapRange, FaceChartMapRange ranges of property maps as those of `make_atlas()`,
+        one map for each mesh
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param meshes triangle meshes, of any number of connected components
+\param seams the seams of each mesh: marked edges stay seams, and new seams are marked
+\param uv receives the coordinates: each halfedge of a face stores those of its target in this face
+\param charts receives the chart number of each face, from 0 on, and -1 for a face without chart
+\param options the options
+\param np optional: `sparse_linear_solver`, as of `make_atlas()`. The other named parameters of `make_atlas()` belong to
+       one mesh, and do not compile.
+
+\return the charts, their distortion, and what is wrong, if anything
+
+\sa `make_atlas()`
+*/
+template <typename MeshRange, typename EdgeIsSeamMapRange, typename HalfedgeUVMapRange,
+          typename FaceChartMapRange, typename NamedParameters = parameters::Default_named_parameters>
+Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams,
+                               const HalfedgeUVMapRange& uv, const FaceChartMapRange& charts,
+                               const Atlas_options& options = Atlas_options(),
+                               const NamedParameters& np = parameters::default_values())
+{
+  return internal::ABF::common_atlas(meshes, seams, uv, charts, options, np);
+}
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+makes one atlas of several meshes as above, without given seams. Neither seams nor chart numbers are returned.
+
+\code{.cpp}
+std::vector<Mesh> meshes;
+std::vector<UV_map> uv; // one for each mesh
+if(const auto report = make_common_atlas(meshes, uv); !report)
+  std::cerr << report.message << "\n";
+\endcode
+*/
+template <typename MeshRange, typename HalfedgeUVMapRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Atlas_report make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange& uv,
+                               const Atlas_options& options = Atlas_options(),
+                               const NamedParameters& np = parameters::default_values())
+{
+  const std::vector<std::nullptr_t> none(internal::ABF::size_of(meshes), nullptr);
+  return internal::ABF::common_atlas(meshes, none, uv, none, options, np);
 }
 
 } // namespace Surface_mesh_parameterization

@@ -9,34 +9,63 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Face_choice.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/model/Welding.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace flatten_mesh {
 
-// The input of an atlas
+struct Joined_model;
+
+// The input of an atlas: a model, or several models
 struct Atlas_input
 {
   Model model;
   Mesh mesh; // without what is set aside; empty if nothing remains
   Corner_origins origins;
   std::vector<Skipped_part> set_aside;
+  std::size_t left_out = 0;         // the number of faces of the file that are not to be flattened
+  std::vector<Joined_model> joined; // several models, whose meshes follow one another in `mesh`; or empty
+};
+
+// One of several models, with the numbers of its first face and halfedge in the common mesh
+struct Joined_model
+{
+  Command_line command; // with the names of its own outputs
+  Atlas_input input;
+  std::size_t first_face = 0, first_halfedge = 0;
 };
 
 // Throws an `Input_error` if the model is wrong as a whole.
-Atlas_input atlas_input_of(Model model, bool repair, Notes& notes, const Welding& welding = Welding());
+Atlas_input atlas_input_of(Model model, bool repair, Notes& notes, const Welding& welding = Welding(),
+                           const Face_choice& choice = Face_choice());
 
-// Throws an `Input_error` if the file cannot be read, or is wrong as a whole.
+// Throws an `Input_error` if the file cannot be read, or is wrong as a whole. Whether there are the names that the
+// command gives is not checked.
 Atlas_input read_atlas_input(const Command_line& command, Notes& notes);
+
+// The number of the model that a triangle is part of, of several
+inline std::size_t model_of_face(const Atlas_input& input, const std::size_t face)
+{
+  const auto after = std::upper_bound(
+      input.joined.begin(), input.joined.end(), face,
+      [](const std::size_t number, const Joined_model& model) { return number < model.first_face; });
+  return input.joined.empty() ? 0 : static_cast<std::size_t>(after - input.joined.begin()) - 1;
+}
 
 // The face of the file that a triangle is part of, from 0
 inline std::size_t face_in_file(const Atlas_input& input, const Face f)
 {
+  if(!input.joined.empty()) {
+    const Joined_model& model = input.joined[model_of_face(input, f.idx())];
+    return face_in_file(model.input, Face(static_cast<Mesh::size_type>(f.idx() - model.first_face)));
+  }
   return input.model.polygon_of_corner(input.origins.corners[input.mesh.halfedge(f).idx()]);
 }
 

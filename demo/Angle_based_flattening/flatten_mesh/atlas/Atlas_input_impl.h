@@ -9,6 +9,7 @@
 #include "flatten_mesh/compiled.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/set_aside.h"
+#include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/build_mesh_impl.h"
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/model/duplicate_polygons.h"
@@ -17,6 +18,7 @@
 #include "flatten_mesh/model/weld_soup.h"
 #include "flatten_mesh/weld_option.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -39,11 +41,29 @@ inline Mesh build_separated_polygon_mesh(const Model& model, Polygon_soup& soup,
   }
 }
 
-inline void build_atlas_input(const bool repair, const Welding& welding, Notes& notes, Atlas_input& input)
+// Removes polygons that are not to be flattened. Returns how many.
+inline std::size_t remove_left_out(const Face_choice& choice, const Model& model, Polygon_soup& soup)
+{
+  const std::vector<bool> is_left_out = left_out_polygons(choice, model);
+  std::vector<Index> part_of;
+  for(const bool is_one : is_left_out) {
+    part_of.push_back(is_one ? 0 : no_index);
+  }
+  const auto number = static_cast<std::size_t>(std::count(is_left_out.begin(), is_left_out.end(), true));
+  if(number > 0) {
+    leave_out(soup, part_of, {Skipped_part()});
+    soup.left_out.clear(); // nothing is wrong with it
+  }
+  return number;
+}
+
+inline void build_atlas_input(const bool repair, const Welding& welding, const Face_choice& choice,
+                              Notes& notes, Atlas_input& input)
 {
   Polygon_soup soup = polygon_soup(input.model);
   check_not_empty(soup);
   valences(soup); // throws if a vertex does not exist
+  input.left_out = remove_left_out(choice, input.model, soup);
   set_aside(soup, repair);
   if(repair) {
     leave_out_duplicates(soup);
@@ -60,17 +80,18 @@ inline void build_atlas_input(const bool repair, const Welding& welding, Notes& 
       set_undivided_aside(undivided, soup);
     }
   }
+  input.origins.is_turned.resize(input.model.number_of_polygons(), false); // also if no face remains
   input.set_aside = std::move(soup.left_out);
 }
 
 } // namespace internal
 
 FLATTEN_MESH_INLINE Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes,
-                                               const Welding& welding)
+                                               const Welding& welding, const Face_choice& choice)
 {
   Atlas_input input;
   input.model = std::move(model);
-  internal::build_atlas_input(repair, welding, notes, input);
+  internal::build_atlas_input(repair, welding, choice, notes, input);
   return input;
 }
 
@@ -79,7 +100,8 @@ FLATTEN_MESH_INLINE Atlas_input read_atlas_input(const Command_line& command, No
   Model model =
       read_model(command.input, Degenerate_faces::KEPT, notes, command.format, gltf_options_of(command));
   try {
-    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command));
+    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command),
+                          face_choice_of(command.atlas));
   } catch(const Input_error& error) {
     throw Input_error(command.title + ": " + error.what());
   }

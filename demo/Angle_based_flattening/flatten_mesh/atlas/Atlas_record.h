@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,12 +25,24 @@ namespace flatten_mesh {
 // The data of the reports on an atlas, for people and for programs
 struct Atlas_record
 {
+  // One of several models that share the atlas
+  struct Model
+  {
+    std::string input, output; // the output is empty if none is written
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::size_t first_chart = 0; // its charts follow one another
+    std::size_t charts = 0;
+  };
+
   std::string input;
+  std::vector<Model> models; // empty if there is only the input
   Atlas_options options;
   double stretch_bound = 0;
   std::size_t vertices = 0; // these three are of the surface that the atlas is made of
   std::size_t triangles = 0;
   std::size_t components = 0;
+  std::size_t left_out = 0; // faces that were not to be flattened
   SMP::Atlas_report report;
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart
@@ -41,6 +54,15 @@ struct Atlas_record
   std::vector<std::string> written;
   std::vector<std::string> notes;
 };
+
+// The parts that one of several models lacks
+inline std::vector<Skipped_part> skipped_of_model(const Atlas_record& record, const std::size_t model)
+{
+  std::vector<Skipped_part> parts;
+  std::copy_if(record.skipped.begin(), record.skipped.end(), std::back_inserter(parts),
+               [model](const Skipped_part& part) { return part.model == model; });
+  return parts;
+}
 
 inline std::string status_name(const Atlas_record& record)
 {

@@ -79,16 +79,18 @@ inline void keep_seams(const Atlas_options& options, Atlas_input& input, const E
   }
 }
 
-// Takes the coordinates of the file, and the seams between them. Corners without any get numbers that are not finite.
-inline void take_texture(Atlas_input& input, const Atlas& atlas)
+// Marks the seams of the coordinates in the file, and calls `set(h, uv)` for each corner. Without coordinates, these are
+// no numbers.
+template <class Set>
+void take_texture(Atlas_input& input, const Edge_marks& seams, const Set& set)
 {
   const Model& model = input.model;
-  internal::keep_seams_of_texture("--repack", input, atlas.seams);
+  internal::keep_seams_of_texture("--repack", input, seams);
   const double none = std::numeric_limits<double>::quiet_NaN();
   for(const Halfedge h : input.mesh.halfedges()) {
     if(!input.mesh.is_border(h)) {
       const Index t = model.texture_point(input.origins.corners[h.idx()]);
-      atlas.uv[h] = t == no_index ? Kernel::Point_2(none, none) : model.texture[t];
+      set(h, t == no_index ? Kernel::Point_2(none, none) : model.texture[t]);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/plain/Cut_mesh.h"
+#include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/keep_seams.h"
 #include "flatten_mesh/texts.h"
 
@@ -107,7 +108,21 @@ inline void weigh_edges(const std::string& seams, const Mesh& mesh,
   }
 }
 
-// No seam divides a polygon of the input.
+inline Mesh::Property_map<Edge, double> edge_weights(Mesh& mesh)
+{
+  return mesh.add_property_map<Edge, double>("e:flatten_mesh_weight", 0).first;
+}
+
+// Says where seams run, unless they are short.
+inline void prepare_edges(const Atlas_options& atlas, Mesh& mesh, const Edge_marks& is_seam)
+{
+  if(atlas.weighs_edges() && !mesh.is_empty()) {
+    lay_seams_along_creases(atlas.seams, mesh, is_seam);
+    weigh_edges(atlas.seams, mesh, edge_weights(mesh));
+  }
+}
+
+// No seam divides a polygon of the input. Edges are prepared.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
                                          Atlas_progress& progress)
 {
@@ -123,12 +138,10 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
     return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
   SMP::Atlas_report report;
-  if(command.atlas.seams == "length" || command.atlas.repacks) {
+  if(!command.atlas.weighs_edges()) {
     report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
   } else {
-    auto weight = mesh.add_property_map<Edge, double>().first;
-    lay_seams_along_creases(command.atlas.seams, mesh, atlas.seams);
-    weigh_edges(command.atlas.seams, mesh, weight);
+    auto weight = edge_weights(mesh);
     report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
     mesh.remove_property_map(weight);
   }
@@ -173,6 +186,7 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
+  prepare_edges(command.atlas, part, atlas_of_part.seams);
   SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, progress);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
@@ -190,18 +204,55 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
   return report;
 }
 
+// Each model by itself: another one neither hides its edges nor has its seams.
+inline void prepare_joined_models(Atlas_input& input, const Atlas& atlas)
+{
+  const auto weight_of_whole = edge_weights(input.mesh);
+  for(Joined_model& model : input.joined) {
+    Mesh& mesh = model.input.mesh;
+    if(mesh.is_empty()) {
+      continue;
+    }
+    const Edge_marks is_seam = seam_marks(mesh);
+    try {
+      keep_seams(model.command.atlas, model.input, is_seam);
+      if(model.command.atlas.repacks) {
+        take_texture(model.input, is_seam, [&](const Halfedge h, const Kernel::Point_2& p) {
+          atlas.uv[in_common_mesh(model, h)] = p;
+        });
+      }
+      prepare_edges(model.command.atlas, mesh, is_seam);
+    } catch(const Input_error& error) {
+      throw Input_error(model.command.title + ": " + error.what());
+    }
+    const auto weight = edge_weights(mesh);
+    for(const Edge e : mesh.edges()) {
+      atlas.seams[in_common_mesh(model, e)] = is_seam[e];
+      weight_of_whole[in_common_mesh(model, e)] = weight[e];
+    }
+  }
+}
+
 } // namespace internal
 
 // Makes charts of the mesh or of the component that is asked for.
 inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
                                              const Atlas& atlas, Atlas_progress& progress)
 {
+  if(!input.joined.empty()) {
+    internal::prepare_joined_models(input, atlas);
+    return internal::call_make_atlas(command, input.mesh, atlas, progress);
+  }
   keep_seams(command.atlas, input, atlas.seams);
   if(command.atlas.repacks) {
-    take_texture(input, atlas);
+    take_texture(input, atlas.seams,
+                 [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
   }
-  return command.asks_for_component ? internal::make_atlas_of_component(command, input.mesh, atlas, progress)
-                                    : internal::call_make_atlas(command, input.mesh, atlas, progress);
+  if(command.asks_for_component) {
+    return internal::make_atlas_of_component(command, input.mesh, atlas, progress);
+  }
+  internal::prepare_edges(command.atlas, input.mesh, atlas.seams);
+  return internal::call_make_atlas(command, input.mesh, atlas, progress);
 }
 
 } // namespace flatten_mesh

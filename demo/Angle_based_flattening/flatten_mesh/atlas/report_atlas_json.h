@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -77,6 +78,31 @@ inline std::string atlas_json(const Atlas_record& record)
   return json.text();
 }
 
+inline std::string models_json(const Atlas_record& record)
+{
+  return json_array(record.models, [&record](const std::size_t i) {
+    const Atlas_record::Model& model = record.models[i];
+    Json_object json;
+    json.add("input", json_text(model.input));
+    json.add("output", model.output.empty() ? "null" : json_text(model.output));
+    json.add("vertices", json_number(model.vertices));
+    json.add("triangles", json_number(model.triangles));
+    json.add("first_chart", json_number(model.first_chart));
+    json.add("charts", json_number(model.charts));
+    json.add("skipped", skipped_json(skipped_of_model(record, i)));
+    return json.text();
+  });
+}
+
+inline std::vector<std::string> names_of_models(const Atlas_record& record)
+{
+  std::vector<std::string> names;
+  for(const Atlas_record::Model& model : record.models) {
+    names.push_back(model.input);
+  }
+  return names;
+}
+
 } // namespace internal
 
 // The report for programs. Without an atlas, `atlas` is `null`. Faces are counted from 1, charts and parts from 0.
@@ -91,10 +117,14 @@ inline std::string report_json(const Atlas_record& record)
   json.add("message", json_text(message));
   json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
+  if(!record.models.empty()) {
+    json.add("models", internal::models_json(record));
+  }
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));
   json.add("components", json_number(record.components));
-  json.add("skipped", internal::skipped_json(record.skipped));
+  json.add("left_out", json_number(record.left_out));
+  json.add("skipped", internal::skipped_json(record.skipped, internal::names_of_models(record)));
   json.add("atlas", record.report.has_atlas() ? internal::atlas_json(record) : "null");
   json.add("baking", record.baking.from.empty() ? "null" : baking_json(record.baking));
   for(const auto& [stage, time] : seconds_of_stages(record)) {

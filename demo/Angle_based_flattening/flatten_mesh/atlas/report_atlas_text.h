@@ -96,6 +96,10 @@ inline Report_rows chart_rows(const Atlas_record& record)
   }
   Report_rows rows = {
       {"charts", std::to_string(report.charts.size()), methods_text(report) + strategies_text(report)}};
+  if(record.left_out > 0) {
+    rows.push_back(
+        {"left out", count_text(record.left_out, "face"), "which keep the coordinates that they had"});
+  }
   append(rows, skipped_rows(record.skipped));
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +
@@ -143,15 +147,38 @@ inline std::string largest_charts_text(const Atlas_record& record)
   return text;
 }
 
+// A line for each of several models
+inline Report_rows model_rows(const Atlas_record& record)
+{
+  Report_rows rows;
+  for(std::size_t i = 0; i < record.models.size(); ++i) {
+    const Atlas_record::Model& model = record.models[i];
+    std::size_t skipped = 0;
+    for(const Skipped_part& part : skipped_of_model(record, i)) {
+      skipped += part.faces;
+    }
+    const std::string first = std::to_string(model.first_chart + 1),
+                      last = std::to_string(model.first_chart + model.charts);
+    rows.push_back({"  model", model.input,
+                    count_text(model.triangles, "triangle") + "; " +
+                        (model.charts == 0   ? "no chart"
+                         : model.charts == 1 ? "chart " + first
+                                             : "charts " + first + " to " + last) +
+                        (skipped == 0 ? "" : "; " + count_text(skipped, "face") + " without chart")});
+  }
+  return rows;
+}
+
 } // namespace internal
 
 // The report for people, as far as it is on the surface and its atlas
 inline Report_rows surface_rows(const Atlas_record& record)
 {
   Report_rows rows = {
-      {"input", record.input, record.components > 1 ? count_text(record.components, "component") : ""},
-      {"vertices", std::to_string(record.vertices)},
-      {"triangles", std::to_string(record.triangles)}};
+      {"input", record.input, record.components > 1 ? count_text(record.components, "component") : ""}};
+  append(rows, internal::model_rows(record));
+  append(rows,
+         {{"vertices", std::to_string(record.vertices)}, {"triangles", std::to_string(record.triangles)}});
   append(rows, internal::chart_rows(record));
   append(rows, internal::quality_rows(record.report.measures));
   if(!record.baking.from.empty()) {

@@ -10,12 +10,14 @@
 #include "flatten_mesh/atlas/Atlas_progress.h"
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/concave_polygons.h"
 #include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/make_atlas_of_input.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
@@ -82,11 +84,12 @@ void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_reco
   record.skipped = input.set_aside;
   for(const SMP::Atlas_report::Skipped& part : record.report.skipped) {
     const Face first(static_cast<Mesh::size_type>(part.first_face));
-    record.skipped.push_back(
-        {face_in_file(input, first), count_faces(input, atlas, first), to_string(part.status), part.message});
+    record.skipped.push_back({face_in_file(input, first), count_faces(input, atlas, first),
+                              to_string(part.status), part.message, model_of_face(input, first.idx())});
   }
-  std::stable_sort(record.skipped.begin(), record.skipped.end(),
-                   [](const auto& a, const auto& b) { return a.first_face < b.first_face; });
+  std::stable_sort(record.skipped.begin(), record.skipped.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.model, a.first_face) < std::pair(b.model, b.first_face);
+  });
 }
 
 void measure_charts(Atlas_record& record)
@@ -177,6 +180,43 @@ std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_in
   return is_divided;
 }
 
+// A model that is written, with its charts
+struct Written_model
+{
+  Command_line command;
+  const Atlas_input& input;
+  Atlas atlas;
+  std::vector<bool> is_divided; // of each polygon
+};
+
+std::vector<Written_model> models_to_write(const Command_line& command, Atlas_input& input,
+                                           const Atlas& atlas, const SMP::Atlas_report& report)
+{
+  std::vector<Written_model> models;
+  const auto add = [&](const Command_line& own, const Atlas_input& model, const Atlas& charts) {
+    models.push_back({own, model, charts, polygons_to_divide(own, model, charts, report)});
+  };
+  if(input.joined.empty()) {
+    add(command, input, atlas);
+  }
+  for(Joined_model& model : input.joined) {
+    add(model.command, model.input, atlas_of_model(atlas, model));
+  }
+  return models;
+}
+
+void tell_changed_polygons(const std::vector<Written_model>& models, const SMP::Atlas_report& report,
+                           Notes& notes)
+{
+  std::vector<bool> is_divided;
+  for(const Written_model& model : models) {
+    is_divided.insert(is_divided.end(), model.is_divided.begin(), model.is_divided.end());
+  }
+  if(const std::string text = polygons_text(report.number_of_mended_polygons, is_divided); !text.empty()) {
+    notes.add(text);
+  }
+}
+
 void write_model_or_baked(const Command_line& command, const Model& model, const Mesh& mesh,
                           const Corner_origins& origins, const Atlas& atlas, const Baked_surface& baked,
                           Output_files& files)
@@ -190,13 +230,15 @@ void write_model_or_baked(const Command_line& command, const Model& model, const
   (void)baked;
 #endif
   if(!command.output.empty()) {
-    write_model(files.open(command.output), command.output, model, texture_of(model, mesh, origins, atlas));
+    Model_texture texture = texture_of(model, mesh, origins, atlas);
+    keep_left_out_texture(face_choice_of(command.atlas), model, texture);
+    write_model(files.open(command.output), command.output, model, texture);
   }
 }
 
-void write_surface(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
-                   const Baked_surface& baked, const std::vector<bool>& is_divided, Output_files& files)
+void write_surface(const Written_model& written, const Baked_surface& baked, Output_files& files)
 {
+  const auto& [command, input, atlas, is_divided] = written;
   if(std::find(is_divided.begin(), is_divided.end(), true) == is_divided.end()) {
     write_model_or_baked(command, input.model, input.mesh, input.origins, atlas, baked, files);
     return;
@@ -234,18 +276,22 @@ void draw(const Command_line& command, const Atlas_input& input, const Atlas& at
 
 // Writes the requested files under temporary names.
 void write_files(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
-                 const Baked_surface& baked, const std::vector<bool>& is_divided, Atlas_record& record,
+                 const Baked_surface& baked, const std::vector<Written_model>& models, Atlas_record& record,
                  Output_files& files)
 {
   CGAL::Real_timer timer;
   timer.start();
   if(record.report.has_atlas()) {
-    write_surface(command, input, atlas, baked, is_divided, files);
+    for(const Written_model& model : models) {
+      write_surface(model, baked, files);
+    }
     if(!command.svg.empty() || !command.picture.empty() || !command.report.empty()) {
       draw(command, input, atlas, record, files);
     }
-    if(!command.seams_to.empty()) {
-      files.open(command.seams_to).write(seams_text(input.mesh, atlas));
+    for(const Written_model& model : models) {
+      if(!model.command.seams_to.empty()) {
+        files.open(model.command.seams_to).write(seams_text(model.input.mesh, model.atlas));
+      }
     }
   }
   record.write_seconds = timer.time();
@@ -264,6 +310,27 @@ std::size_t number_of_vertices(const Mesh& mesh)
                                                 [&mesh](const Vertex v) { return !mesh.is_isolated(v); }));
 }
 
+// Throws an `Input_error` if no model has a name that the command gives, or nothing remains.
+void check_left_out(const Command_line& command, const Atlas_input& input)
+{
+  std::vector<const Model*> models = {&input.model};
+  for(const Joined_model& model : input.joined) {
+    models.push_back(&model.input.model);
+  }
+  std::size_t faces = 0;
+  for(const Model* model : models) {
+    faces += model->number_of_polygons();
+  }
+  try {
+    check_choice(face_choice_of(command.atlas), models);
+    if(input.left_out == faces) {
+      throw Input_error("--only-material and --ignore leave no face");
+    }
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
+  }
+}
+
 Atlas_record record_of(const Command_line& command, const Atlas_input& input)
 {
   Atlas_record record;
@@ -272,7 +339,24 @@ Atlas_record record_of(const Command_line& command, const Atlas_input& input)
   record.stretch_bound = options_of_atlas(command).stretch_bound;
   record.vertices = number_of_vertices(input.mesh);
   record.triangles = input.mesh.number_of_faces();
+  record.left_out = input.left_out;
   return record;
+}
+
+// What the record says of several models
+void list_models(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
+{
+  for(const Joined_model& model : input.joined) {
+    const Mesh& mesh = model.input.mesh;
+    std::set<int> charts;
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      charts.insert(atlas.chart[Face(static_cast<Mesh::size_type>(model.first_face + f))]);
+    }
+    charts.erase(-1);
+    record.models.push_back({model.command.input, record.report.has_atlas() ? model.command.output : "",
+                             number_of_vertices(mesh), mesh.number_of_faces(),
+                             charts.empty() ? 0 : static_cast<std::size_t>(*charts.begin()), charts.size()});
+  }
 }
 
 void make_charts(const Command_line& command, Atlas_input& input, const Atlas& atlas, Atlas_record& record,
@@ -300,7 +384,9 @@ Exit_status run_atlas(const Command_line& command)
   Atlas_progress progress(command);
   Notes notes(command, [&progress] { progress.clear_line(); });
   progress.stage("reading");
-  Atlas_input input = read_atlas_input(command, notes);
+  Atlas_input input =
+      command.atlas.is_shared ? read_joined_models(command, notes) : read_atlas_input(command, notes);
+  check_left_out(command, input);
   const double read_seconds = timer.time();
   if(command.atlas.simplified_triangles > 0 && !input.mesh.is_empty()) {
     progress.stage("simplifying");
@@ -313,6 +399,7 @@ Exit_status run_atlas(const Command_line& command)
   const Atlas atlas = empty_atlas(input.mesh);
   make_charts(command, input, atlas, record, progress);
   list_skipped_parts(input, atlas, record);
+  list_models(input, atlas, record);
   measure_charts(record);
   look_at_stretch(record, notes);
   Baked_surface baked;
@@ -321,15 +408,12 @@ Exit_status run_atlas(const Command_line& command)
     baked = bake_textures(command, input, atlas, notes);
     record.baking = baked.record;
   }
-  const std::vector<bool> is_divided = polygons_to_divide(command, input, atlas, record.report);
-  if(const std::string text = polygons_text(record.report.number_of_mended_polygons, is_divided);
-     !text.empty()) {
-    notes.add(text);
-  }
+  const std::vector<Written_model> models = models_to_write(command, input, atlas, record.report);
+  tell_changed_polygons(models, record.report, notes);
   record.notes = notes.texts();
   progress.stage("writing");
   Output_files files;
-  write_files(command, input, atlas, baked, is_divided, record, files);
+  write_files(command, input, atlas, baked, models, record, files);
   progress.end();
   tell_skipped_parts(command, record.skipped);
   tell_message(command, record);

@@ -20,6 +20,7 @@ struct Skipped_part
   std::size_t faces = 0;      // of the file
   std::string status;         // in one word
   std::string message;
+  std::size_t model = 0; // among the inputs that share the atlas
 };
 
 // Whether a computation failed for this part, rather than that it cannot be flattened

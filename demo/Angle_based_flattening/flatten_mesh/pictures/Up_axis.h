@@ -107,7 +107,8 @@ inline std::string likely_up_axis(const Textured_surface& surface, const std::st
 // What `--up` asks for: "x", "y" or "z"
 inline std::string up_axis(const Command_line& command, const Textured_surface& surface)
 {
-  return command.up == "auto" ? likely_up_axis(surface, file_format(command.input)) : command.up;
+  const std::string& input = command.input.empty() ? command.inputs.front() : command.input;
+  return command.up == "auto" ? likely_up_axis(surface, file_format(input)) : command.up;
 }
 
 } // namespace flatten_mesh

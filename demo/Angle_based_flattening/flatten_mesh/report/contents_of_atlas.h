@@ -39,6 +39,9 @@ inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_r
                                chart.l2_stretch, chart.scale_stretch, internal::seam_jump(chart)});
   }
   contents.skipped = record.skipped;
+  for(Skipped_part& part : contents.skipped) {
+    part.message = (record.models.empty() ? "" : record.models[part.model].input + ": ") + part.message;
+  }
   contents.surface = std::move(surface);
   contents.up = up;
   for(const Face f : input.mesh.faces()) {

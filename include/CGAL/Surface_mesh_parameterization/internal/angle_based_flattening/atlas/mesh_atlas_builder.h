@@ -3,9 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The side of `make_atlas()` that knows the caller's mesh: reads options, components and weights, and writes
-// coordinates and charts. Included by `make_atlas.h`. The atlas itself is made by `build_atlas()`, which sees only
-// charts.
+// The side of `make_atlas()` and `make_common_atlas()` that knows the caller's meshes. Included by `make_atlas.h`. The
+// atlas itself is made by `build_atlas()`, which sees only charts.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_ATLAS_BUILDER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_ATLAS_BUILDER_H
@@ -13,32 +12,25 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/mesh_in_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
+#include <deque>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -46,43 +38,27 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Reads a mesh for `make_atlas()`, and writes the results. Maps of seams and charts may be null pointers.
+// Makes an atlas of one or several meshes. All parts are put together, in the order of the meshes, as if they were of
+// one mesh.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename NamedParameters>
 class Mesh_atlas_builder
 {
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef Mesh_in_atlas<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap, NamedParameters> Read_mesh;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
   typedef Mesh_report<TriangleMesh, Atlas_report> Report;
-  static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
-  static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
   static constexpr bool has_readable_uv =
       std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
                           boost::readable_property_map_tag>::value;
-  static constexpr bool has_polygons =
-      !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
-
-  // A component that cannot be flattened, because of one of its faces
-  struct Bad_component
-  {
-    std::size_t component;
-    Diagnosis status;
-    std::string message;
-    face_descriptor face; // that is wrong
-  };
 
 public:
-  Mesh_atlas_builder(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
-                     const Atlas_options& options, const NamedParameters& np)
-      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts), m_options(options), m_np(np),
-        m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                              get_const_property_map(CGAL::vertex_point, mesh))),
-        m_reader(mesh, m_points)
+  Mesh_atlas_builder(const Atlas_options& options, const NamedParameters& np) : m_options(options), m_np(np)
   {}
+
+  void add(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts)
+  {
+    m_meshes.emplace_back(mesh, seams, uv, charts, keeps_charts(), m_np);
+  }
 
   Report run()
   {
@@ -117,23 +93,26 @@ private:
     const double seconds = timer.time();
     if(!is_read)
       return report;
-    const Linear_solvers solvers = linear_solvers(m_np);
-    m_atlas = build_atlas(m_reader.parts(), m_weight, m_options, solvers, &round_to_points<Point>);
-    static_cast<Atlas_report&>(report) = std::move(m_atlas.report);
+    static_cast<Atlas_report&>(report) = make_charts();
     report.seconds.read = seconds;
     if(m_options.pack_into_square)
       report.scale /= m_weight_scale;
     list_parts(report);
-    name_bad_charts(report);
+    if(report.status == Diagnosis::STRETCH_BOUND_MISSED)
+      for(const Read_mesh& mesh : m_meshes)
+        mesh.name_bad_charts(report);
     if(!report.has_atlas())
       return report;
     measure_seams(report);
     timer.reset();
     begin(Atlas_visitor::WRITE);
-    write();
+    for(Read_mesh& mesh : m_meshes)
+      mesh.write();
     report.seconds.write = timer.time();
     return report;
   }
+
+  bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
 
   void begin(Atlas_visitor::Stage stage) const
   {
@@ -141,312 +120,135 @@ private:
       throw Cancelled();
   }
 
-  bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
-
-  bool is_given_seam(edge_descriptor e) const
+  // For messages
+  std::string name_of_mesh(std::size_t number) const
   {
-    if constexpr(has_seams)
-      if(get(m_seams, e))
-        return true;
-    return keeps_charts() && !CGAL::is_border(e, m_mesh) && !has_same_uv(halfedge(e, m_mesh));
-  }
-
-  // Whether both sides of an edge have the same coordinates, or none
-  bool has_same_uv(halfedge_descriptor h) const
-  {
-    const halfedge_descriptor o = opposite(h, m_mesh);
-    const auto is_same = [this](halfedge_descriptor g, halfedge_descriptor k) {
-      const Chart::Point_2 p = given_uv(g), q = given_uv(k);
-      return p == q || !(is_finite(p) || is_finite(q));
-    };
-    return is_same(h, prev(o, m_mesh)) && is_same(o, prev(h, m_mesh));
-  }
-
-  static bool is_finite(const Chart::Point_2& p) { return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()); }
-
-  Chart::Point_2 given_uv(halfedge_descriptor h) const
-  {
-    if constexpr(has_readable_uv) {
-      const auto& p = get(m_uv, h);
-      return Chart::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-    } else {
-      (void)h;
-      return CGAL::ORIGIN;
-    }
-  }
-
-  // Whether both faces of an edge are parts of one polygon
-  bool is_in_polygon(edge_descriptor e) const
-  {
-    const auto polygons = parameters::get_parameter(m_np, internal_np::face_patch);
-    const halfedge_descriptor h = halfedge(e, m_mesh);
-    return !CGAL::is_border(e, m_mesh) &&
-           get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
+    return m_meshes.size() < 2 ? "" : "mesh " + std::to_string(number) + ": ";
   }
 
   // Returns whether there is something to flatten.
   bool read(Report& report)
   {
-    const bool has_faces = find_components();
-    if(has_faces && !m_bad.empty() && m_bad.size() == m_number_of_components) {
+    std::size_t triangles = 0;
+    double largest = 0;
+    bool has_faces = false;
+    for(std::size_t i = 0; i < m_meshes.size(); ++i) {
+      if(!m_meshes[i].read_faces(report))
+        return fail(report, report.status, name_of_mesh(i) + report.message);
+      has_faces = has_faces || m_meshes[i].has_faces();
+      triangles += m_meshes[i].number_of_triangles();
+      largest = (std::max)(largest, m_meshes[i].largest_coordinate());
+    }
+    if(!has_faces)
+      return fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
+    if(triangles == 0) {
       list_parts(report);
-      report.status = Diagnosis::NOTHING_FLATTENED;
-      report.message = "no part of the surface can be flattened";
-      return false;
+      return fail(report, Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
     }
-    const auto is_given = [this](edge_descriptor e) { return is_given_seam(e); };
-    const auto is_skipped = [this](face_descriptor f) { return m_is_bad[get(m_component, f)]; };
-    Mesh_report<TriangleMesh, Seam_report> reading;
-    if(m_reader.read(is_given, is_skipped, reading) &&
-       m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading)) {
-      if constexpr(has_polygons)
-        m_reader.read_diagonals([this](edge_descriptor e) { return is_in_polygon(e); });
-      if(keeps_charts())
-        m_reader.read_given_maps([this](halfedge_descriptor h) { return given_uv(h); });
-      return read_weights(report);
-    }
-    report.message = reading.message;
-    report.offending_edges = reading.offending_edges;
-    report.status = reading.status == Diagnosis::EMPTY_MESH     ? Diagnosis::EMPTY_MESH
-                    : reading.status == Diagnosis::WRONG_WEIGHT ? Diagnosis::WRONG_WEIGHT
-                                                                : Diagnosis::TOO_LARGE;
-    return false;
-  }
-
-  // Finds the components, opened along the given seams, that are no triangulated surfaces in space. Returns whether
-  // there are faces.
-  bool find_components()
-  {
-    m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
-    m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
-    m_number_of_components = Polygon_mesh_processing::connected_components(
-        m_mesh, m_component,
-        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(
-            [this](edge_descriptor e) { return is_given_seam(e); })));
-    m_is_bad.assign(m_number_of_components, false);
-    std::size_t rank = 0;
-    for(face_descriptor f : faces(m_mesh)) {
-      put(m_rank, f, rank++);
-      const std::size_t component = get(m_component, f);
-      const Diagnosis diagnosis = m_is_bad[component] ? Diagnosis::NOTHING_WRONG : defect(f);
-      if(diagnosis == Diagnosis::NOTHING_WRONG)
-        continue;
-      m_is_bad[component] = true;
-      m_bad.push_back({component, diagnosis, message(f, diagnosis), f});
-    }
-    return rank > 0;
-  }
-
-  Diagnosis defect(face_descriptor f) const
-  {
-    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
-      return Diagnosis::NOT_TRIANGULATED;
-    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const auto& p = get(m_points, target(h, m_mesh));
-      if(!(CGAL::is_finite(CGAL::to_double(p.x())) && CGAL::is_finite(CGAL::to_double(p.y())) &&
-           CGAL::is_finite(CGAL::to_double(p.z()))))
-        return Diagnosis::NON_FINITE_POINT;
-    }
-    return Diagnosis::NOTHING_WRONG;
-  }
-
-  std::string message(face_descriptor f, Diagnosis diagnosis) const
-  {
-    const auto& p = get(m_points, target(halfedge(f, m_mesh), m_mesh));
-    std::ostringstream text;
-    text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
-         << ", " << CGAL::to_double(p.z()) << ") "
-         << (diagnosis == Diagnosis::NOT_TRIANGULATED
-                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
-                 : "has a vertex whose coordinates are not all finite");
-    return text.str();
-  }
-
-  bool read_weights(Report& report)
-  {
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value) {
-      const auto weights = parameters::get_parameter(m_np, internal_np::face_size_map);
-      for(const Surface_part& part : m_reader.parts())
-        for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
-          const face_descriptor f = m_reader.face_of(part.first_triangle + t);
-          m_weight.push_back(CGAL::to_double(get(weights, f)));
-          if(!(m_weight.back() >= 0 && CGAL::is_finite(m_weight.back()))) {
-            report.status = Diagnosis::WRONG_WEIGHT;
-            report.offending_faces = {f};
-            report.message = "face " + std::to_string(get(m_rank, f)) + " has the weight " +
-                             std::to_string(m_weight.back()) +
-                             ", and weights must be finite and not negative";
-            return false;
-          }
-        }
-      const double largest = m_weight.empty() ? 0 : *std::max_element(m_weight.begin(), m_weight.end());
-      m_weight_scale = power_of_two(largest);
-      for(double& weight : m_weight) // so that no square underflows or overflows
-        weight /= m_weight_scale;
-    }
+    if(triangles > static_cast<std::size_t>(largest_number_of_triangles))
+      return fail(report, Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
+    for(std::size_t i = 0; i < m_meshes.size(); ++i)
+      if(!m_meshes[i].read_attributes(power_of_two(largest), m_weight, report))
+        return fail(report, report.status, name_of_mesh(i) + report.message);
+    scale_weights();
     return true;
   }
 
-  struct Listed_part
+  static bool fail(Report& report, Diagnosis status, const std::string& message)
   {
-    typename Report::Skipped part; // with a diagnosis if it is skipped
-    bool is_read;
-    face_descriptor face; // that is wrong, or the first one
-  };
-
-  std::vector<Listed_part> listed_parts() const
-  {
-    std::vector<Listed_part> parts;
-    std::vector<std::size_t> size(m_number_of_components, 0), first(m_number_of_components, 0);
-    for(face_descriptor f : faces(m_mesh))
-      if(size[get(m_component, f)]++ == 0)
-        first[get(m_component, f)] = get(m_rank, f);
-    for(const Bad_component& bad : m_bad)
-      parts.push_back(
-          {{0, first[bad.component], size[bad.component], bad.status, bad.message}, false, bad.face});
-    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
-      parts.push_back({{0, get(m_rank, m_reader.face_of(part.first_triangle)),
-                        static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas.parts[i].status,
-                        m_atlas.parts[i].message},
-                       true,
-                       m_reader.face_of(part.first_triangle)});
-    }
-    std::sort(parts.begin(), parts.end(), [](const Listed_part& p, const Listed_part& q) {
-      return p.part.first_face < q.part.first_face;
-    });
-    return parts;
+    report.status = status;
+    report.message = message;
+    return false;
   }
 
-  // Numbers the parts by their first faces, and says which were skipped.
+  // So that no square underflows or overflows
+  void scale_weights()
+  {
+    const double largest = m_weight.empty() ? 0 : *std::max_element(m_weight.begin(), m_weight.end());
+    m_weight_scale = power_of_two(largest);
+    for(double& weight : m_weight)
+      weight /= m_weight_scale;
+  }
+
+  // Lends the parts of all meshes to `build_atlas()`.
+  Atlas_report make_charts()
+  {
+    std::vector<Surface_part> parts;
+    std::vector<std::size_t> sizes; // numbers of parts of the meshes
+    int first_triangle = 0;
+    for(Read_mesh& mesh : m_meshes) {
+      const int triangles = static_cast<int>(mesh.number_of_triangles());
+      sizes.push_back(mesh.parts().size());
+      for(Surface_part& part : mesh.release_parts()) {
+        part.first_triangle += first_triangle;
+        parts.push_back(std::move(part));
+      }
+      first_triangle += triangles;
+    }
+    Atlas atlas = build_atlas(parts, m_weight, m_options, linear_solvers(m_np), &round_to_points<Point>);
+    std::size_t begin = 0;
+    for(std::size_t i = 0; i < m_meshes.size(); begin += sizes[i++])
+      m_meshes[i].set_charts(taken(parts, begin, sizes[i]), taken(atlas.parts, begin, sizes[i]),
+                             taken(atlas.first_chart, begin, sizes[i]));
+    return std::move(atlas.report);
+  }
+
+  // Some of the elements. There are none if the atlas was not begun.
+  template <typename Element>
+  static std::vector<Element> taken(std::vector<Element>& elements, std::size_t begin, std::size_t size)
+  {
+    const std::size_t first = (std::min)(begin, elements.size()),
+                      last = (std::min)(begin + size, elements.size());
+    const auto all = elements.begin();
+    return std::vector<Element>(std::make_move_iterator(all + static_cast<std::ptrdiff_t>(first)),
+                                std::make_move_iterator(all + static_cast<std::ptrdiff_t>(last)));
+  }
+
+  // Numbers the parts by their first faces, mesh by mesh, and says which were skipped.
   void list_parts(Report& report) const
   {
-    std::vector<Listed_part> parts = listed_parts();
-    std::vector<std::size_t> numbers; // of the parts that were read
-    for(std::size_t i = 0; i < parts.size(); ++i) {
-      parts[i].part.part = i;
-      if(parts[i].is_read)
-        numbers.push_back(i);
-      if(parts[i].part.status != Diagnosis::NOTHING_WRONG) {
-        report.skipped.push_back(parts[i].part);
-        report.offending_faces.push_back(parts[i].face);
+    std::vector<std::size_t> numbers, meshes; // of the parts that were read
+    report.number_of_parts = 0;
+    for(std::size_t i = 0; i < m_meshes.size(); ++i)
+      for(typename Read_mesh::Listed_part& listed : m_meshes[i].listed_parts()) {
+        listed.part.part = report.number_of_parts++;
+        listed.part.mesh = i;
+        if(listed.is_read) {
+          numbers.push_back(listed.part.part);
+          meshes.push_back(i);
+        }
+        if(listed.part.status != Diagnosis::NOTHING_WRONG) {
+          report.skipped.push_back(listed.part);
+          report.offending_faces.push_back(listed.face);
+        }
       }
-    }
-    report.number_of_parts = parts.size();
-    for(typename Report::Chart& chart : report.charts)
+    for(typename Report::Chart& chart : report.charts) {
+      chart.mesh = meshes[chart.part];
       chart.part = numbers[chart.part];
+    }
     if(!report.skipped.empty() && report.has_atlas()) {
+      const typename Report::Skipped& first = report.skipped.front();
       report.status = Diagnosis::SOMETHING_SKIPPED;
-      report.message = std::to_string(report.skipped.size()) + " of " + std::to_string(parts.size()) +
-                       " parts of the surface have no charts; the first: " + report.skipped.front().message;
+      report.message =
+          std::to_string(report.skipped.size()) + " of " + std::to_string(report.number_of_parts) +
+          " parts of the surface have no charts; the first: " + name_of_mesh(first.mesh) + first.message;
     }
   }
 
-  // The first face of each chart that is not good, if that is what is wrong
-  void name_bad_charts(Report& report) const
-  {
-    if(report.status != Diagnosis::STRETCH_BOUND_MISSED)
-      return;
-    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
-      const Part_atlas& atlas = m_atlas.parts[i];
-      for(std::size_t p = 0; p < atlas.pieces.size(); ++p) {
-        if(report.charts[m_atlas.first_chart[i] + p].is_good)
-          continue;
-        const auto first = std::find(atlas.piece.begin(), atlas.piece.end(), static_cast<int>(p));
-        report.offending_faces.push_back(m_reader.face_of(m_reader.parts()[i].first_triangle +
-                                                          static_cast<int>(first - atlas.piece.begin())));
-      }
-    }
-  }
-
-  bool is_seam(const Surface_part& part, const Part_atlas& atlas, int c) const
-  {
-    if(atlas.chart.opposite[c] >= 0)
-      return false;
-    const edge_descriptor e = m_reader.edge_of(3 * part.first_triangle + c);
-    return part.chart.opposite[c] >= 0 || (!CGAL::is_border(e, m_mesh) && is_given_seam(e));
-  }
-
-  // Seams lie between two corners, of one part or of two.
   void measure_seams(Report& report) const
   {
     double sides = 0, area = 0;
-    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
-      const Part_atlas& atlas = m_atlas.parts[i];
-      if(!atlas.succeeded())
-        continue;
-      for(int c = 0; c < part.chart.number_of_corners(); ++c)
-        if(is_seam(part, atlas, c))
-          sides += edge_length(part.chart, c);
-      for(int t = 0; t < part.chart.number_of_triangles(); ++t)
-        area += surface_area(part.chart, t);
-    }
-    report.seam_length = sides / 2 * m_reader.scale();
+    for(const Read_mesh& mesh : m_meshes)
+      mesh.measure_seams(sides, area);
+    report.seam_length = sides / 2 * m_meshes.front().scale();
     report.relative_seam_length = sides / 2 / std::sqrt(area);
   }
 
-  void write()
-  {
-    if constexpr(has_seams)
-      write_seams();
-    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
-      const Part_atlas& atlas = m_atlas.parts[i];
-      if(!atlas.succeeded())
-        continue;
-      for(int c = 0; c < part.chart.number_of_corners(); ++c)
-        put(m_uv, m_reader.halfedge_to(3 * part.first_triangle + c),
-            planar_point<Point>(atlas.uv[atlas.chart.vertex[c]]));
-    }
-    if constexpr(has_charts)
-      write_charts();
-  }
-
-  // Before coordinates are written, which tell the seams that are kept
-  void write_seams()
-  {
-    std::vector<edge_descriptor> seams;
-    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
-      for(int c = 0; m_atlas.parts[i].succeeded() && c < part.chart.number_of_corners(); ++c)
-        if(is_seam(part, m_atlas.parts[i], c))
-          seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
-    }
-    for(edge_descriptor e : seams)
-      put(m_seams, e, true);
-  }
-
-  void write_charts() const
-  {
-    typedef typename boost::property_traits<FaceChartMap>::value_type Number;
-    static_assert(std::is_signed<Number>::value, "faces without a chart get -1");
-    for(face_descriptor f : faces(m_mesh))
-      put(m_charts, f, Number(-1));
-    for(std::size_t i = 0; i < m_atlas.parts.size(); ++i)
-      for(std::size_t t = 0; m_atlas.parts[i].succeeded() && t < m_atlas.parts[i].piece.size(); ++t)
-        put(m_charts, m_reader.face_of(m_reader.parts()[i].first_triangle + static_cast<int>(t)),
-            static_cast<Number>(m_atlas.first_chart[i] +
-                                static_cast<std::size_t>(m_atlas.parts[i].piece[t])));
-  }
-
-  const TriangleMesh& m_mesh;
-  EdgeIsSeamMap m_seams;
-  HalfedgeUVMap m_uv;
-  FaceChartMap m_charts;
   const Atlas_settings m_options;
   const NamedParameters& m_np;
-  Vertex_point_map m_points;
-  Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
-  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
-      m_component,
-      m_rank; // of each face
-  std::size_t m_number_of_components = 0;
-  std::vector<char> m_is_bad; // of each component
-  std::vector<Bad_component> m_bad;
+  std::deque<Read_mesh> m_meshes;
   std::vector<double> m_weight; // of each triangle, divided by the scale; empty if all are 1
   double m_weight_scale = 1;
-  Atlas m_atlas;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

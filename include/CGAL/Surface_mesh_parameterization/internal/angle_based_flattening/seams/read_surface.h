@@ -59,6 +59,7 @@ public:
   {}
 
   const std::vector<Surface_part>& parts() const { return m_parts; }
+  std::vector<Surface_part>& parts() { return m_parts; }
   double scale() const { return m_scale; } // lengths in the mesh, divided by those of the parts
 
   // Reads the surface, opened along the edges with `is_cut(e)`. Returns whether that is possible, and says why if it is
@@ -74,7 +75,30 @@ public:
   template <typename IsCut, typename IsSkipped>
   bool read(const IsCut& is_cut, const IsSkipped& is_skipped, Report& report)
   {
+    if(!read_unscaled(is_cut, is_skipped, report))
+      return false;
+    set_scale(power_of_two(m_largest));
+    return true;
+  }
+
+  // The same in two steps, for several meshes with the same scale: first without it
+  template <typename IsCut, typename IsSkipped>
+  bool read_unscaled(const IsCut& is_cut, const IsSkipped& is_skipped, Report& report)
+  {
     return find_faces(is_cut, is_skipped, report) && read_points(report);
+  }
+
+  double largest_coordinate() const { return m_largest; }
+
+  void set_scale(double scale)
+  {
+    m_scale = scale;
+    for(Surface_part& part : m_parts) {
+      part.chart.scale = m_scale;
+      for(Chart::Point_3& p : part.chart.points)
+        p = Chart::Point_3(p.x() / m_scale, p.y() / m_scale, p.z() / m_scale);
+      find_borders(part.chart);
+    }
   }
 
   face_descriptor face_of(int triangle) const { return m_faces.face_of(triangle); }
@@ -273,13 +297,12 @@ private:
 
   bool read_points(Report& report)
   {
-    double largest = 0;
     for(Surface_part& part : m_parts) {
       number_vertices(part);
       for(int v = 0; v < part.chart.number_of_vertices(); ++v)
         for(int i = 0; i < 3; ++i) {
           const Chart::Point_3& p = part.chart.points[v];
-          largest = (std::max)(largest, std::abs(p[i]));
+          m_largest = (std::max)(m_largest, std::abs(p[i]));
           if(!std::isfinite(p[i])) {
             report.offending_vertices = {vertex_of(part, v)};
             fail(report, Diagnosis::NON_FINITE_POINT,
@@ -287,13 +310,6 @@ private:
             return false;
           }
         }
-    }
-    m_scale = power_of_two(largest);
-    for(Surface_part& part : m_parts) {
-      part.chart.scale = m_scale;
-      for(Chart::Point_3& p : part.chart.points)
-        p = Chart::Point_3(p.x() / m_scale, p.y() / m_scale, p.z() / m_scale);
-      find_borders(part.chart);
     }
     return true;
   }
@@ -327,6 +343,7 @@ private:
   VertexPointMap m_points;
   Entered_faces<TriangleMesh> m_faces;
   std::vector<Surface_part> m_parts;
+  double m_largest = 0; // of the absolute values of coordinates
   double m_scale = 1;
 };
 

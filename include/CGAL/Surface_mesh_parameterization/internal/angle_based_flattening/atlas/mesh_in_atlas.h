@@ -1,0 +1,387 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// One of the caller's meshes: reads its components and weights, and writes its coordinates and charts.
+// `mesh_atlas_builder.h` makes an atlas of one or several of them.
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_IN_ATLAS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_IN_ATLAS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Reads a mesh, and writes the results. Maps of seams and charts may be null pointers.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
+          typename NamedParameters>
+class Mesh_in_atlas
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
+  typedef Mesh_report<TriangleMesh, Atlas_report> Report;
+  static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
+  static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
+  static constexpr bool has_readable_uv =
+      std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
+                          boost::readable_property_map_tag>::value;
+  static constexpr bool has_polygons =
+      !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
+
+  // A component that cannot be flattened, because of one of its faces
+  struct Bad_component
+  {
+    std::size_t component;
+    Diagnosis status;
+    std::string message;
+    face_descriptor face; // that is wrong
+  };
+
+public:
+  struct Listed_part
+  {
+    typename Report::Skipped part; // with a diagnosis if it is skipped
+    bool is_read;
+    face_descriptor face; // that is wrong, or the first one
+  };
+
+  Mesh_in_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
+                bool keeps_charts, const NamedParameters& np)
+      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts),
+        m_keeps_charts(keeps_charts && has_readable_uv), m_np(np),
+        m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                              get_const_property_map(CGAL::vertex_point, mesh))),
+        m_reader(mesh, m_points)
+  {}
+
+  // Reads the faces that can be flattened. Returns whether there are not too many.
+  bool read_faces(Report& report)
+  {
+    find_components();
+    if(m_bad.size() == m_number_of_components)
+      return true;
+    Reading reading;
+    return m_reader.read_unscaled([this](edge_descriptor e) { return is_given_seam(e); },
+                                  [this](face_descriptor f) { return m_is_bad[get(m_component, f)]; },
+                                  reading) ||
+           refuse(reading, Diagnosis::TOO_LARGE, report);
+  }
+
+  bool has_faces() const { return m_number_of_components > 0; }
+  double largest_coordinate() const { return m_reader.largest_coordinate(); }
+  double scale() const { return m_reader.scale(); }
+  const std::vector<Surface_part>& parts() const { return m_reader.parts(); }
+
+  std::size_t number_of_triangles() const
+  {
+    return parts().empty() ? 0
+                           : static_cast<std::size_t>(parts().back().first_triangle) +
+                                 static_cast<std::size_t>(parts().back().chart.number_of_triangles());
+  }
+
+  // Reads what belongs to edges, and appends the weights of the triangles if there are some. Returns whether they are
+  // right.
+  bool read_attributes(double scale, std::vector<double>& weight, Report& report)
+  {
+    m_reader.set_scale(scale);
+    Reading reading;
+    if(!m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading))
+      return refuse(reading, Diagnosis::WRONG_WEIGHT, report);
+    if constexpr(has_polygons)
+      m_reader.read_diagonals([this](edge_descriptor e) { return is_in_polygon(e); });
+    if(m_keeps_charts)
+      m_reader.read_given_maps([this](halfedge_descriptor h) { return given_uv(h); });
+    return read_weights(weight, report);
+  }
+
+  // The parts are taken away while the atlas is made.
+  std::vector<Surface_part> release_parts() { return std::move(m_reader.parts()); }
+
+  // The parts come back with their charts.
+  void set_charts(std::vector<Surface_part>&& parts, std::vector<Part_atlas>&& charts,
+                  std::vector<std::size_t>&& first_chart)
+  {
+    const int first = parts.empty() ? 0 : parts.front().first_triangle; // in this mesh, it is 0
+    for(Surface_part& part : parts)
+      part.first_triangle -= first;
+    m_reader.parts() = std::move(parts);
+    m_atlas = std::move(charts);
+    m_first_chart = std::move(first_chart);
+  }
+
+  // By their first faces, those that were read and those that cannot be flattened
+  std::vector<Listed_part> listed_parts() const
+  {
+    std::vector<Listed_part> parts;
+    std::vector<std::size_t> size(m_number_of_components, 0), first(m_number_of_components, 0);
+    for(face_descriptor f : faces(m_mesh))
+      if(size[get(m_component, f)]++ == 0)
+        first[get(m_component, f)] = get(m_rank, f);
+    for(const Bad_component& bad : m_bad)
+      parts.push_back(
+          {{0, first[bad.component], size[bad.component], bad.status, bad.message}, false, bad.face});
+    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      parts.push_back({{0, get(m_rank, m_reader.face_of(part.first_triangle)),
+                        static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas[i].status,
+                        m_atlas[i].message},
+                       true,
+                       m_reader.face_of(part.first_triangle)});
+    }
+    std::sort(parts.begin(), parts.end(), [](const Listed_part& p, const Listed_part& q) {
+      return p.part.first_face < q.part.first_face;
+    });
+    return parts;
+  }
+
+  // The first face of each chart that is not good
+  void name_bad_charts(Report& report) const
+  {
+    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+      const Part_atlas& atlas = m_atlas[i];
+      for(std::size_t p = 0; p < atlas.pieces.size(); ++p) {
+        if(report.charts[m_first_chart[i] + p].is_good)
+          continue;
+        const auto first = std::find(atlas.piece.begin(), atlas.piece.end(), static_cast<int>(p));
+        report.offending_faces.push_back(m_reader.face_of(m_reader.parts()[i].first_triangle +
+                                                          static_cast<int>(first - atlas.piece.begin())));
+      }
+    }
+  }
+
+  // Adds the lengths of the sides of seams, which lie between two corners, and the area that has charts.
+  void measure_seams(double& sides, double& area) const
+  {
+    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      const Part_atlas& atlas = m_atlas[i];
+      if(!atlas.succeeded())
+        continue;
+      for(int c = 0; c < part.chart.number_of_corners(); ++c)
+        if(is_seam(part, atlas, c))
+          sides += edge_length(part.chart, c);
+      for(int t = 0; t < part.chart.number_of_triangles(); ++t)
+        area += surface_area(part.chart, t);
+    }
+  }
+
+  void write()
+  {
+    if constexpr(has_seams)
+      write_seams();
+    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      const Part_atlas& atlas = m_atlas[i];
+      for(int c = 0; atlas.succeeded() && c < part.chart.number_of_corners(); ++c)
+        put(m_uv, m_reader.halfedge_to(3 * part.first_triangle + c),
+            planar_point<Point>(atlas.uv[atlas.chart.vertex[c]]));
+    }
+    if constexpr(has_charts)
+      write_charts();
+  }
+
+private:
+  typedef Mesh_report<TriangleMesh, Seam_report> Reading;
+
+  static bool refuse(const Reading& reading, Diagnosis status, Report& report)
+  {
+    report.message = reading.message;
+    report.offending_edges = reading.offending_edges;
+    report.status = status;
+    return false;
+  }
+
+  bool is_given_seam(edge_descriptor e) const
+  {
+    if constexpr(has_seams)
+      if(get(m_seams, e))
+        return true;
+    return m_keeps_charts && !CGAL::is_border(e, m_mesh) && !has_same_uv(halfedge(e, m_mesh));
+  }
+
+  // Whether both sides of an edge have the same coordinates, or none
+  bool has_same_uv(halfedge_descriptor h) const
+  {
+    const halfedge_descriptor o = opposite(h, m_mesh);
+    const auto is_same = [this](halfedge_descriptor g, halfedge_descriptor k) {
+      const Chart::Point_2 p = given_uv(g), q = given_uv(k);
+      return p == q || !(is_finite(p) || is_finite(q));
+    };
+    return is_same(h, prev(o, m_mesh)) && is_same(o, prev(h, m_mesh));
+  }
+
+  static bool is_finite(const Chart::Point_2& p) { return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()); }
+
+  Chart::Point_2 given_uv(halfedge_descriptor h) const
+  {
+    if constexpr(has_readable_uv) {
+      const auto& p = get(m_uv, h);
+      return Chart::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    } else {
+      (void)h;
+      return CGAL::ORIGIN;
+    }
+  }
+
+  // Whether both faces of an edge are parts of one polygon
+  bool is_in_polygon(edge_descriptor e) const
+  {
+    const auto polygons = parameters::get_parameter(m_np, internal_np::face_patch);
+    const halfedge_descriptor h = halfedge(e, m_mesh);
+    return !CGAL::is_border(e, m_mesh) &&
+           get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
+  }
+
+  // Finds the components, opened along the given seams, that are no triangulated surfaces in space.
+  void find_components()
+  {
+    m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_number_of_components = Polygon_mesh_processing::connected_components(
+        m_mesh, m_component,
+        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(
+            [this](edge_descriptor e) { return is_given_seam(e); })));
+    m_is_bad.assign(m_number_of_components, false);
+    std::size_t rank = 0;
+    for(face_descriptor f : faces(m_mesh)) {
+      put(m_rank, f, rank++);
+      const std::size_t component = get(m_component, f);
+      const Diagnosis diagnosis = m_is_bad[component] ? Diagnosis::NOTHING_WRONG : defect(f);
+      if(diagnosis == Diagnosis::NOTHING_WRONG)
+        continue;
+      m_is_bad[component] = true;
+      m_bad.push_back({component, diagnosis, message(f, diagnosis), f});
+    }
+  }
+
+  Diagnosis defect(face_descriptor f) const
+  {
+    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
+      return Diagnosis::NOT_TRIANGULATED;
+    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const auto& p = get(m_points, target(h, m_mesh));
+      if(!(CGAL::is_finite(CGAL::to_double(p.x())) && CGAL::is_finite(CGAL::to_double(p.y())) &&
+           CGAL::is_finite(CGAL::to_double(p.z()))))
+        return Diagnosis::NON_FINITE_POINT;
+    }
+    return Diagnosis::NOTHING_WRONG;
+  }
+
+  std::string message(face_descriptor f, Diagnosis diagnosis) const
+  {
+    const auto& p = get(m_points, target(halfedge(f, m_mesh), m_mesh));
+    std::ostringstream text;
+    text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
+         << ", " << CGAL::to_double(p.z()) << ") "
+         << (diagnosis == Diagnosis::NOT_TRIANGULATED
+                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
+                 : "has a vertex whose coordinates are not all finite");
+    return text.str();
+  }
+
+  bool read_weights([[maybe_unused]] std::vector<double>& weight, [[maybe_unused]] Report& report) const
+  {
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value) {
+      const auto weights = parameters::get_parameter(m_np, internal_np::face_size_map);
+      for(const Surface_part& part : m_reader.parts())
+        for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
+          const face_descriptor f = m_reader.face_of(part.first_triangle + t);
+          weight.push_back(CGAL::to_double(get(weights, f)));
+          if(!(weight.back() >= 0 && CGAL::is_finite(weight.back()))) {
+            report.status = Diagnosis::WRONG_WEIGHT;
+            report.offending_faces = {f};
+            report.message = "face " + std::to_string(get(m_rank, f)) + " has the weight " +
+                             std::to_string(weight.back()) + ", and weights must be finite and not negative";
+            return false;
+          }
+        }
+    }
+    return true;
+  }
+
+  bool is_seam(const Surface_part& part, const Part_atlas& atlas, int c) const
+  {
+    if(atlas.chart.opposite[c] >= 0)
+      return false;
+    const edge_descriptor e = m_reader.edge_of(3 * part.first_triangle + c);
+    return part.chart.opposite[c] >= 0 || (!CGAL::is_border(e, m_mesh) && is_given_seam(e));
+  }
+
+  // Before coordinates are written, which tell the seams that are kept
+  void write_seams()
+  {
+    std::vector<edge_descriptor> seams;
+    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+      const Surface_part& part = m_reader.parts()[i];
+      for(int c = 0; m_atlas[i].succeeded() && c < part.chart.number_of_corners(); ++c)
+        if(is_seam(part, m_atlas[i], c))
+          seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
+    }
+    for(edge_descriptor e : seams)
+      put(m_seams, e, true);
+  }
+
+  void write_charts() const
+  {
+    typedef typename boost::property_traits<FaceChartMap>::value_type Number;
+    static_assert(std::is_signed<Number>::value, "faces without a chart get -1");
+    for(face_descriptor f : faces(m_mesh))
+      put(m_charts, f, Number(-1));
+    for(std::size_t i = 0; i < m_atlas.size(); ++i)
+      for(std::size_t t = 0; m_atlas[i].succeeded() && t < m_atlas[i].piece.size(); ++t)
+        put(m_charts, m_reader.face_of(m_reader.parts()[i].first_triangle + static_cast<int>(t)),
+            static_cast<Number>(m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[t])));
+  }
+
+  const TriangleMesh& m_mesh;
+  EdgeIsSeamMap m_seams;
+  HalfedgeUVMap m_uv;
+  FaceChartMap m_charts;
+  const bool m_keeps_charts; // those of the coordinates that are there
+  const NamedParameters& m_np;
+  Vertex_point_map m_points;
+  Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
+      m_component,
+      m_rank; // of each face
+  std::size_t m_number_of_components = 0;
+  std::vector<char> m_is_bad; // of each component
+  std::vector<Bad_component> m_bad;
+  std::vector<Part_atlas> m_atlas;        // of each part
+  std::vector<std::size_t> m_first_chart; // of each part
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_IN_ATLAS_H
