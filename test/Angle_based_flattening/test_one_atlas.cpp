@@ -13,12 +13,10 @@
 
 BOOST_AUTO_TEST_SUITE(test_one_atlas)
 
-namespace {
-
 using textured::read_textured;
 using textured::Textured_face;
 
-std::string obj_ball(const double radius, const double x, const std::uint32_t n = 8)
+inline std::string obj_ball(const double radius, const double x, const std::uint32_t n = 8)
 {
   const generated::Ball ball(n, n + 4);
   std::ostringstream text;
@@ -71,8 +69,6 @@ struct Models : Folder
     return child->second;
   }
 };
-
-} // namespace
 
 BOOST_FIXTURE_TEST_SUITE(of_the_program, Models)
 
