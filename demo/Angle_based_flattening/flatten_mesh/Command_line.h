@@ -31,6 +31,7 @@ struct Atlas_options
   bool charts_from_materials = false;
   bool repacks = false;        // keeps the charts of the texture coordinates in the input
   bool repairs_charts = false; // of these, flattens those anew that are not injective
+  int uv_set = 0;              // which set of texture coordinates the atlas becomes
   std::string only_materials;  // names with commas between them, or empty; likewise:
   std::string ignored;
   bool is_packed = true;

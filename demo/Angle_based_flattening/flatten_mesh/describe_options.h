@@ -162,11 +162,13 @@ inline po::options_description atlas_options(Command_line& command)
       "edges between faces of different materials are seams");
   add("repack", po::bool_switch(&atlas.repacks),
       "keep the charts of the texture coordinates in the input, with their shapes, and only pack them anew, "
-      "all "
-      "with the same density of texels. Charts that are flipped or overlap themselves, and faces without "
+      "all with the same density of texels. Charts that are flipped or overlap themselves, and faces without "
       "coordinates, are named, and nothing is written");
   add("repair-charts", po::bool_switch(&atlas.repairs_charts),
       "with --repack: flatten such charts anew, and keep all others");
+  add("uv-set", count_option(atlas.uv_set),
+      "0: the atlas becomes the first texture coordinates. 1: it becomes the second ones, as light maps have "
+      "them, and the first ones of the input stay: TEXCOORD_1 of GLB, or a list 'texcoord1' of PLY files");
   add("only-material", po::value(&atlas.only_materials)->value_name("NAME[,NAME]"),
       "only faces of these materials get charts. All others stay in the output with the texture coordinates "
       "that they had; the surface has a border there");

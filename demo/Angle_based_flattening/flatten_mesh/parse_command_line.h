@@ -9,6 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/check_one_atlas.h"
 #include "flatten_mesh/check_options.h"
+#include "flatten_mesh/check_uv_set.h"
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/face_options.h"
 #include "flatten_mesh/texts.h"
@@ -82,6 +83,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   }
   internal::check_atlas(values, command);
   internal::check_face_choice(values, command.atlas);
+  internal::check_uv_set(command);
   internal::check_plain(values, command);
 }
 

@@ -9,6 +9,7 @@
 #include "flatten_mesh/compiled.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/set_aside.h"
+#include "flatten_mesh/check_uv_set.h"
 #include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/build_mesh_impl.h"
 #include "flatten_mesh/model/check_polygons.h"
@@ -99,6 +100,7 @@ FLATTEN_MESH_INLINE Atlas_input read_atlas_input(const Command_line& command, No
 {
   Model model =
       read_model(command.input, Degenerate_faces::KEPT, notes, command.format, gltf_options_of(command));
+  check_first_set(command, model);
   try {
     return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command),
                           face_choice_of(command.atlas));

@@ -231,7 +231,10 @@ void write_model_or_baked(const Command_line& command, const Model& model, const
 #endif
   if(!command.output.empty()) {
     Model_texture texture = texture_of(model, mesh, origins, atlas);
-    keep_left_out_texture(face_choice_of(command.atlas), model, texture);
+    texture.is_second_set = command.atlas.uv_set == 1;
+    if(!texture.is_second_set) {
+      keep_left_out_texture(face_choice_of(command.atlas), model, texture);
+    }
     write_model(files.open(command.output), command.output, model, texture);
   }
 }

@@ -23,6 +23,7 @@ struct Model_texture
 {
   std::vector<Kernel::Point_2> uv; // of each corner; NaN where there are none
   std::vector<Index> charts;   // of each polygon: the chart that it is in, or `no_index`; empty: one chart
+  bool is_second_set = false;  // after the coordinates of the model, which are then written as well
   std::vector<bool> is_turned; // of each polygon: to be written with its corners in reverse order
   std::vector<std::array<double, 4>> tangents; // of each corner, as in glTF, or empty
   std::string normal_picture, color_picture;   // PNG files that fit the coordinates, or empty
@@ -34,6 +35,16 @@ struct Model_texture
 
   Index chart(const Index polygon) const { return charts.empty() ? 0 : charts[polygon]; }
 };
+
+// The first of two sets. Where a corner of the model has none, they are 0 in glTF.
+inline Kernel::Point_2 first_of_two_uv(const Model& model, const Index corner)
+{
+  const Index point = model.texture_point(corner);
+  return point == no_index || !std::isfinite(model.texture[point].x()) ||
+                 !std::isfinite(model.texture[point].y())
+             ? Kernel::Point_2(0, 1)
+             : model.texture[point];
+}
 
 namespace internal {
 

@@ -84,6 +84,9 @@ tinygltf::Primitive add_primitive(tinygltf::Model& model, const Glb_primitive& g
   if(!given.texture.empty()) {
     primitive.attributes["TEXCOORD_0"] = add_floats(model, given.texture, 2, TINYGLTF_TYPE_VEC2);
   }
+  if(!given.second_texture.empty()) {
+    primitive.attributes["TEXCOORD_1"] = add_floats(model, given.second_texture, 2, TINYGLTF_TYPE_VEC2);
+  }
   if(!given.colors.empty()) {
     primitive.attributes["COLOR_0"] = add_floats(model, given.colors, 4, TINYGLTF_TYPE_VEC4);
   }

@@ -31,17 +31,18 @@ struct Glb_pictures
 struct Glb_primitive
 {
   std::size_t material = 0;
-  std::vector<float> positions; // 3
-  std::vector<float> normals;   // 3, or empty
-  std::vector<float> tangents;  // 4, or empty
-  std::vector<float> texture;   // 2, or empty
-  std::vector<float> colors;    // 4, or empty
+  std::vector<float> positions;      // 3
+  std::vector<float> normals;        // 3, or empty
+  std::vector<float> tangents;       // 4, or empty
+  std::vector<float> texture;        // 2, or empty
+  std::vector<float> second_texture; // 2, or empty; only after the first one
+  std::vector<float> colors;         // 4, or empty
   std::vector<std::uint32_t> indices;
 
   std::size_t bytes() const
   {
     return sizeof(float) * (positions.size() + normals.size() + tangents.size() + texture.size() +
-                            colors.size() + indices.size());
+                            second_texture.size() + colors.size() + indices.size());
   }
 };
 

@@ -62,10 +62,11 @@ struct Gltf_triangles
   std::vector<std::uint32_t> triangles; // 3 new vertices each
 };
 
-// The file again, binary, with other triangles. Their texture coordinates are the first ones. Those that were there
-// before come after them, and textures keep to them. Throws an `Output_error` if it is too large for the format.
+// The file again, binary, with other triangles. Their texture coordinates are the first ones, or the second ones. Those
+// that were there before come after them, and textures keep to them. Throws an `Output_error` if it is too large for the
+// format.
 std::string gltf_with_texture(const Gltf_file& file, const std::vector<Gltf_triangles>& triangles,
-                              const std::string& output);
+                              bool is_second_set, const std::string& output);
 
 } // namespace flatten_mesh
 

@@ -34,7 +34,8 @@ class Glb_part
 {
 public:
   Glb_part(const Model& model, const Model_texture& texture, const bool has_uv, const bool has_normals)
-      : m_model(model), m_texture(texture), m_has_uv(has_uv), m_has_normals(has_normals)
+      : m_model(model), m_texture(texture), m_has_uv(has_uv), m_has_normals(has_normals),
+        m_has_first(texture.is_second_set && (has_uv || !model.texture.empty()))
   {}
 
   void add_corner(const Index c) { m_primitive.indices.push_back(vertex_of(c)); }
@@ -47,6 +48,7 @@ private:
   bool is_same(const Index c, const Index d) const
   {
     return (!m_has_uv || m_texture.uv[c] == m_texture.uv[d]) &&
+           (!m_has_first || first_of_two_uv(m_model, c) == first_of_two_uv(m_model, d)) &&
            (!m_has_normals || m_model.normals[m_model.normal(c)] == m_model.normals[m_model.normal(d)]) &&
            (!has_tangents() || m_texture.tangents[c] == m_texture.tangents[d]);
   }
@@ -76,9 +78,15 @@ private:
     for(int axis = 0; axis < 3; ++axis) {
       add(m_primitive.positions, m_model.points[v][axis]);
     }
-    if(m_has_uv) { // there, v goes down
-      add(m_primitive.texture, m_texture.uv[c].x());
-      add(m_primitive.texture, 1 - m_texture.uv[c].y());
+    const auto add_uv = [&add](std::vector<float>& numbers, const Kernel::Point_2& uv) {
+      add(numbers, uv.x());
+      add(numbers, 1 - uv.y()); // there, v goes down
+    };
+    if(m_has_first) {
+      add_uv(m_primitive.texture, first_of_two_uv(m_model, c));
+    }
+    if(m_has_uv) {
+      add_uv(m_has_first ? m_primitive.second_texture : m_primitive.texture, m_texture.uv[c]);
     }
     if(m_has_normals) {
       const Kernel::Vector_3& normal = m_model.normals[m_model.normal(c)];
@@ -103,6 +111,7 @@ private:
   const Model_texture& m_texture;
   bool m_has_uv;
   bool m_has_normals;
+  bool m_has_first; // of two sets
   Glb_primitive m_primitive;
   std::vector<Index> m_corners;                    // of each vertex: one of its corners
   std::vector<std::uint32_t> m_before;             // of each vertex: the vertex before it of the same point

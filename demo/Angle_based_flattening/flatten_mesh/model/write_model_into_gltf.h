@@ -90,7 +90,7 @@ inline void write_model_into_gltf(Output_file& file, const std::string& name, co
   for(auto& [key, part] : parts) {
     triangles.push_back(part.result());
   }
-  file.write(gltf_with_texture(*model.gltf.file, triangles, name));
+  file.write(gltf_with_texture(*model.gltf.file, triangles, texture.is_second_set, name));
 }
 
 } // namespace flatten_mesh

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -88,9 +89,9 @@ private:
   void write_header()
   {
     const std::string real = m_is_double ? "double" : "float", count = m_is_large ? "uint" : "uchar";
-    m_text = "ply\nformat binary_little_endian 1.0\ncomment texture coordinates 'texcoord' by flatten_mesh\n"
-             "element vertex " +
-             std::to_string(m_model.points.size()) + "\n";
+    const std::string list = m_texture.is_second_set ? "texcoord1" : "texcoord";
+    m_text = "ply\nformat binary_little_endian 1.0\ncomment texture coordinates '" + list +
+             "' by flatten_mesh\nelement vertex " + std::to_string(m_model.points.size()) + "\n";
     add_properties(real, {"x", "y", "z"});
     if(!m_normals.empty()) {
       add_properties(real, {"nx", "ny", "nz"});
@@ -103,6 +104,9 @@ private:
     }
     m_text += "element face " + std::to_string(m_model.number_of_polygons()) + "\nproperty list " + count +
               " int vertex_indices\nproperty list " + count + " float texcoord\n";
+    if(m_texture.is_second_set) {
+      m_text += "property list " + count + " float texcoord1\n";
+    }
     if(!m_texture.charts.empty()) {
       add_properties("int", {"chart"});
     }
@@ -136,19 +140,39 @@ private:
   {
     const Index first = m_model.first_corners[p], size = m_model.size(p);
     const auto corner = [&](const Index i) { return first + (m_texture.is_turned[p] ? size - 1 - i : i); };
-    bool has_uv = true;
     add_count(size);
     for(Index i = 0; i < size; ++i) {
       add(static_cast<std::int32_t>(m_model.vertices[corner(i)]));
-      has_uv = has_uv && m_texture.has_uv(corner(i));
+    }
+    if(m_texture.is_second_set) {
+      add_uv(size, [&](const Index i) { return own_uv(corner(i)); });
+    }
+    add_uv(size, [&](const Index i) { return m_texture.uv[corner(i)]; });
+    if(!m_texture.charts.empty()) {
+      add(static_cast<std::int32_t>(m_texture.charts[p])); // -1: none
+    }
+  }
+
+  // NaN where there is none
+  Kernel::Point_2 own_uv(const Index c) const
+  {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const Index point = m_model.texture_point(c);
+    return point == no_index ? Kernel::Point_2(none, none) : m_model.texture[point];
+  }
+
+  // The coordinates of all corners, or none
+  template <class Uv>
+  void add_uv(const Index size, const Uv& uv)
+  {
+    bool has_uv = true;
+    for(Index i = 0; i < size; ++i) {
+      has_uv = has_uv && std::isfinite(uv(i).x());
     }
     add_count(has_uv ? 2 * size : 0);
     for(Index i = 0; has_uv && i < size; ++i) {
-      add(static_cast<float>(m_texture.uv[corner(i)].x()));
-      add(static_cast<float>(m_texture.uv[corner(i)].y()));
-    }
-    if(!m_texture.charts.empty()) {
-      add(static_cast<std::int32_t>(m_texture.charts[p])); // -1: none
+      add(static_cast<float>(uv(i).x()));
+      add(static_cast<float>(uv(i).y()));
     }
   }
 
@@ -203,7 +227,8 @@ private:
 
 } // namespace internal
 
-// Points with their normals and colours, polygons, and the texture coordinates of their corners as a list `texcoord`.
+// Points with their normals and colours, polygons, and the texture coordinates of their corners as a list `texcoord`. A
+// second set is a list `texcoord1`.
 inline void write_model_ply(Output_file& file, const Model& model, const Model_texture& texture)
 {
   internal::Model_ply_writer(file, model, texture).write();

@@ -32,7 +32,8 @@ namespace {
 class Gltf_rewriter
 {
 public:
-  explicit Gltf_rewriter(const Gltf_file& file) : m_file(file), m_accessors(file), m_model(file.model)
+  Gltf_rewriter(const Gltf_file& file, const int set)
+      : m_file(file), m_set(set), m_accessors(file), m_model(file.model)
   {
     m_model.accessors.clear();
     m_model.bufferViews.clear();
@@ -50,12 +51,12 @@ public:
       const auto [mesh, number] = m_file.primitives[triangles.primitive];
       const tinygltf::Primitive& given =
           m_file.model.meshes[static_cast<std::size_t>(mesh)].primitives[static_cast<std::size_t>(number)];
-      has_textures = has_textures || has_texture_keys(given);
+      has_textures = has_textures || has_moved_keys(given, m_set);
       m_model.meshes[static_cast<std::size_t>(mesh)].primitives.push_back(primitive(given, triangles));
     }
     if(has_textures) {
       for(tinygltf::Material& material : m_model.materials) {
-        use_next_texture(material);
+        use_next_texture(material, m_set);
       }
     }
     remove_empty_meshes();
@@ -102,19 +103,19 @@ private:
     result.mode = TINYGLTF_MODE_TRIANGLES;
     result.attributes.clear();
     for(const auto& [key, accessor] : given.attributes) {
-      result.attributes[is_texture_key(key) ? next_key(key) : key] =
+      result.attributes[next_key(key, m_set)] =
           add_chosen({accessor, key}, triangles.vertices, key == "POSITION");
     }
-    if(!triangles.texture.empty() || has_texture_keys(given)) { // they are counted from 0 without a gap
-      std::vector<float> texture = triangles.texture;
-      texture.resize(2 * triangles.vertices.size(), 0);
-      result.attributes[texture_key + "0"] =
-          add(texture, TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    if(!triangles.texture.empty() || has_moved_keys(given, m_set)) {
+      add_texture(triangles.texture, m_set, triangles.vertices.size(), result);
+      if(result.attributes.count(texture_key + "0") == 0) {
+        add_texture({}, 0, triangles.vertices.size(), result);
+      }
     }
     for(auto& target : result.targets) {
       std::map<std::string, int> chosen;
       for(const auto& [key, accessor] : target) {
-        chosen[is_texture_key(key) ? next_key(key) : key] =
+        chosen[next_key(key, m_set)] =
             add_chosen({accessor, key + " of a morph target"}, triangles.vertices, key == "POSITION");
       }
       target = chosen;
@@ -122,6 +123,15 @@ private:
     result.indices = add(triangles.triangles, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
                          TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     return result;
+  }
+
+  // A set of texture coordinates, with 0 where there are none: sets are counted from 0 without a gap.
+  void add_texture(std::vector<float> numbers, const int set, const std::size_t vertices,
+                   tinygltf::Primitive& primitive)
+  {
+    numbers.resize(2 * vertices, 0);
+    primitive.attributes[texture_key + std::to_string(set)] =
+        add(numbers, TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
   }
 
   // Appends bytes to the only buffer, each view where any numbers may begin.
@@ -256,6 +266,7 @@ private:
   }
 
   const Gltf_file& m_file;
+  int m_set; // that the new texture coordinates become
   Gltf_accessors m_accessors;
   tinygltf::Model m_model;
   std::map<int, int> m_kept; // of accessors in the file: their new number
@@ -264,9 +275,9 @@ private:
 } // namespace
 
 std::string gltf_with_texture(const Gltf_file& file, const std::vector<Gltf_triangles>& triangles,
-                              const std::string& output)
+                              const bool is_second_set, const std::string& output)
 {
-  Gltf_rewriter rewriter(file);
+  Gltf_rewriter rewriter(file, is_second_set ? 1 : 0);
   rewriter.replace_triangles(triangles);
   rewriter.keep_other_numbers();
   return rewriter.text(output);

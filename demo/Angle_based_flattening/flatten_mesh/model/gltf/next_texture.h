@@ -25,59 +25,67 @@ inline bool is_texture_key(const std::string& key)
                      [](const char c) { return c >= '0' && c <= '9'; });
 }
 
-// Texture coordinates make room for the new ones.
-inline std::string next_key(const std::string& key)
+// Texture coordinates make room for the new ones, which become the set number `set`.
+inline int next_set(const int number, const int set)
 {
-  return texture_key + std::to_string(std::stoi(key.substr(texture_key.size())) + 1);
+  return number < set ? number : number + 1;
 }
 
-inline bool has_texture_keys(const tinygltf::Primitive& primitive)
+inline std::string next_key(const std::string& key, const int set)
 {
-  return std::any_of(primitive.attributes.begin(), primitive.attributes.end(),
-                     [](const auto& attribute) { return is_texture_key(attribute.first); });
+  return is_texture_key(key)
+             ? texture_key + std::to_string(next_set(std::stoi(key.substr(texture_key.size())), set))
+             : key;
+}
+
+inline bool has_moved_keys(const tinygltf::Primitive& primitive, const int set)
+{
+  return std::any_of(primitive.attributes.begin(), primitive.attributes.end(), [set](const auto& attribute) {
+    return next_key(attribute.first, set) != attribute.first;
+  });
 }
 
 // Textures that extensions name, wherever they are
-inline void use_next_texture(tinygltf::Value& value)
+inline void use_next_texture(tinygltf::Value& value, const int set)
 {
   if(value.IsArray()) {
     for(tinygltf::Value& item : value.Get<tinygltf::Value::Array>()) {
-      use_next_texture(item);
+      use_next_texture(item, set);
     }
   } else if(value.IsObject()) {
     auto& object = value.Get<tinygltf::Value::Object>();
     for(auto& [key, item] : object) {
-      use_next_texture(item);
+      use_next_texture(item, set);
     }
     if(object.count("index") != 0 || object.count("texCoord") != 0) {
       const int before = object.count("texCoord") != 0 ? object["texCoord"].GetNumberAsInt() : 0;
-      object["texCoord"] = tinygltf::Value(before + 1);
+      object["texCoord"] = tinygltf::Value(next_set(before, set));
     }
   }
 }
 
-inline void use_next_texture(tinygltf::ExtensionMap& extensions)
+inline void use_next_texture(tinygltf::ExtensionMap& extensions, const int set)
 {
   for(auto& [name, value] : extensions) {
-    use_next_texture(value);
+    use_next_texture(value, set);
   }
 }
 
 template <class Info>
-void use_next_texture_of(Info& info)
+void use_next_texture_of(Info& info, const int set)
 {
-  ++info.texCoord;
-  use_next_texture(info.extensions);
+  info.texCoord = next_set(info.texCoord, set);
+  use_next_texture(info.extensions, set);
 }
 
-inline void use_next_texture(tinygltf::Material& material)
+inline void use_next_texture(tinygltf::Material& material, const int set)
 {
-  use_next_texture_of(material.pbrMetallicRoughness.baseColorTexture);
-  use_next_texture_of(material.pbrMetallicRoughness.metallicRoughnessTexture);
-  use_next_texture_of(material.normalTexture);
-  use_next_texture_of(material.occlusionTexture);
-  use_next_texture_of(material.emissiveTexture);
-  use_next_texture(material.extensions);
+  use_next_texture_of(material.pbrMetallicRoughness.baseColorTexture, set);
+  use_next_texture_of(material.pbrMetallicRoughness.metallicRoughnessTexture, set);
+  use_next_texture_of(material.normalTexture, set);
+  use_next_texture_of(material.occlusionTexture, set);
+  use_next_texture_of(material.emissiveTexture, set);
+  use_next_texture(material.extensions, set);
 }
 
 } // namespace flatten_mesh
