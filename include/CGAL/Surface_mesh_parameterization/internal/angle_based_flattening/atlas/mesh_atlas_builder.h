@@ -113,7 +113,9 @@ private:
     if(!is_read)
       return report;
     const Linear_solvers solvers = linear_solvers(m_np);
-    m_atlas = build_atlas(m_reader.parts(), m_weight, m_options, solvers, &round_to_points<Point>);
+    Atlas_settings options = m_options;
+    options.texels_per_unit *= m_weight_scale;
+    m_atlas = build_atlas(m_reader.parts(), m_weight, options, solvers, &round_to_points<Point>);
     static_cast<Atlas_report&>(report) = std::move(m_atlas.report);
     report.seconds.read = seconds;
     if(m_options.pack_into_square)
