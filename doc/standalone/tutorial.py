@@ -71,5 +71,5 @@ class Clone:
 
 def outputs(words):
     """The names of the files that a command writes."""
-    named = ("--output", "-o", "--picture", "--svg", "--json", "--seams-to", "--report")
+    named = ("--output", "-o", "--picture", "--svg", "--json", "--seams-to", "--report", "--chart-image")
     return [value for option, value in zip(words, words[1:]) if option in named]

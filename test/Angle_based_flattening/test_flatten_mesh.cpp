@@ -421,7 +421,9 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                             "weld",       "unique-instances",
                             "up",         "repair",
                             "mip-levels", "for",
-                            "isometric",  "seam-price"}) {
+                            "isometric",  "seam-price",
+                            "block",      "texels-per-unit",
+                            "chart-image"}) {
     BOOST_TEST((standard_output.find("--" + std::string(option)) != std::string::npos), option);
   }
 }

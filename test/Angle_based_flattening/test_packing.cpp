@@ -84,9 +84,8 @@ void check_packing(const Planar_charts& charts, const Packing& packing, const Pa
   const Texel_oracle oracle(corners, charts.chart, options.resolution);
   BOOST_TEST(!oracle.are_too_near(options.number_of_gutter_texels()));
   BOOST_TEST(oracle.border() >= (options.number_of_gutter_texels() + 1) / 2);
-  BOOST_TEST((ABF::certify_packing(corners, charts.chart, charts.number, options.resolution,
-                                   options.number_of_gutter_texels())
-                  .status == Packing_check::CERTIFIED));
+  BOOST_TEST((ABF::certify_packing(corners, charts.chart, packing.page, options).status ==
+              Packing_check::CERTIFIED));
   BOOST_TEST(std::abs(sum_of_areas(corners) / packing.covered_share - 1) < 1e-6);
 
   std::vector<double> area(charts.number, 0), should(charts.number, 0);
@@ -155,8 +154,7 @@ BOOST_AUTO_TEST_CASE(high_resolutions)
     BOOST_REQUIRE(packing.status == Packing::DONE);
     const std::vector<Planar_point> corners = placed_corners(charts, packing);
     BOOST_TEST(
-        (ABF::certify_packing(corners, charts.chart, charts.number, resolution, o.number_of_gutter_texels())
-             .status == Packing_check::CERTIFIED));
+        (ABF::certify_packing(corners, charts.chart, packing.page, o).status == Packing_check::CERTIFIED));
   }
 }
 
@@ -193,8 +191,9 @@ BOOST_AUTO_TEST_CASE(any_resolution_and_gutter)
       BOOST_REQUIRE((packing.status == Packing::DONE || packing.status == Packing::TOO_MANY_CHARTS));
       if(packing.status == Packing::DONE) {
         const std::vector<Planar_point> corners = placed_corners(charts, packing);
-        BOOST_TEST((ABF::certify_packing(corners, charts.chart, 2, resolution, gutter).status ==
-                    Packing_check::CERTIFIED));
+        BOOST_TEST(
+            (ABF::certify_packing(corners, charts.chart, packing.page, options(resolution, gutter)).status ==
+             Packing_check::CERTIFIED));
       }
       // Two texels with the gutter between them, and half of it around
       BOOST_TEST((packing.status == Packing::DONE) == (resolution >= 2 + gutter + (gutter + 1) / 2 * 2));
@@ -218,8 +217,7 @@ BOOST_AUTO_TEST_CASE(certificate_equals_the_oracle)
         if(charts.chart[c / 3] == moved)
           corners[c] += shift;
       const Texel_oracle oracle(corners, charts.chart, 64);
-      const Packing_check check =
-          ABF::certify_packing(corners, charts.chart, 6, 64, o.number_of_gutter_texels());
+      const Packing_check check = ABF::certify_packing(corners, charts.chart, std::vector<int>(6, 0), o);
       if(oracle.border() < (o.number_of_gutter_texels() + 1) / 2) {
         BOOST_TEST((check.status == Packing_check::OUTSIDE));
         BOOST_TEST(charts.chart[check.triangle] == moved);

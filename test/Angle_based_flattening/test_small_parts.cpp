@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(small_parts_need_texels)
   const Atlas_run run = make_atlas_of(
       small_parts(2000), with<Atlas_options>(&Atlas_options::resolution, 128, &Atlas_options::gutter, 2));
   BOOST_TEST(run.report.status == Diagnosis::PACKING_FAILED);
-  BOOST_TEST(run.report.message.find("2000 charts do not fit into the square") != std::string::npos,
+  BOOST_TEST(run.report.message.find("2000 charts do not fit into a page of 128 x 128") != std::string::npos,
              run.report.message);
 }
 

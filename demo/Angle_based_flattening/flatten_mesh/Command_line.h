@@ -36,8 +36,13 @@ struct Atlas_options
   std::string ignored;
   bool is_packed = true;
   std::string units = "square";
+  std::string page =
+      "1024"; // the texels along its sides, also as in "2048x1024"; check_pages() sets both numbers
   int resolution = 1024;
-  int gutter = 0; // set by check_gutter(), unless it is given
+  int height = 1024;
+  int block = 1;
+  double texels_per_unit = 0; // 0: the charts fill one page
+  int gutter = 0;             // set by check_gutter(), unless it is given
   int mip_levels = 0;
   int rotations = 32;
   std::string bake_from;        // a file, or empty
@@ -60,6 +65,7 @@ struct Command_line
   std::string picture;
   std::string up = "auto"; // the axis that points upwards in it
   std::string report;
+  std::string chart_image;
   std::string json;
   std::string seams_to;
   bool is_plain = false;

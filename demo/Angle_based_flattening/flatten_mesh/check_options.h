@@ -13,6 +13,7 @@
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/formats.h"
+#include "flatten_mesh/page_options.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
@@ -73,10 +74,10 @@ inline void check_files(Command_line& command)
   }
   check_outputs_of_inputs(command);
 #ifndef ABF_WITH_PNG
-  if(!command.picture.empty()) {
-    throw Usage_error(
-        "this program was built without libpng, which --picture needs: install libpng-dev and build "
-        "it again, or use --svg");
+  if(!command.picture.empty() || !command.chart_image.empty()) {
+    throw Usage_error(std::string("this program was built without libpng, which --") +
+                      (command.picture.empty() ? "chart-image" : "picture") +
+                      " needs: install libpng-dev and build it again, or use --svg");
   }
 #endif
 #ifndef ABF_WITH_THREE
@@ -114,28 +115,28 @@ inline void check_numbers(const Command_line& command)
   check(abf.clearance > 0 && abf.clearance <= 1, "--clearance takes a number above 0 and at most 1");
   check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
   check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
-  check(atlas.resolution >= 16 && atlas.resolution <= 16384, "--resolution takes a number from 16 to 16384");
   check(atlas.rotations >= 1 && atlas.rotations <= 1024, "--rotations takes a number from 1 to 1024");
 }
 
 // Sets the gutter where it is not given.
 inline void check_gutter(const Values& values, Atlas_options& atlas)
 {
+  const int shorter_side = (std::min)(atlas.resolution, atlas.height);
   if(is_given(values, "mip-levels")) {
     if(is_given(values, "gutter")) {
       throw Usage_error("--mip-levels and --gutter exclude each other: N levels are a gutter of 2^N texels");
     }
-    if(atlas.mip_levels < 0 || atlas.mip_levels > 10 || 1 << atlas.mip_levels > atlas.resolution / 4) {
+    if(atlas.mip_levels < 0 || atlas.mip_levels > 10 || 1 << atlas.mip_levels > shorter_side / 4) {
       throw Usage_error("--mip-levels takes a number N from 0 to 10, where 2^N is at most a quarter of "
                         "--resolution; see --help");
     }
     atlas.gutter = 1 << atlas.mip_levels;
   } else if(!is_given(values, "gutter")) {
     SMP::Packing_options options;
-    options.resolution = atlas.resolution;
+    options.resolution = shorter_side;
     atlas.gutter = options.number_of_gutter_texels();
   }
-  if(atlas.gutter < 0 || atlas.gutter > atlas.resolution / 4) {
+  if(atlas.gutter < 0 || atlas.gutter > shorter_side / 4) {
     throw Usage_error("--gutter takes a number from 0 to a quarter of --resolution; see --help");
   }
 }
@@ -362,11 +363,14 @@ inline void check_atlas(const Values& values, Command_line& command)
   }
   check_baking(values, command);
   check_repack(values, atlas);
+  check_page_size(atlas);
+  check_pages(is_given(values, "texels-per-unit"), command);
   check_gutter(values, atlas);
   if(atlas.is_packed) {
     return;
   }
-  for(const char* option : {"resolution", "gutter", "mip-levels", "rotations", "seam-price"}) {
+  for(const char* option :
+      {"resolution", "texels-per-unit", "block", "gutter", "mip-levels", "rotations", "seam-price"}) {
     if(is_given(values, option)) {
       throw Usage_error(std::string("--") + option +
                         " goes without --no-pack: it says how charts are packed");
@@ -425,7 +429,8 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
   if(std::count(command.inputs.begin(), command.inputs.end(), "") != 0) {
     empty.push_back("input");
   }
-  for(const char* option : {"output", "svg", "picture", "report", "seams-to", "json", "bake-from"}) {
+  for(const char* option :
+      {"output", "svg", "picture", "report", "chart-image", "seams-to", "json", "bake-from"}) {
     if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
       empty.push_back(option);
     }

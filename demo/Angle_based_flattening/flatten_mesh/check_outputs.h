@@ -30,13 +30,14 @@ struct Output_option
   std::vector<std::string> formats; // the extensions
 };
 
-inline const std::array<Output_option, 6>& output_options()
+inline const std::array<Output_option, 7>& output_options()
 {
-  static const std::array<Output_option, 6> options = {
+  static const std::array<Output_option, 7> options = {
       {{"output", &Command_line::output, {"obj", "ply", "glb"}},
        {"svg", &Command_line::svg, {"svg"}},
        {"picture", &Command_line::picture, {"png"}},
        {"report", &Command_line::report, {"html"}},
+       {"chart-image", &Command_line::chart_image, {"png"}},
        {"seams-to", &Command_line::seams_to, {"txt"}},
        {"json", &Command_line::json, {"json"}}}};
   return options;

@@ -71,13 +71,17 @@ inline po::options_description file_options(Command_line& command)
       "write a page for browsers, which needs no network: the surface, which can be turned, beside the "
       "plane, both with a checkerboard, or coloured by chart or by distortion; the measures; the worst "
       "faces. Surfaces of more than 250,000 triangles are thinned for display (where built with three.js)");
+  add("chart-image", po::value(&command.chart_image)->value_name("FILE.png"),
+      "write an image with the texels of a page, each in the colour of its chart, as in the SVG; texels "
+      "without chart are transparent. With several pages, FILE contains <UDIM>, which stands for 1001, "
+      "1002, ... (where built with libpng)");
   add("seams-to", po::value(&command.seams_to)->value_name("FILE.selection.txt"),
       "write the edges along which the surface was cut open, for --seams-from, --cut, CGAL::Seam_mesh and "
       "CGAL's demo: pairs of vertices of the surface in FILE.obj, from 0");
   add("json", po::value(&command.json)->value_name("FILE.json"),
       "write the report for programs. Angles are in radians; 'status' is OK or says what went wrong. If "
       "something is wrong, the file contains at least 'status', 'message' and 'input'. '-' in place of any "
-      "of these six files is standard output; the text for people is then on standard error. With several "
+      "of these seven files is standard output; the text for people is then on standard error. With several "
       "inputs, each of these names contains a '%', which stands for the name of the input without folder "
       "and extension");
   return options;
@@ -179,7 +183,15 @@ inline po::options_description atlas_options(Command_line& command)
   add("units", name_option(atlas.units),
       "square: the atlas fills the unit square. world: it is as large as the surface; charts that are not "
       "packed always are");
-  add("resolution", count_option(atlas.resolution), "number of texels along each side of the square");
+  add("resolution", po::value(&atlas.page)->value_name("N|WxH")->default_value(atlas.page),
+      "number of texels along each side of a page, or along its width and its height, as in 2048x1024. A "
+      "page is the unit square, whatever its texels");
+  add("texels-per-unit", po::value(&atlas.texels_per_unit)->value_name("N"),
+      "number of texels per unit of length on the surface. There are as many pages as the charts then "
+      "take, side by side as in UDIM, ten in a row; charts larger than a page are cut. Without it, there is "
+      "one page, which the charts fill");
+  add("block", count_option(atlas.block),
+      "no block of N x N texels belongs to two charts, for compressed textures; N divides --resolution");
   add("gutter", po::value(&atlas.gutter)->value_name("N"),
       "number of texels that stay free between charts; by default, a 256th of --resolution, at least 1");
   add("mip-levels", po::value(&atlas.mip_levels)->value_name("N"),

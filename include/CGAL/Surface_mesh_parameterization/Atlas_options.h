@@ -35,17 +35,34 @@ struct Seam_options
 /// Options of `pack_charts()`.
 struct Packing_options
 {
-  int resolution = 1024; ///< Number of texels along each side of the unit square, from 1 to 32768.
+  int resolution = 1024; ///< Number of texels along the horizontal sides of a page, from 1 to 32768.
 
-  /// Number of free texels between two charts, from 0 to 1024; by default, a 256th of the resolution, at least 1: 4 for
-  /// 1024. Half as many, rounded up, are free at the border of the square. With \f$2^n\f$, no texel of the first
-  /// \f$n\f$ reduced copies of a texture (mipmaps) belongs to two charts.
+  /// Number of texels along the vertical sides of a page, from 1 to 32768; by default, the same as `resolution`.
+  std::optional<int> height;
+
+  /// Number of free texels between two charts, from 0 to 1024; by default, a 256th of the shorter side of a page, at
+  /// least 1: 4 for 1024. Half as many, rounded up, are free at the border of a page. With \f$2^n\f$, no texel of the
+  /// first \f$n\f$ reduced copies of a texture (mipmaps) belongs to two charts.
   std::optional<int> gutter;
+
+  /// Number of texels along each side of a block, from 1 to 1024, for compressed textures: no block belongs to two
+  /// charts. It divides both sides of a page.
+  int block = 1;
+
+  /// Number of texels per unit of length on the surface, for faces of weight 1. The charts then take as many pages as
+  /// they need. With 0, there is one page, and the charts are as large as the search finds.
+  double texels_per_unit = 0;
 
   int number_of_rotations = 32; ///< Number of directions that are tried for large charts, from 1 to 1024.
 
+  /// The number of texels along the vertical sides of a page: `height`, or its default.
+  int number_of_rows() const { return height.value_or(resolution); }
+
   /// The number of free texels between two charts: `gutter`, or its default.
-  int number_of_gutter_texels() const { return gutter.value_or((std::max)(1, resolution / 256)); }
+  int number_of_gutter_texels() const
+  {
+    return gutter.value_or((std::max)(1, (std::min)(resolution, number_of_rows()) / 256));
+  }
 };
 
 class Atlas_visitor;

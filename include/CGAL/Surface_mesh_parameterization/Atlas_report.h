@@ -29,8 +29,11 @@ struct Packing_report : Report
   std::size_t number_of_faces = 0;  ///< The number of faces that have a chart.
   std::size_t number_of_charts = 0; ///< The number of charts that have a face.
 
-  /// The sum of the areas of all triangles; the unit square has the area 1. Overlaps within a chart count several
-  /// times.
+  /// The page of each chart, from 0 on. The charts are in the order of their numbers.
+  std::vector<int> page_of_chart;
+  std::size_t number_of_pages = 0; ///< The number of pages.
+
+  /// The sum of the areas of all triangles, as a share of all pages. Overlaps within a chart count several times.
   double covered_share = 0;
 
   /// The number of texels per unit of length on the surface, where the weight is 1 and the map is isometric.
@@ -43,8 +46,8 @@ struct Packing_report : Report
   /// fit.
   std::size_t number_of_small_charts = 0;
 
-  /// The number of charts that were enlarged to a sixteenth of a texel, so that they do not vanish when coordinates are
-  /// rounded.
+  /// The number of charts that were enlarged to a sixteenth of a texel, or of a block, so that they do not vanish when
+  /// coordinates are rounded.
   std::size_t number_of_enlarged_charts = 0;
 
   std::size_t number_of_attempts = 0; ///< The number of scales that were tried.
@@ -91,6 +94,7 @@ struct Atlas_report : Report
   struct Chart
   {
     std::size_t part = 0;            ///< The number of the part of the surface that contains the chart.
+    int page = 0;                    ///< The page, from 0 on; 0 if nothing was packed.
     std::size_t number_of_faces = 0; ///< The number of faces.
     Method method = ABF_PLUS_PLUS;   ///< How the map was made.
 
@@ -174,11 +178,14 @@ struct Atlas_report : Report
   /// `Flattening_measures::border_is_simple` says whether all charts are injective.
   Flattening_measures measures;
 
-  double covered_share = 0; ///< See `Packing_report::covered_share`; 0 if nothing was packed.
-  double scale = 1;         ///< The mean factor from lengths on the surface to lengths in the plane.
+  std::size_t number_of_pages = 0; ///< The number of pages; 0 if nothing was packed.
+  double covered_share = 0;        ///< See `Packing_report::covered_share`; 0 if nothing was packed.
+
+  /// The mean factor from lengths on the surface to lengths in the plane, along \f$u\f$.
+  double scale = 1;
 
   /// The harmonic mean of the density of texels over the surface: `covered_share` divided by the square of the
-  /// \f$L_2\f$ stretch. 1 is an isometric map that fills the square. 0 if nothing was packed.
+  /// \f$L_2\f$ stretch. 1 is an isometric map that fills all pages. 0 if nothing was packed.
   double texel_density = 0;
 
   /// The density that 95 % of the surface have at least, each face in the direction in which it has the fewest texels.

@@ -80,9 +80,11 @@ enum class Diagnosis
   SOMETHING_SKIPPED,    ///< Some parts have no charts; all other parts have charts.
   NOTHING_FLATTENED,    ///< All parts were skipped.
 
-  /// The charts of an atlas do not fit into the square, or are not certified to be apart.
+  /// The charts of an atlas do not fit into the pages, or are not certified to be apart.
   PACKING_FAILED,
-  TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the square, however small the charts are.
+  TOO_MANY_CHARTS, ///< The charts and their gutters do not fit into the page, however small the charts are.
+  CHART_TOO_LARGE, ///< A chart is larger than a page, with the given number of texels per unit.
+  TOO_MANY_PAGES,  ///< The charts would take more than 10,000 pages.
 
   // Baking
   /// A face has texture coordinates that are not finite, or at some corners only; or no face has an area there.
@@ -152,6 +154,8 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "NOTHING_FLATTENED",
                                    "PACKING_FAILED",
                                    "TOO_MANY_CHARTS",
+                                   "CHART_TOO_LARGE",
+                                   "TOO_MANY_PAGES",
                                    "NO_TEXTURE_COORDINATES",
                                    "OUTSIDE_SQUARE",
                                    "EMPTY_FINE_MESH",

@@ -29,7 +29,8 @@ namespace Surface_mesh_parameterization {
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-makes a texture atlas of any surface: cuts it open, flattens it, and packs the charts into the unit square.
+makes a texture atlas of any surface: cuts it open, flattens it, and packs the charts into the unit square, or, with
+`Packing_options::texels_per_unit`, into as many such pages as they take. Charts larger than a page are then cut in two.
 
 Each connected part of the surface, of any genus and with any number of borders, is cut to a disk along seams with a
 predicted stretch of at most `Seam_options::stretch_bound`. ABF++ flattens the disk. If the map overlaps itself, an

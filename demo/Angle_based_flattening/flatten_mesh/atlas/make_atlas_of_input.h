@@ -72,6 +72,9 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
     options.area_weight = command.options.area_weight;
   }
   options.resolution = atlas.resolution;
+  options.height = atlas.height;
+  options.block = atlas.block;
+  options.texels_per_unit = atlas.texels_per_unit;
   options.gutter = atlas.gutter;
   options.number_of_rotations = atlas.rotations;
   options.pack_into_square = atlas.is_packed;

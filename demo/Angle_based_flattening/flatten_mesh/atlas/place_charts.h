@@ -43,10 +43,10 @@ inline CGAL::Bbox_2 box_of(const Mesh& mesh, const Atlas& atlas)
   return box;
 }
 
-inline void scale_charts(const Mesh& mesh, const Atlas& atlas, const double factor)
+inline void scale_charts(const Mesh& mesh, const Atlas& atlas, const double width, const double height)
 {
   internal::for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) {
-    atlas.uv[h] = Kernel::Point_2(factor * atlas.uv[h].x(), factor * atlas.uv[h].y());
+    atlas.uv[h] = Kernel::Point_2(width * atlas.uv[h].x(), height * atlas.uv[h].y());
   });
 }
 

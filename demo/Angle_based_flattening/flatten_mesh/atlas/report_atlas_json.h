@@ -24,6 +24,7 @@ inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const doubl
 {
   Json_object json;
   json.add("part", json_number(chart.part));
+  json.add("page", json_number(chart.page));
   json.add("triangles", json_number(chart.number_of_faces));
   json.add("share_of_area", json_number(share));
   json.add("method", json_text(to_string(chart.method)));
@@ -47,7 +48,11 @@ inline std::string packing_json(const Atlas_record& record)
 {
   Json_object json;
   json.add("resolution", json_number(record.options.resolution));
+  json.add("height", json_number(record.options.height));
+  json.add("block", json_number(record.options.block));
   json.add("gutter", json_number(record.options.gutter));
+  json.add("pages", json_number(record.report.number_of_pages));
+  json.add("texels_per_unit", json_number(record.report.scale * record.options.resolution));
   json.add("covered_share", json_number(record.report.covered_share));
   json.add("texel_density", json_number(record.report.texel_density));
   json.add("low_texel_density", json_number(record.report.low_texel_density));

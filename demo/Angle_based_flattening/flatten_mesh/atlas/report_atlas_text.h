@@ -111,10 +111,15 @@ inline Report_rows chart_rows(const Atlas_record& record)
                   "of the worst chart, by changes of area; " + bound + "best 1"});
   append(rows, seam_jump_rows(report));
   if(record.options.is_packed) {
+    const std::string pages =
+        report.number_of_pages > 1 ? count_text(report.number_of_pages, "page") : "the square";
     rows.push_back({"covered", format_number("%.1f %%", 100 * report.covered_share),
-                    "of the square; " + std::to_string(record.options.resolution) + " x " +
-                        std::to_string(record.options.resolution) + " texels, gutter " +
+                    "of " + pages + "; " + std::to_string(record.options.resolution) + " x " +
+                        std::to_string(record.options.height) + " texels, gutter " +
                         std::to_string(record.options.gutter)});
+    if(record.options.texels_per_unit > 0) {
+      rows.push_back({"texels per unit", format_number("%.6g", record.options.texels_per_unit), "as given"});
+    }
     rows.push_back({"texel density", format_number("%.3f", report.texel_density),
                     "mean; 95 % of the surface have at least " +
                         format_number("%.3f", report.low_texel_density) + " in all directions; best 1"});
@@ -137,12 +142,15 @@ inline std::string largest_charts_text(const Atlas_record& record)
   });
   order.resize((std::min)(order.size(), most));
   std::string text = order.size() < charts.size() ? "largest charts\n" : "all charts\n";
-  text += "  number   triangles      area   stretch   scale stretch   method\n";
+  const bool has_pages = record.report.number_of_pages > 1;
+  text += "  number   triangles      area   stretch   scale stretch   " +
+          std::string(has_pages ? "page   " : "") + "method\n";
   for(const std::size_t i : order) {
     char line[128];
     std::snprintf(line, sizeof(line), "%8zu %11zu %7.2f %% %9.4g %15.4g   ", i + 1, charts[i].number_of_faces,
                   100 * record.share_of_area[i], charts[i].l2_stretch, charts[i].scale_stretch);
-    text += line + to_string(charts[i].method) + "\n";
+    text += line + (has_pages ? std::to_string(1001 + charts[i].page) + "   " : std::string()) +
+            to_string(charts[i].method) + "\n";
   }
   return text;
 }

@@ -29,10 +29,12 @@
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/bake/simplify_input.h"
 #include "flatten_mesh/pictures/Up_axis.h"
+#include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/model/write_model.h"
 
 #ifdef ABF_WITH_PNG
 #include "flatten_mesh/bake/write_baked_model.h"
+#include "flatten_mesh/pictures/chart_images.h"
 #include "flatten_mesh/pictures/draw_atlas.h"
 #endif
 
@@ -110,7 +112,7 @@ void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& a
     return;
   }
   if(options.is_packed) {
-    scale_charts(mesh, atlas, 1 / report.scale);
+    scale_charts(mesh, atlas, 1 / report.scale, options.height / report.scale / options.resolution);
   } else {
     place_in_rows(mesh, atlas, report.charts.size());
   }
@@ -252,26 +254,39 @@ void write_surface(const Written_model& written, const Baked_surface& baked, Out
   write_model_or_baked(command, model, input.mesh, origins, atlas, baked, files);
 }
 
+// In the plane of the pictures, where texels are squares
+std::vector<CGAL::Bbox_2> pages_of(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
+                                   const SMP::Atlas_report& report)
+{
+  if(options.is_in_world_units() && report.number_of_pages <= 1) {
+    return {box_of(mesh, atlas)};
+  }
+  const double width = options.is_in_world_units() ? 1 / report.scale : 1;
+  return page_boxes(report.number_of_pages, width, width * options.height / options.resolution);
+}
+
 void draw(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
           const Atlas_record& record, Output_files& files)
 {
   Textured_surface surface = textured_atlas(input.mesh, atlas);
-  const CGAL::Bbox_2 box =
-      command.atlas.is_in_world_units() ? box_of(input.mesh, atlas) : CGAL::Bbox_2(0, 0, 1, 1);
+  if(!command.atlas.is_in_world_units()) {
+    make_texels_squares(command.atlas.resolution, command.atlas.height, surface);
+  }
+  const std::vector<CGAL::Bbox_2> pages = pages_of(command.atlas, input.mesh, atlas, record.report);
   const std::string up = up_axis(command, surface);
   if(!command.svg.empty()) {
-    write_atlas_svg(files.open(command.svg), surface, box,
+    write_atlas_svg(files.open(command.svg), surface, pages,
                     "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
   }
 #ifdef ABF_WITH_PNG
   if(!command.picture.empty()) {
-    files.open(command.picture).write(atlas_picture(surface, Upright::of(up), box));
+    files.open(command.picture).write(atlas_picture(surface, Upright::of(up), pages));
   }
 #endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty()) {
     files.open(command.report)
-        .write(report_page(contents_of_atlas(input, record, std::move(surface), up, box),
+        .write(report_page(contents_of_atlas(input, record, std::move(surface), up, pages),
                            command.options.threads));
   }
 #endif
@@ -296,6 +311,11 @@ void write_files(const Command_line& command, const Atlas_input& input, const At
         files.open(model.command.seams_to).write(seams_text(model.input.mesh, model.atlas));
       }
     }
+#ifdef ABF_WITH_PNG
+    if(!command.chart_image.empty()) {
+      write_chart_images(command, input.mesh, atlas, record.report, files);
+    }
+#endif
   }
   record.write_seconds = timer.time();
   record.peak_memory_mb = peak_memory_mb();
@@ -407,6 +427,11 @@ Exit_status run_atlas(const Command_line& command)
   look_at_stretch(record, notes);
   Baked_surface baked;
   if(record.report.has_atlas() && !command.atlas.bake_from.empty()) {
+    if(record.report.number_of_pages > 1) {
+      throw Usage_error("--bake-from needs one page, and the charts take " +
+                        count_text(record.report.number_of_pages, "page") +
+                        ": give a larger --resolution or a smaller --texels-per-unit");
+    }
     progress.stage("baking");
     baked = bake_textures(command, input, atlas, notes);
     record.baking = baked.record;

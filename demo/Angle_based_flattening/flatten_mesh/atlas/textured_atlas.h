@@ -11,6 +11,7 @@
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/plain/seam_chains.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -68,6 +69,16 @@ inline Textured_surface textured_atlas(const Mesh& mesh, const Atlas& atlas)
     }
   }
   return surface;
+}
+
+// In the plane of a map to unit squares with that many texels along their sides
+inline void make_texels_squares(const int width, const int height, Textured_surface& surface)
+{
+  for(std::array<Kernel::Point_2, 3>& corners : surface.uv) {
+    for(Kernel::Point_2& p : corners) {
+      p = Kernel::Point_2(p.x(), p.y() * height / width);
+    }
+  }
 }
 
 } // namespace flatten_mesh

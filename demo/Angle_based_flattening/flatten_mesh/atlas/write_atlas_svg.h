@@ -9,31 +9,43 @@
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/pictures/chart_colors.h"
+#include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/pictures/svg_paths.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Bbox_2.h>
 
-#include <cmath>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace flatten_mesh {
 
 namespace internal {
 
-// "#rrggbb", lighter than on the surface
-inline std::string light_color_of_chart(const int chart)
+// "#rrggbb"
+inline std::string color_text(const std::array<unsigned char, 3>& color)
 {
   std::string text = "#";
-  for(const double part : color_of_chart(chart)) {
+  for(const unsigned part : color) {
     char digits[3];
-    std::snprintf(digits, sizeof(digits), "%02x",
-                  static_cast<unsigned>(std::lround(255 * (0.55 + 0.45 * part))) & 255u);
+    std::snprintf(digits, sizeof(digits), "%02x", part & 255u);
     text += digits;
   }
   return text;
+}
+
+// The outline of a page
+inline std::string page_outline(const CGAL::Bbox_2& page, const Svg_frame& frame)
+{
+  const auto [left, top] = frame(Kernel::Point_2(page.xmin(), page.ymax()));
+  const auto [right, bottom] = frame(Kernel::Point_2(page.xmax(), page.ymin()));
+  const std::string corner =
+      left == 0 && top == 0 ? "" : "x=\"" + std::to_string(left) + "\" y=\"" + std::to_string(top) + "\" ";
+  return "<rect " + corner + "width=\"" + std::to_string(right - left) + "\" height=\"" +
+         std::to_string(bottom - top) + "\" fill=\"none\" stroke=\"#999\"/>\n";
 }
 
 // One path for each chart: its borders, of which all but one are holes
@@ -45,25 +57,26 @@ inline std::string chart_paths(const Textured_surface& surface, const Svg_frame&
   }
   std::string text;
   for(const auto& [chart, path] : paths) {
-    text += "<path fill=\"" + light_color_of_chart(chart) + "\" d=\"" + path + "\"/>\n";
+    text += "<path fill=\"" + color_text(light_color_of_chart(chart)) + "\" d=\"" + path + "\"/>\n";
   }
   return text;
 }
 
 } // namespace internal
 
-// A picture of the charts in the plane, with the outline of a box. Both sides of a seam have the same colour; borders
-// of the surface are dark.
-inline void write_atlas_svg(Output_file& file, const Textured_surface& surface, const CGAL::Bbox_2& box,
-                            const std::string& title)
+// A picture of the charts in the plane, with the outlines of the pages. Both sides of a seam have the same colour;
+// borders of the surface are dark.
+inline void write_atlas_svg(Output_file& file, const Textured_surface& surface,
+                            const std::vector<CGAL::Bbox_2>& pages, const std::string& title)
 {
   const int width_of_seams = 260;
-  const Svg_frame frame(box);
+  const Svg_frame frame(box_around(pages));
   std::string text = svg_head(frame.width(), frame.height(), title);
   text += "<g transform=\"scale(.01)\" stroke=\"#222\" stroke-width=\"100\" stroke-linejoin=\"bevel\" "
           "fill-rule=\"evenodd\">\n";
-  text += "<rect width=\"" + format_number("%.0f", 100 * frame.width()) + "\" height=\"" +
-          format_number("%.0f", 100 * frame.height()) + "\" fill=\"none\" stroke=\"#999\"/>\n";
+  for(const CGAL::Bbox_2& page : pages) {
+    text += internal::page_outline(page, frame);
+  }
   text += internal::chart_paths(surface, frame);
   text += seam_lines(surface, frame, width_of_seams);
   file.write(text + "</g>\n</svg>\n");

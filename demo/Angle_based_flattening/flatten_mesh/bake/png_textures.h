@@ -6,32 +6,20 @@
 #ifndef FLATTEN_MESH_PNG_TEXTURES_H
 #define FLATTEN_MESH_PNG_TEXTURES_H
 
+#include "flatten_mesh/pictures/png_of_pixels.h"
+
 #include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
 
-#include <png.h>
-
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 namespace flatten_mesh {
 
 namespace internal {
 
-// Square pictures as PNG files. `format` is one of libpng's that fits the pixels.
 inline std::string square_png(const int resolution, const png_uint_32 format, const void* pixels)
 {
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = image.height = static_cast<png_uint_32>(resolution);
-  image.format = format;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::string file(size, '\0');
-  if(png_image_write_to_memory(&image, &file[0], &size, 0, pixels, 0, nullptr) == 0) {
-    throw std::runtime_error(std::string("libpng: ") + image.message);
-  }
-  file.resize(size);
-  return file;
+  return png_of_pixels(resolution, resolution, format, pixels);
 }
 
 } // namespace internal

@@ -26,6 +26,17 @@ inline std::array<double, 3> color_of_chart(const int chart)
   return color;
 }
 
+// Of a chart in the plane: lighter than on the surface
+inline std::array<unsigned char, 3> light_color_of_chart(const int chart)
+{
+  std::array<unsigned char, 3> color;
+  std::size_t i = 0;
+  for(const double part : color_of_chart(chart)) {
+    color[i++] = static_cast<unsigned char>(std::lround(255 * (0.55 + 0.45 * part)));
+  }
+  return color;
+}
+
 } // namespace flatten_mesh
 
 #endif // FLATTEN_MESH_CHART_COLORS_H

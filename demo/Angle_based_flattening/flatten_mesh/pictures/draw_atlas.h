@@ -13,6 +13,7 @@
 #include "flatten_mesh/pictures/chart_colors.h"
 #include "flatten_mesh/pictures/draw_checkerboard.h"
 #include "flatten_mesh/pictures/draw_word.h"
+#include "flatten_mesh/pictures/page_boxes.h"
 
 #include <CGAL/Bbox_2.h>
 
@@ -74,9 +75,11 @@ inline std::array<Pixels, 6> draw_six_sides(const Textured_surface& surface, con
   return pictures;
 }
 
-// Draws the plane with the outline of a box.
-inline Pixels draw_plane(const Textured_surface& surface, const CGAL::Bbox_2& box, const int size)
+// Draws the plane with the outlines of the pages.
+inline Pixels draw_plane(const Textured_surface& surface, const std::vector<CGAL::Bbox_2>& pages,
+                         const int size)
 {
+  const CGAL::Bbox_2 box = box_around(pages);
   const double margin = 12, width_of_borders = 1.2, width_of_outline = 2;
   const Color ink = {0.1, 0.1, 0.1}, grey = {0.6, 0.6, 0.6}, white = {1, 1, 1};
   const double scale = (size - 2 * margin) / (std::max)({box.x_span(), box.y_span(), 1e-300});
@@ -99,11 +102,13 @@ inline Pixels draw_plane(const Textured_surface& surface, const CGAL::Bbox_2& bo
       canvas.draw_line(corner(p.x(), p.y(), 1), corner(q.x(), q.y(), 1), width_of_borders, ink);
     }
   }
-  const std::array<Canvas::Corner, 4> outline = {
-      corner(box.xmin(), box.ymin(), 2), corner(box.xmax(), box.ymin(), 2), corner(box.xmax(), box.ymax(), 2),
-      corner(box.xmin(), box.ymax(), 2)};
-  for(std::size_t i = 0; i < outline.size(); ++i) {
-    canvas.draw_line(outline[i], outline[(i + 1) % 4], width_of_outline, grey);
+  for(const CGAL::Bbox_2& page : pages) {
+    const std::array<Canvas::Corner, 4> outline = {
+        corner(page.xmin(), page.ymin(), 2), corner(page.xmax(), page.ymin(), 2),
+        corner(page.xmax(), page.ymax(), 2), corner(page.xmin(), page.ymax(), 2)};
+    for(std::size_t i = 0; i < outline.size(); ++i) {
+      canvas.draw_line(outline[i], outline[(i + 1) % 4], width_of_outline, grey);
+    }
   }
   return canvas.pixels();
 }
@@ -111,9 +116,9 @@ inline Pixels draw_plane(const Textured_surface& surface, const CGAL::Bbox_2& bo
 } // namespace internal
 
 // A picture of an atlas, as a PNG file: above the surface from the front, the right and the back, below from the
-// left, the top and the bottom; beside it the plane with an outline of the box. Triangles without chart are red.
+// left, the top and the bottom; beside it the plane with outlines of the pages. Triangles without chart are red.
 inline std::string atlas_picture(const Textured_surface& surface, const Upright& upright,
-                                 const CGAL::Bbox_2& box)
+                                 const std::vector<CGAL::Bbox_2>& pages)
 {
   const int size = 420, columns = 3, rows = 2;
   Pixels whole{(columns + rows) * size, rows * size, {}};
@@ -122,7 +127,7 @@ inline std::string atlas_picture(const Textured_surface& surface, const Upright&
   for(int i = 0; i < columns * rows; ++i) {
     paste(sides[static_cast<std::size_t>(i)], i % columns * size, i / columns * size, whole);
   }
-  paste(internal::draw_plane(surface, box, rows * size), columns * size, 0, whole);
+  paste(internal::draw_plane(surface, pages, rows * size), columns * size, 0, whole);
   return png_file(whole);
 }
 

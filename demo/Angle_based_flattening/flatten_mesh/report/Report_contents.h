@@ -36,8 +36,9 @@ struct Report_contents
   Report_rows rows;
   std::vector<std::string> notes;
   bool is_packed = false;
-  int resolution = 0; // if it is packed
-  CGAL::Bbox_2 box;   // of the plane
+  int resolution = 0;    // if it is packed
+  CGAL::Bbox_2 box;      // of the plane
+  std::size_t pages = 1; // in this box, ten in a row
   std::vector<Chart_row> charts;
   std::vector<Skipped_part> skipped;
   Textured_surface surface;

@@ -10,6 +10,7 @@
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/atlas/report_atlas_text.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
+#include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/report/Report_contents.h"
 
 #include <CGAL/Bbox_2.h>
@@ -18,13 +19,14 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace flatten_mesh {
 
 // `surface` has the triangles of the input's mesh in their order.
 inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_record& record,
                                          Textured_surface surface, const std::string& up,
-                                         const CGAL::Bbox_2& box)
+                                         const std::vector<CGAL::Bbox_2>& pages)
 {
   Report_contents contents;
   contents.title = std::filesystem::path(record.input).filename().string();
@@ -32,7 +34,8 @@ inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_r
   contents.notes = record.notes;
   contents.is_packed = record.options.is_packed;
   contents.resolution = record.options.resolution;
-  contents.box = box;
+  contents.box = box_around(pages);
+  contents.pages = pages.size();
   for(std::size_t i = 0; i < record.report.charts.size(); ++i) {
     const SMP::Atlas_report::Chart& chart = record.report.charts[i];
     contents.charts.push_back({chart.number_of_faces, record.share_of_area[i], to_string(chart.method),

@@ -112,6 +112,7 @@ inline std::string page_json(const Report_contents& contents, const Page_measure
   json.add("shown_triangles", json_number(shown.origins.size()));
   json.add("box", internal::json_numbers({factors.plane * box.xmin(), factors.plane * box.ymin(),
                                           factors.plane * box.xmax(), factors.plane * box.ymax()}));
+  json.add("pages", json_number(contents.pages));
   json.add("is_packed", internal::json_bool(contents.is_packed));
   if(contents.is_packed) {
     json.add("resolution", json_number(contents.resolution));

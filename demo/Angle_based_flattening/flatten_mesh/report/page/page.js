@@ -36,6 +36,7 @@ class ReportPage {
     writeThinning(report, part);
     addModes(report.measures, part, this);
     addSwitches(part, this);
+    drawPages(report.pages, part.sheet);
     const toggleChart = (chart) => this.showChart(chart === this.chart ? null : chart);
     this.chartsTable = new ChartsTable(report.charts, toggleChart);
     part.charts.append(this.chartsTable.element);

@@ -31,6 +31,15 @@ function writeThinning({triangles, shown_triangles: shown}, part) {
     + `Measures, histograms and worst faces are those of all ${wholeText(triangles)}.`;
 }
 
+// Lines between the pages on the sheet, ten in a row
+function drawPages(pages, sheet) {
+  if (pages > 1) {
+    const line = "var(--outline) 1px, transparent 1px";
+    sheet.style.backgroundImage = `linear-gradient(to right, ${line}), linear-gradient(to bottom, ${line})`;
+    sheet.style.backgroundSize = `${100 / Math.min(pages, 10)}% ${100 / Math.ceil(pages / 10)}%`;
+  }
+}
+
 function addModes(measures, part, actions) {
   part.modes.append(...modesOf(measures).map(([mode, title]) => element("label", {},
     element("input", {type: "radio", name: "mode", value: mode, onchange: () => actions.showMode(mode)}),

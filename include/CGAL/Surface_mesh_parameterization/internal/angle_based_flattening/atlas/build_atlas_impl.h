@@ -16,10 +16,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/certify_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/cover_page.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/divided_part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/fit_pages.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/isometric_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
@@ -38,9 +40,31 @@
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// While it exists, texels are squares in the plane of a map, also if pages are not.
+class Square_texels
+{
+public:
+  Square_texels(const Atlas_options& options, std::vector<Chart::Point_2>& uv) : m_map(uv), m_uv(uv)
+  {
+    const double aspect = options.pack_into_square ? aspect_ratio(options) : 1;
+    for(Chart::Point_2& p : m_map)
+      p = Chart::Point_2(p.x(), p.y() / aspect);
+  }
+
+  ~Square_texels() { m_map = std::move(m_uv); }
+
+  Square_texels(const Square_texels&) = delete;
+  Square_texels& operator=(const Square_texels&) = delete;
+
+private:
+  std::vector<Chart::Point_2>& m_map;
+  std::vector<Chart::Point_2> m_uv; // as it was
+};
 
 class Atlas_builder
 {
@@ -51,13 +75,15 @@ public:
                 const Atlas_settings& options, const Linear_solvers& solvers, Rounding round)
       : m_parts(parts), m_weight(weight), m_options(options), m_solvers(solvers), m_round(round)
   {
+    if(!parts.empty())
+      m_options.texels_per_unit *= parts.front().chart.scale; // alike for all parts
     double area = 0;
     for(const Surface_part& part : parts)
       for(int t = 0; t < part.chart.number_of_triangles(); ++t)
         area += surface_area(part.chart, t) * part.chart.scale * part.chart.scale;
     if(options.given_charts == Atlas_options::KEEP)
       m_options.stretch_bound = std::numeric_limits<double>::infinity();
-    if(options.pack_into_square && std::isfinite(options.stretch_bound))
+    if(options.pack_into_square && options.texels_per_unit == 0 && std::isfinite(options.stretch_bound))
       m_options.longest_chart = largest_aspect * std::sqrt(area);
   }
 
@@ -122,6 +148,14 @@ private:
       Page_coverer(m_parts, m_weight, m_options, m_atlas.parts).run();
     if(m_options.isometric_charts)
       Isometric_charts(m_parts, m_options, m_solvers, progress, m_atlas.parts).run();
+    parallel_for(static_cast<int>(m_parts.size()), [&](int i) { fit_pages(i); });
+  }
+
+  void fit_pages(std::size_t i)
+  {
+    if(m_options.pack_into_square && m_options.texels_per_unit > 0 && m_atlas.parts[i].succeeded() &&
+       !is_kept(m_atlas.parts[i]))
+      Page_fitter(m_parts[i], m_weight, m_options, m_atlas.parts[i]).run();
   }
 
   bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
@@ -263,6 +297,9 @@ private:
       fail(Diagnosis::PACKING_FAILED, describe(packing));
       return false;
     }
+    for(int c = 0; c < charts; ++c)
+      m_atlas.report.charts[c].page = packing.page[c];
+    m_atlas.report.number_of_pages = static_cast<std::size_t>(packing.number_of_pages);
     m_atlas.report.covered_share = packing.covered_share;
     m_atlas.report.scale =
         packing.texels_per_length / m_options.resolution / m_parts.front().chart.scale; // alike for all parts
@@ -274,7 +311,7 @@ private:
   {
     std::vector<Planar_point> corners; // three for each triangle
     std::vector<int> chart;
-    std::vector<double> area; // in proportion
+    std::vector<double> area;
   };
 
   Packed_triangles packed_triangles() const
@@ -345,6 +382,7 @@ private:
                              Part_progress(progress, 0));
     while(m_remakes[i] < 2 && m_options.given_charts != Atlas_options::KEEP) {
       m_atlas.parts[i] = ++m_remakes[i] == 1 ? maker.run() : maker.divided(Divided_part_atlas::Division());
+      fit_pages(i);
       if(m_atlas.parts[i].succeeded())
         return;
     }
@@ -360,14 +398,15 @@ private:
     const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
                       m_atlas.report.seconds.certify);
     const Packed_triangles triangles = packed_triangles();
-    const Packing_check check =
-        certify_packing(triangles.corners, triangles.chart, static_cast<int>(m_atlas.report.charts.size()),
-                        m_options.resolution, m_options.number_of_gutter_texels());
+    std::vector<int> page;
+    for(const Atlas_report::Chart& chart : m_atlas.report.charts)
+      page.push_back(chart.page);
+    const Packing_check check = certify_packing(triangles.corners, triangles.chart, page, m_options);
     if(check.status == Packing_check::CERTIFIED)
       return true;
     fail(Diagnosis::PACKING_FAILED,
          "chart " + std::to_string(triangles.chart[check.triangle]) + " is not certified to be " +
-             (check.status == Packing_check::OUTSIDE ? "in the square" : "apart from other charts"));
+             (check.status == Packing_check::OUTSIDE ? "in its page" : "apart from other charts"));
     return false;
   }
 
@@ -384,6 +423,7 @@ private:
     Atlas_measurement measurement(triangles, surface, m_options.stretch_bound);
     for(std::size_t i = 0; i < m_parts.size(); ++i)
       if(m_atlas.parts[i].succeeded()) {
+        const Square_texels square_texels(m_options, m_atlas.parts[i].uv);
         measurement.add(m_atlas.parts[i], report, m_atlas.first_chart[i]);
         report.number_of_terminals += m_atlas.parts[i].number_of_terminals;
       }
@@ -391,7 +431,8 @@ private:
     report.measures.border_is_simple = true; // certify() saw to that
     if(m_options.pack_into_square) {
       report.texel_density = report.covered_share / CGAL::square(report.measures.l2_stretch);
-      report.low_texel_density = measurement.density_of_share(0.95);
+      report.low_texel_density =
+          measurement.density_of_share(0.95) * aspect_ratio(m_options) / report.number_of_pages;
     }
     look_at_stretch();
   }
@@ -414,15 +455,31 @@ private:
   {
     switch(packing.status) {
     case Packing::TOO_MANY_CHARTS:
-      return std::to_string(m_atlas.report.charts.size()) +
-             " charts do not fit into the square with a resolution of " +
-             std::to_string(m_options.resolution) + " and a gutter of " +
+      return std::to_string(m_atlas.report.charts.size()) + " charts do not fit into a page of " +
+             page_text(m_options) + " with a gutter of " +
              std::to_string(m_options.number_of_gutter_texels());
+    case Packing::CHART_TOO_LARGE:
+      return chart_text(packing.chart) + too_large_text(packing, m_options);
+    case Packing::TOO_MANY_PAGES:
+      return too_many_pages_text(packing, m_options);
     case Packing::NO_AREA:
       return "all faces have the weight 0";
     default:
       return "chart " + std::to_string(packing.chart) + " cannot be scaled to the area of its surface";
     }
+  }
+
+  // With a place on the surface
+  std::string chart_text(int number) const
+  {
+    std::size_t i = m_parts.size() - 1;
+    while(m_atlas.first_chart[i] > static_cast<std::size_t>(number))
+      --i;
+    const Part_atlas& part = m_atlas.parts[i];
+    const int piece = number - static_cast<int>(m_atlas.first_chart[i]);
+    const auto t = std::find(part.piece.begin(), part.piece.end(), piece) - part.piece.begin();
+    return "chart " + std::to_string(number) + ", with the vertex at " +
+           position_text(part.chart, part.chart.vertex[3 * t]) + ",";
   }
 
   void fail(Diagnosis diagnosis, const std::string& message)

@@ -133,8 +133,10 @@ private:
           chart.push_back(charts + p);
         charts += piece.empty() ? 0 : 1 + *std::max_element(piece.begin(), piece.end());
       }
+    const double aspect = std::clamp(std::sqrt(aspect_ratio(m_options)), 1. / 8, 8.);
     Packing_options coarse;
-    coarse.resolution = 128;
+    coarse.resolution = static_cast<int>(128 * aspect);
+    coarse.height = static_cast<int>(128 / aspect);
     coarse.gutter = 0;
     coarse.number_of_rotations = (std::min)(8, m_options.number_of_rotations);
     const Packing packing = pack(m_corners, chart, m_areas, charts, coarse);

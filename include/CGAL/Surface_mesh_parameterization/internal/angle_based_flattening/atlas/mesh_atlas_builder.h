@@ -185,7 +185,9 @@ private:
       }
       first_triangle += triangles;
     }
-    Atlas atlas = build_atlas(parts, m_weight, m_options, linear_solvers(m_np), &round_to_points<Point>);
+    Atlas_settings options = m_options;
+    options.texels_per_unit *= m_weight_scale;
+    Atlas atlas = build_atlas(parts, m_weight, options, linear_solvers(m_np), &round_to_points<Point>);
     std::size_t begin = 0;
     for(std::size_t i = 0; i < m_meshes.size(); begin += sizes[i++])
       m_meshes[i].set_charts(taken(parts, begin, sizes[i]), taken(atlas.parts, begin, sizes[i]),

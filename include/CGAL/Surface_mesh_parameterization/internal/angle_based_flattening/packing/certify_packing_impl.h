@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The check that no two charts of an atlas come nearer than the gutter: it draws all of them again, texel by texel.
-// `pack_impl.h` includes it. `pack_mesh.h` and `atlas/build_atlas_impl.h` call `certify_packing()` on the coordinates
-// as they are written.
+// The check that no two charts of an atlas come nearer than the gutter: it draws all of them again, texel by texel,
+// page by page. `pack_impl.h` includes it. `pack_mesh.h` and `atlas/build_atlas_impl.h` call `certify_packing()` on the
+// coordinates as they are written.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CERTIFY_PACKING_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_CERTIFY_PACKING_IMPL_H
@@ -24,34 +24,39 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Draws chart after chart, and tests whether each is far enough from all earlier charts.
-class Packing_certifier
+// Draws the charts of a page one after the other, and tests whether each is far enough from all earlier charts.
+class Page_certifier
 {
 public:
-  Packing_certifier(const std::vector<Planar_point>& corners, int resolution, int gutter)
-      : m_corners(corners), m_resolution(resolution), m_gutter(gutter), m_border((gutter + 1) / 2),
-        m_taken(resolution + 2 * gutter, resolution + 2 * gutter)
+  // The texels are those of the options, which have no blocks.
+  Page_certifier(const std::vector<Planar_point>& corners, int page, const Packing_options& options)
+      : m_corners(corners), m_page(corner_of_page(page)),
+        m_size(options.resolution, options.number_of_rows()), m_gutter(options.number_of_gutter_texels()),
+        m_border((m_gutter + 1) / 2),
+        m_taken(options.resolution + 2 * m_gutter, options.number_of_rows() + 2 * m_gutter)
   {}
 
-  // The first triangle that is outside of the square, or -1
-  int triangle_outside() const
+  // The first triangle of a chart that is outside of the page, or -1
+  int triangle_outside(const int* begin, const int* end) const
   {
-    for(int t = 0; t < static_cast<int>(m_corners.size()) / 3; ++t)
-      for(const Planar_point& p : texels(t))
+    for(const int* t = begin; t != end; ++t)
+      for(const Planar_point& p : texels(*t))
         if(!(p.minCoeff() >= m_border + 4 * rounding_tolerance &&
-             p.maxCoeff() <= m_resolution - m_border - 4 * rounding_tolerance))
-          return t;
+             (m_size - p).minCoeff() >= m_border + 4 * rounding_tolerance))
+          return *t;
     return -1;
   }
 
   // The first triangle of a chart that is too near to earlier charts, or -1
   int add(const int* begin, const int* end)
   {
-    Planar_point lower(m_resolution, m_resolution), upper(0, 0);
+    Planar_point lower = m_size, upper(0, 0);
     for(const int* t = begin; t != end; ++t)
       for(const Planar_point& p : texels(*t)) {
         lower = lower.cwiseMin(p);
@@ -77,29 +82,40 @@ public:
   }
 
 private:
+  // The corner of the page is subtracted without rounding.
   std::array<Planar_point, 3> texels(int t) const
   {
-    return {m_corners[3 * t] * m_resolution, m_corners[3 * t + 1] * m_resolution,
-            m_corners[3 * t + 2] * m_resolution};
+    const auto texel = [&](int c) -> Planar_point { return (m_corners[c] - m_page).cwiseProduct(m_size); };
+    return {texel(3 * t), texel(3 * t + 1), texel(3 * t + 2)};
   }
 
   const std::vector<Planar_point>& m_corners;
-  const int m_resolution, m_gutter, m_border;
+  const Planar_point m_page, m_size; // the corner, and the texels along the sides
+  const int m_gutter, m_border;
   Texel_mask m_taken; // with the gutter, by which it is larger on all sides
 };
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing_check certify_packing(const std::vector<Planar_point>& corners,
                                                                  const std::vector<int>& chart,
-                                                                 int number_of_charts, int resolution,
-                                                                 int gutter)
+                                                                 const std::vector<int>& page_of_chart,
+                                                                 const Packing_options& options)
 {
-  Packing_certifier certifier(corners, resolution, gutter);
-  if(const int t = certifier.triangle_outside(); t >= 0)
-    return {Packing_check::OUTSIDE, t};
-  const Triangles_of_charts triangles(chart, number_of_charts);
-  for(int c = 0; c < number_of_charts; ++c)
-    if(const int t = certifier.add(triangles.begin(c), triangles.end(c)); t >= 0)
+  const Packing_options blocks = in_blocks(options);
+  const Triangles_of_charts triangles(chart, static_cast<int>(page_of_chart.size()));
+  std::vector<int> order(page_of_chart.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return page_of_chart[a] < page_of_chart[b]; });
+  std::optional<Page_certifier> certifier;
+  int page = -1;
+  for(int c : order) {
+    if(page_of_chart[c] != page)
+      certifier.emplace(corners, page = page_of_chart[c], blocks);
+    if(const int t = certifier->triangle_outside(triangles.begin(c), triangles.end(c)); t >= 0)
+      return {Packing_check::OUTSIDE, t};
+    if(const int t = certifier->add(triangles.begin(c), triangles.end(c)); t >= 0)
       return {Packing_check::SHARED_TEXEL, t};
+  }
   return {};
 }
 

@@ -180,20 +180,21 @@ inline std::optional<double> angle_of_axes(const std::vector<Planar_segment>& ed
   return -place / sectors * quarter;
 }
 
-// Turned by this angle, the chart has the smallest bounding box that is a square: of many angles the best one, refined
-// by bisection
-inline double angle_of_smallest_square(const std::vector<Planar_point>& hull)
+// Turned by this angle, the chart has the smallest bounding box with a given width, divided by the height: of many
+// angles the best one, refined by bisection
+inline double angle_of_smallest_page(const std::vector<Planar_point>& hull, double aspect)
 {
-  const int samples = 512;
+  const int samples = 512, quarters = aspect == 1 ? 1 : 2;
   double step = std::acos(0.) / samples, best_angle = 0, best = HUGE_VAL;
   const auto look_at = [&](double angle) {
-    const double side = turned_extent(hull, angle).maxCoeff();
+    const Planar_point extent = turned_extent(hull, angle);
+    const double side = (std::max)(extent.x(), aspect * extent.y());
     if(side < best) {
       best = side;
       best_angle = angle;
     }
   };
-  for(int i = 0; i < samples; ++i)
+  for(int i = 0; i < quarters * samples; ++i)
     look_at(i * step);
   for(; step > 1e-6; step /= 2) {
     const double centre = best_angle;

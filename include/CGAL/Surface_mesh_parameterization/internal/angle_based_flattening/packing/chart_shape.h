@@ -52,13 +52,17 @@ public:
   double sine() const { return m_sine; }
   const Planar_point& shift() const { return m_shift; }
 
-  bool fits(int resolution) const { return m_width <= resolution && m_height <= resolution; }
+  // Whether a page of that many texels holds it, in cells of `side`^2 texels
+  bool fits(int width, int height, int side = 1) const
+  {
+    return cells_along(m_width, side) <= width / side && cells_along(m_height, side) <= height / side;
+  }
 
   // The cells of `side`^2 texels that the chart touches, or comes nearer to than `gutter` texels, in a mask that is
   // larger by `margin` cells on all sides
   Texel_mask cells(int side, int gutter = 0, int margin = 0) const
   {
-    Texel_mask mask((m_width + side - 1) / side + 2 * margin, (m_height + side - 1) / side + 2 * margin);
+    Texel_mask mask(cells_along(m_width, side) + 2 * margin, cells_along(m_height, side) + 2 * margin);
     std::vector<Crossing> crossings;
     const auto cell = [&](const Planar_point& p) -> Planar_point {
       return (turned(p) + m_shift) / side + Planar_point(margin, margin);
@@ -84,6 +88,8 @@ private:
   };
 
   static constexpr int too_many_texels = 1 << 30;
+
+  static int cells_along(int texels, int side) { return (texels + side - 1) / side; }
 
   static int texels_of(double length)
   {

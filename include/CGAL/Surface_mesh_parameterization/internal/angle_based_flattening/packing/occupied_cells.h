@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The cells of the square that are taken, and a fast search for the lowest place where a mask is free of them.
+// The cells of a page that are taken, and a fast search for the lowest place where a mask is free of them.
 // `place_charts.h` places one chart after the other with it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_OCCUPIED_CELLS_H
@@ -20,20 +20,24 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The cells of a square that charts occupy, and the search for places that are free
+// The cells of a page that charts occupy, and the search for places that are free
 class Occupied_cells
 {
   typedef Texel_mask::Word Word;
   static constexpr int word_size = Texel_mask::word_size;
 
 public:
-  // `margin` are the cells around the square that masks of `add()` may reach.
-  Occupied_cells(int side, int margin)
-      : m_side(side), m_margin(margin), m_cells(side + 2 * margin, side + 2 * margin),
-        m_longest_free_run(static_cast<std::size_t>(side) + 2 * margin, -1)
+  // `margin` are the cells around the page that masks of `add()` may reach.
+  Occupied_cells(int width, int height, int margin)
+      : m_width(width), m_height(height), m_margin(margin), m_cells(width + 2 * margin, height + 2 * margin),
+        m_longest_free_run(static_cast<std::size_t>(height) + 2 * margin, -1)
   {}
 
-  int side() const { return m_side; }
+  // At least those of the page that are free
+  std::size_t number_of_free_cells() const
+  {
+    return static_cast<std::size_t>(m_cells.width()) * m_cells.height() - m_cells.number_of_texels();
+  }
 
   // Adds a mask that is larger by the margin on all sides than the one at (x, y).
   void add(const Texel_mask& mask, int x, int y)
@@ -50,7 +54,7 @@ public:
   template <typename IsStopped>
   std::optional<Texel> find_place(const Texel_mask& mask, int first_row, const IsStopped& is_stopped)
   {
-    const int places = m_side - mask.width() + 1, last_row = m_side - mask.height();
+    const int places = m_width - mask.width() + 1, last_row = m_height - mask.height();
     if(places < 1)
       return std::nullopt;
     std::vector<Word> free((places + word_size - 1) / word_size);
@@ -84,15 +88,15 @@ private:
     int y, length;
   };
 
-  // Of masks for which it pays to look at free runs, as a share of the side
-  static constexpr int least_width_of_side = 32;
+  // Of masks for which it pays to look at free runs, as a share of the width
+  static constexpr int least_width_of_page = 32;
 
   // Of some rows of a mask
   std::vector<Row_run> longest_runs(const Texel_mask& mask) const
   {
     const int number = 8;
     std::vector<Row_run> runs;
-    for(int i = 0, last = -1; i < number && mask.width() * least_width_of_side >= m_side; ++i)
+    for(int i = 0, last = -1; i < number && mask.width() * least_width_of_page >= m_width; ++i)
       if(const int y = (mask.height() - 1) * i / (number - 1); y != last)
         runs.push_back({last = y, mask.longest_run(y, false)});
     return runs;
@@ -142,7 +146,7 @@ private:
     return std::nullopt;
   }
 
-  int m_side, m_margin;
+  int m_width, m_height, m_margin;
   Texel_mask m_cells;
   std::vector<int> m_longest_free_run; // of each row; -1 if it is not known
 };

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The interface of packing: `pack()` and `certify_packing()` on flat arrays, without a mesh.
+// The interface of packing: `pack()`, `charts_too_large()` and `certify_packing()` on flat arrays, without a mesh.
 // `pack_mesh.h` and `atlas/build_atlas_impl.h` include it. Without the compiled library it brings in `pack_impl.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PACK_H
@@ -21,21 +21,26 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale. `corners`
-// are three points for each triangle, `chart` is the chart of each triangle, and `area` is its relative area: a chart
-// is scaled to the sum of its areas.
+// Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale, or, with
+// `texels_per_unit`, as many pages as they need. `corners` are three points for each triangle, `chart` is the chart of
+// each triangle, and `area` is its area: a chart is scaled to the sum of its areas.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>& corners,
                                                 const std::vector<int>& chart,
                                                 const std::vector<double>& area, int number_of_charts,
                                                 const Packing_options& options);
 
-// Whether any two texels that different charts touch have `gutter` texels between them, and the border of the unit
-// square half of that, rounded up. Rounding errors make triangles larger only, by less than 2^-20 texels: what is
-// certified is true of the exact triangles.
+// The charts that are larger than a page with the given `texels_per_unit`; none if `pack()` finds something else wrong
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int>
+charts_too_large(const std::vector<Planar_point>& corners, const std::vector<int>& chart,
+                 const std::vector<double>& area, int number_of_charts, const Packing_options& options);
+
+// Whether each chart is on its page, and any two texels that different charts touch have a gutter between them, and the
+// border of the page half of that, rounded up; likewise for blocks of texels. Rounding errors make triangles larger
+// only, by less than 2^-20 texels: what is certified is true of the exact triangles.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing_check certify_packing(const std::vector<Planar_point>& corners,
                                                                  const std::vector<int>& chart,
-                                                                 int number_of_charts, int resolution,
-                                                                 int gutter);
+                                                                 const std::vector<int>& page_of_chart,
+                                                                 const Packing_options& options);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

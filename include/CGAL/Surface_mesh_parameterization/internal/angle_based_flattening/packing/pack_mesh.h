@@ -199,7 +199,9 @@ private:
 
   void pack_and_write()
   {
-    const Packing packing = pack(m_corners, m_chart, m_area, static_cast<int>(m_numbers.size()), m_options);
+    Packing_options options = m_options; // for the areas as they are read
+    options.texels_per_unit *= m_scale * m_weight_scale;
+    const Packing packing = pack(m_corners, m_chart, m_area, static_cast<int>(m_numbers.size()), options);
     if(packing.status != Packing::DONE) {
       explain_failure(packing);
       return;
@@ -211,6 +213,8 @@ private:
     for(const face_descriptor f : m_faces)
       for(const halfedge_descriptor h : halfedges_of(f))
         put(m_uv, h, placed[c++]);
+    m_report.page_of_chart = packing.page;
+    m_report.number_of_pages = static_cast<std::size_t>(packing.number_of_pages);
     m_report.covered_share = packing.covered_share;
     m_report.texels_per_length = packing.texels_per_length / m_scale / m_weight_scale;
     m_report.number_of_turned_charts = packing.number_of_turned;
@@ -230,11 +234,10 @@ private:
     }
     for(std::size_t c = 0; c < m_corners.size(); ++c)
       m_corners[c] = Planar_point(CGAL::to_double(placed[c].x()), CGAL::to_double(placed[c].y()));
-    const Packing_check check = certify_packing(m_corners, m_chart, static_cast<int>(m_numbers.size()),
-                                                m_options.resolution, m_options.number_of_gutter_texels());
+    const Packing_check check = certify_packing(m_corners, m_chart, packing.page, m_options);
     if(check.status != Packing_check::CERTIFIED)
       fail_at(m_faces[check.triangle], Diagnosis::NOT_CERTIFIED,
-              check.status == Packing_check::OUTSIDE ? " is not certified to be in the square"
+              check.status == Packing_check::OUTSIDE ? " is not certified to be in its page"
                                                      : " is not certified to be apart from other charts");
     return placed;
   }
@@ -248,11 +251,15 @@ private:
       fail_in_chart(packing.chart, Diagnosis::NON_FINITE_COORDINATE, " has coordinates that are too large");
     else if(packing.status == Packing::NO_AREA)
       fail(Diagnosis::NO_AREA, "no face has both an area in space and a weight above 0");
+    else if(packing.status == Packing::CHART_TOO_LARGE)
+      fail_in_chart(packing.chart, Diagnosis::CHART_TOO_LARGE, too_large_text(packing, m_options));
+    else if(packing.status == Packing::TOO_MANY_PAGES)
+      fail(Diagnosis::TOO_MANY_PAGES, too_many_pages_text(packing, m_options));
     else
       fail(Diagnosis::TOO_MANY_CHARTS, std::to_string(m_numbers.size()) + " charts with " +
                                            std::to_string(m_options.number_of_gutter_texels()) +
-                                           " texels between them do not fit into a square with " +
-                                           std::to_string(m_options.resolution) + " texels along each side");
+                                           " texels between them do not fit into a page of " +
+                                           page_text(m_options));
   }
 
   const TriangleMesh& m_mesh;

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Places all charts at one scale, the largest first, each where a rule finds it lowest.
-// `search_scale.h` tries scales and rules with it, `pack_impl.h` reads the places.
+// `search_scale.h` tries scales and rules with it, `fill_pages.h` fills one page after the other, and `pack_impl.h`
+// reads the places.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PLACE_CHARTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_PACKING_PLACE_CHARTS_H
@@ -29,6 +30,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 struct Chart_place
 {
   int direction = 0;
+  int page = 0;
   double cosine = 1, sine = 0;               // times the scale, in texels
   Planar_point shift = Planar_point::Zero(); // in texels
 };
@@ -40,6 +42,22 @@ struct Placement_rule
   int first_direction = -1; // that the largest chart has to take, or -1
 };
 
+// The more charts, the fewer rules
+inline std::vector<Placement_rule> placement_rules(const Charts_to_pack& charts)
+{
+  const double height_weights[] = {1, 0.5, 1.5, 0};
+  int directions = 0;
+  for(int c = 0; c < charts.number_of_charts(); ++c)
+    directions += static_cast<int>(charts.directions(c).size());
+  std::vector<Placement_rule> result;
+  const int many_directions = 8192, least = directions > many_directions ? 4 : 10;
+  const int number =
+      charts.number_of_charts() == 1 ? 1 : std::clamp(many_directions / directions, least, 130);
+  for(int i = 0; i < number; ++i)
+    result.push_back({height_weights[i % 4], i / 4 - 1});
+  return result;
+}
+
 // Places charts of one scale, the largest first, each where it is lowest.
 class Chart_placer
 {
@@ -48,27 +66,25 @@ public:
       : m_scaled(scaled), m_rule(rule), m_gutter(scaled.charts().options().number_of_gutter_texels()),
         m_border((m_gutter + 1) / 2), m_cell(scaled.texels_of_cell()),
         m_margin((m_gutter + m_cell - 1) / m_cell),
-        m_occupied((std::max)(0, scaled.charts().options().resolution - 2 * m_border) / m_cell, m_margin),
-        m_places(static_cast<std::size_t>(scaled.charts().number_of_charts()))
+        m_occupied((std::max)(0, scaled.charts().options().resolution - 2 * m_border) / m_cell,
+                   (std::max)(0, scaled.charts().options().number_of_rows() - 2 * m_border) / m_cell,
+                   m_margin)
   {}
 
+  // All charts on one page, if it holds them
   std::optional<std::vector<Chart_place>> run()
   {
+    std::vector<Chart_place> places(static_cast<std::size_t>(m_scaled.charts().number_of_charts()));
     for(int c : m_scaled.largest_first())
-      if(!place(c))
+      if(const std::optional<Chart_place> found = place(c))
+        places[c] = *found;
+      else
         return std::nullopt;
-    return m_places;
+    return places;
   }
 
-private:
-  struct Choice
-  {
-    int direction = -1;
-    Texel place{0, 0};
-    double height = std::numeric_limits<double>::infinity();
-  };
-
-  bool place(int c)
+  // The place that a chart takes, if there is one
+  std::optional<Chart_place> place(int c)
   {
     const double texels = m_scaled.needed_texels(c);
     if(!m_scaled.charts().is_small(c) || texels < alike * m_texels_at_first_row) {
@@ -81,12 +97,21 @@ private:
       if(!is_first || m_rule.first_direction < 0 || i == m_rule.first_direction)
         look_for_better(c, i, best);
     if(best.direction < 0)
-      return false;
+      return std::nullopt;
     m_first_row = best.place.y;
-    m_places[c].direction = best.direction;
-    occupy(*m_scaled.shape(c, best.direction), best.place, m_places[c]);
-    return true;
+    return occupy(c, best.direction, best.place);
   }
+
+  // At least those of the page that are free
+  std::size_t number_of_free_cells() const { return m_occupied.number_of_free_cells(); }
+
+private:
+  struct Choice
+  {
+    int direction = -1;
+    Texel place{0, 0};
+    double height = std::numeric_limits<double>::infinity();
+  };
 
   void look_for_better(int c, int direction, Choice& best)
   {
@@ -101,23 +126,26 @@ private:
   }
 
   // With the gutter
-  void occupy(const Scaled_charts::Shape& scaled, const Texel& at, Chart_place& result)
+  Chart_place occupy(int c, int direction, const Texel& at)
   {
+    const Scaled_charts::Shape& scaled = *m_scaled.shape(c, direction);
     const Chart_shape& shape = scaled.texels;
     m_occupied.add(m_cell == 1 ? dilated(scaled.cells, m_gutter) : shape.cells(m_cell, m_gutter, m_margin),
                    at.x, at.y);
+    Chart_place result;
+    result.direction = direction;
     result.cosine = shape.cosine();
     result.sine = shape.sine();
     result.shift = shape.shift() + Planar_point(m_border + m_cell * at.x, m_border + m_cell * at.y);
+    return result;
   }
 
   const Scaled_charts& m_scaled;
   const Placement_rule m_rule;
-  const int m_gutter, m_border; // texels between charts, and between them and the border of the square
+  const int m_gutter, m_border; // texels between charts, and between them and the border of the page
   const int m_cell;             // texels along the side of a cell
   const int m_margin;           // cells that the gutter may stick out
   Occupied_cells m_occupied;
-  std::vector<Chart_place> m_places;
   double m_texels_at_first_row = 0; // that the chart needed which was tried from the first row on
   int m_first_row = 0;              // where the next alike is tried
 };

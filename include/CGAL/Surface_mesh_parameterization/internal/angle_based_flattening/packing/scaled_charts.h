@@ -42,17 +42,25 @@ inline constexpr double largest_small_share = 0.002, alike = 0.75;
 class Charts_to_pack
 {
 public:
-  Charts_to_pack(const std::vector<Chart_outline>& outlines, const Packing_options& options)
-      : m_outlines(outlines), m_options(options)
+  // `scale` are the texels of the length 1 if charts have that scale, or 0. Options have blocks of one texel.
+  Charts_to_pack(const std::vector<Chart_outline>& outlines, const Packing_options& options, double scale = 0)
+      : m_outlines(outlines), m_options(options), m_scale(scale),
+        m_pages((std::max)(1., scale / side_of_page() * (scale / side_of_page())))
   {
-    const double texels_of_chart = options.resolution / std::sqrt(static_cast<double>(outlines.size()));
+    const double texels_of_chart = side_of_page() / std::sqrt(static_cast<double>(outlines.size()) / m_pages);
     for(const auto& [cells, cells_of_chart] : finenesses)
-      if(const int cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(options.resolution / cells),
+      if(const int cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(side_of_page() / cells),
                                                                     texels_of_chart / cells_of_chart)));
          m_cells.empty() || cell < m_cells.back())
         m_cells.push_back(cell);
-    for(std::size_t c = 0; c < outlines.size(); ++c)
-      m_angles.push_back(angles(static_cast<int>(c)));
+    for(int c = 0; c < number_of_charts(); ++c) {
+      m_is_turned.push_back(share(c) >= least_turned_share && !keeps_axes(c));
+      m_angles.push_back(angles(c));
+      if(scale > 0 && m_pages <= most_pages && !m_is_turned[c] && !fits(c, 1)) {
+        m_is_turned[c] = true;
+        m_angles[c] = angles(c);
+      }
+    }
   }
 
   int number_of_charts() const { return static_cast<int>(m_outlines.size()); }
@@ -60,13 +68,35 @@ public:
   const std::vector<double>& directions(int c) const { return m_angles[c]; }
   const Packing_options& options() const { return m_options; }
 
+  double scale() const { return m_scale; } // if it is given
+  double number_of_pages() const
+  {
+    return m_pages;
+  } // that charts of this scale would fill; 1 for other scales
+
+  // The texels along the sides of a square of the size of a page
+  double side_of_page() const
+  {
+    return std::sqrt(static_cast<double>(m_options.resolution) * m_options.number_of_rows());
+  }
+
+  // Whether a page can hold the chart at the given scale, in one of its directions and in such cells
+  bool fits(int c, int cell) const
+  {
+    const int border = 2 * ((m_options.number_of_gutter_texels() + 1) / 2);
+    return std::any_of(m_angles[c].begin(), m_angles[c].end(), [&](double angle) {
+      return Chart_shape(m_outlines[c], angle, scale_of(c, m_scale))
+          .fits(m_options.resolution - border, m_options.number_of_rows() - border, cell);
+    });
+  }
+
   // Charts are placed by cells of this many texels along a side, first by large cells. If there are many texels, even
   // the last cells have several.
   const std::vector<int>& texels_of_cells() const { return m_cells; }
 
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
-  bool is_turned(int c) const { return share(c) >= least_turned_share && !keeps_axes(c); }
-  bool is_small(int c) const { return share(c) < largest_small_share; }
+  bool is_turned(int c) const { return m_is_turned[c]; }
+  bool is_small(int c) const { return share(c) * m_pages < largest_small_share; }
   bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent; }
 
   // Of the outline, where a texel has the length 1. `scale` are the texels of the length 1.
@@ -83,7 +113,7 @@ public:
   }
 
 private:
-  // The most cells along a side of the square, and the least along a side of a chart
+  // The most cells along a side of the page, and the least along a side of a chart
   static constexpr std::pair<double, double> finenesses[] = {{256, 12}, {512, 18}, {1024, 24}};
 
   // Charts with axes lie along them, except for strips and the like, which may need the diagonal.
@@ -98,7 +128,7 @@ private:
 
   static constexpr double longest_side = 1.2, least_share_of_square = 0.29; // where all areas together are 1
 
-  // That of the smallest square first, if the chart is one of few
+  // That of the smallest page first, if the chart is one of few
   std::vector<double> angles(int c) const
   {
     const double full_turn = 4 * std::acos(0.);
@@ -106,7 +136,7 @@ private:
         is_turned(c) ? m_options.number_of_rotations : (std::min)(4, m_options.number_of_rotations);
     std::vector<double> result;
     if(is_turned(c) && number > 1)
-      result.push_back(angle_of_smallest_square(m_outlines[c].hull));
+      result.push_back(angle_of_smallest_page(m_outlines[c].hull, aspect_ratio(m_options)));
     for(int i = 0; i < number; ++i)
       result.push_back(m_outlines[c].angle_of_rectangle + full_turn * i / number);
     return result;
@@ -114,6 +144,8 @@ private:
 
   const std::vector<Chart_outline>& m_outlines;
   const Packing_options& m_options;
+  const double m_scale, m_pages;
+  std::vector<char> m_is_turned; // of each chart
   std::vector<std::vector<double>> m_angles;
   std::vector<int> m_cells;
 };
@@ -152,7 +184,7 @@ public:
       const auto [c, direction] = missing[i];
       const Chart_shape shape(m_charts.outline(c), m_charts.directions(c)[direction],
                               m_charts.scale_of(c, m_scale));
-      if(shape.fits(m_charts.options().resolution))
+      if(shape.fits(m_charts.options().resolution, m_charts.options().number_of_rows()))
         m_shapes[c][direction].emplace(Shape{shape, shape.cells(m_cell)});
     });
     m_is_made = true;
@@ -165,7 +197,7 @@ public:
   double needed_texels(int c) const { return m_charts.needed_texels(c, m_scale); }
   int number_of_directions(int c) const { return static_cast<int>(m_shapes[c].size()); }
 
-  // None if it is larger than the square, or the direction is not allowed
+  // None if it is larger than the page, or the direction is not allowed
   const std::optional<Shape>& shape(int c, int direction) const { return m_shapes[c][direction]; }
 
 private:

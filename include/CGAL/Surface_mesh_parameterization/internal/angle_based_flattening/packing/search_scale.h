@@ -31,7 +31,7 @@ class Scale_search
 public:
   // The areas of the charts are 1 together.
   explicit Scale_search(const Charts_to_pack& charts)
-      : m_charts(charts), m_resolution(charts.options().resolution), m_rules(rules(charts))
+      : m_charts(charts), m_side(charts.side_of_page()), m_rules(placement_rules(charts))
   {
     double largest = 0;
     for(int c = 0; c < charts.number_of_charts(); ++c)
@@ -45,8 +45,9 @@ public:
   bool run()
   {
     const int gutter = m_charts.options().number_of_gutter_texels();
-    const double room = m_resolution + gutter, least = 1. + gutter;
-    if(m_charts.number_of_charts() * least * least > room * room)
+    const double width = m_charts.options().resolution + gutter,
+                 height = m_charts.options().number_of_rows() + gutter, least = 1. + gutter;
+    if(m_charts.number_of_charts() * least * least > width * height)
       return false;
     for(int cell : m_charts.texels_of_cells()) {
       m_cell = cell;
@@ -75,30 +76,14 @@ private:
   // With large cells, all rules and directions are tried, and with smaller ones those that were best or nearly so.
   static constexpr double nearly = 0.99;
 
-  // The more charts, the fewer rules
-  static std::vector<Placement_rule> rules(const Charts_to_pack& charts)
-  {
-    const double height_weights[] = {1, 0.5, 1.5, 0};
-    int directions = 0;
-    for(int c = 0; c < charts.number_of_charts(); ++c)
-      directions += static_cast<int>(charts.directions(c).size());
-    std::vector<Placement_rule> result;
-    const int many_directions = 8192, least = directions > many_directions ? 4 : 10;
-    const int number =
-        charts.number_of_charts() == 1 ? 1 : std::clamp(many_directions / directions, least, 130);
-    for(int i = 0; i < number; ++i)
-      result.push_back({height_weights[i % 4], i / 4 - 1});
-    return result;
-  }
-
   // Sets a scale that fits, and one above that does not, if there is one.
   bool bracket()
   {
     const std::size_t rules = (std::min)(rules_of_bisection, m_rules.size());
     double scale = (std::max)(scale_of_needed_share(0.8), m_least);
     if(attempt(scale, 0, rules)) {
-      for(double step = first_step; m_scale < m_resolution; step *= 2) {
-        m_above = (std::min)((1 + step) * m_scale, m_resolution);
+      for(double step = first_step; m_scale < m_side; step *= 2) {
+        m_above = (std::min)((1 + step) * m_scale, m_side);
         if(!attempt(m_above, 0, rules))
           return true;
       }
@@ -222,19 +207,19 @@ private:
   // The scale at which charts need about this share of the texels; near 0 if they always need more
   double scale_of_needed_share(double share) const
   {
-    double lower = 0, upper = m_resolution;
+    double lower = 0, upper = m_side;
     for(int i = 0; i < 40; ++i) {
       const double scale = (lower + upper) / 2;
       double texels = 0;
       for(int c = 0; c < m_charts.number_of_charts(); ++c)
         texels += m_charts.needed_texels(c, scale);
-      (texels < share * m_resolution * m_resolution ? lower : upper) = scale;
+      (texels < share * m_side * m_side ? lower : upper) = scale;
     }
     return lower;
   }
 
   const Charts_to_pack& m_charts;
-  const double m_resolution;
+  const double m_side; // of a square of the size of the page
   std::vector<Placement_rule> m_rules;
   int m_cell = 1;     // texels along the side of a cell
   double m_least = 0; // of which no chart is larger than the least extent

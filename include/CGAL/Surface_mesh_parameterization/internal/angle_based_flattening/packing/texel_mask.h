@@ -14,6 +14,7 @@
 #include <boost/integer/integer_log2.hpp>
 
 #include <algorithm>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -45,6 +46,14 @@ public:
   // The words of a row, and one more or two that are zero
   Word* row(int y) { return m_words.data() + static_cast<std::size_t>(m_stride) * y; }
   const Word* row(int y) const { return m_words.data() + static_cast<std::size_t>(m_stride) * y; }
+
+  std::size_t number_of_texels() const
+  {
+    std::size_t number = 0;
+    for(const Word word : m_words)
+      number += std::bitset<word_size>(word).count();
+    return number;
+  }
 
   bool has(int x, int y) const { return row(y)[x / word_size] >> (x % word_size) & 1; }
 
