@@ -455,6 +455,7 @@ struct Chart_sums
   double surface = 0, weighted = 0, plane = 0, scale = 0, stretch = 0;
   double extent = 0; // squared lengths of edges
   std::size_t crushed = 0, nearly_crushed = 0;
+  double skewed = 0, nearly_skewed = 0; // the area of such faces
 
   // Whether rounding changes the area of the surface by less than the tolerance
   bool has_area() const { return surface > 1e-9 * extent; }
@@ -488,6 +489,8 @@ inline std::vector<Chart_sums> chart_sums(const Atlas_run& run, const std::vecto
         (p.squared_length() + q.squared_length() + (q - p).squared_length()) / (2 * std::sqrt(3.) * surface);
     sum.crushed += of_map > 1010 && of_shape < 990;
     sum.nearly_crushed += of_map > 990 && of_shape < 1010;
+    sum.skewed += of_map > 5.2 * (1 + 1e-6) && of_shape < 990 ? surface : 0;
+    sum.nearly_skewed += of_map > 5.2 * (1 - 1e-6) && of_shape < 1010 ? surface : 0;
   }
   return sums;
 }
@@ -531,8 +534,11 @@ inline void check_stretch(const Atlas_run& run, const std::vector<Chart_sums>& s
     BOOST_TEST(chart.bound_reached == (chart.scale_stretch <= 1.03 * bound));
     BOOST_TEST(sum.crushed <= chart.crushed_faces);
     BOOST_TEST(chart.crushed_faces <= sum.nearly_crushed);
-    BOOST_TEST(chart.is_good == (std::isinf(bound) ||
-                                 (chart.l2_stretch <= (std::max)(2., bound) && chart.crushed_faces == 0)));
+    BOOST_TEST(sum.skewed <= (chart.skewed_share + 1e-9) * sum.surface);
+    BOOST_TEST((chart.skewed_share - 1e-9) * sum.surface <= sum.nearly_skewed);
+    BOOST_TEST(chart.is_good ==
+               (std::isinf(bound) || (chart.l2_stretch <= (std::max)(2., bound) && chart.crushed_faces == 0 &&
+                                      chart.skewed_share <= 0.01)));
     surface += chart.area; // compared above, but for what is mostly rounding
     stretch += chart.area * chart.l2_stretch * chart.l2_stretch;
   }

@@ -115,8 +115,12 @@ struct Atlas_report : Report
     /// The number of faces with a quasi-conformal ratio above 1000 that are not that thin on the surface.
     std::size_t crushed_faces = 0;
 
-    /// Whether `l2_stretch` is at most 2, or `Seam_options::stretch_bound` if larger, and no face is crushed. With an
-    /// infinite bound, every chart is good.
+    /// The share of the area in faces with a quasi-conformal ratio above 5, without those that are too thin on the
+    /// surface.
+    double skewed_share = 0;
+
+    /// Whether `l2_stretch` is at most 2, or `Seam_options::stretch_bound` if larger, no face is crushed, and
+    /// `skewed_share` is at most 0.01. With an infinite bound, every chart is good.
     bool is_good = true;
     double contact = 0; ///< See `Flattening_report::contact`.
     int rounds = 0;     ///< How often seams were added because the map stretched too much.

@@ -33,6 +33,7 @@ inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const doubl
   json.add("scale_stretch", json_number(chart.scale_stretch));
   json.add("l2_stretch", json_number(chart.l2_stretch));
   json.add("crushed_faces", json_number(chart.crushed_faces));
+  json.add("skewed_share", json_number(chart.skewed_share));
   json.add("bound_reached", json_bool(chart.bound_reached));
   json.add("is_good", json_bool(chart.is_good));
   json.add("contact", json_number(chart.contact));

@@ -33,7 +33,8 @@ struct Map_stretch
   double l2 = 1;
   double ordinary_l2 = 1; // without needles, whose shape is mostly rounding
   int crushed_triangles = 0;
-  double length = 0; // of the diagonal of its box, in the units of the surface
+  double skewed_share = 0; // of the area
+  double length = 0;       // of the diagonal of its box, in the units of the surface
 
   // Whether the chart is not good. An infinite bound accepts any stretch.
   bool is_bad(double bound) const { return exceeds(l2, bound); }
@@ -42,9 +43,12 @@ struct Map_stretch
   bool is_mendable(double bound) const { return exceeds(ordinary_l2, bound); }
 
 private:
+  static constexpr double most_skewed = 0.01;
+
   bool exceeds(double stretch, double bound) const
   {
-    return stretch > (std::max)(2., bound) || (crushed_triangles > 0 && std::isfinite(bound));
+    return stretch > (std::max)(2., bound) ||
+           ((crushed_triangles > 0 || skewed_share > most_skewed) && std::isfinite(bound));
   }
 };
 
@@ -69,8 +73,11 @@ public:
     else if(std::isnormal(surface))
       squares = std::numeric_limits<double>::infinity();
     m_squares += squares;
-    m_ordinary_squares += is_needle(chart, t) ? 0 : squares;
-    m_crushed += is_crushed(chart, uv, t);
+    if(!is_needle(chart, t)) {
+      m_ordinary_squares += squares;
+      m_crushed += map.is_thinner(largest_ratio);
+      m_skewed += map.is_thinner(skewed_ratio) ? surface : 0;
+    }
   }
 
   double surface() const { return m_surface; }
@@ -86,11 +93,12 @@ public:
       result.length = std::hypot(m_box.x_span(), m_box.y_span()) * std::sqrt(m_surface / m_plane);
     }
     result.crushed_triangles = m_crushed;
+    result.skewed_share = m_surface > 0 ? m_skewed / m_surface : 0;
     return result;
   }
 
 private:
-  double m_surface = 0, m_plane = 0, m_scale = 0, m_squares = 0, m_ordinary_squares = 0;
+  double m_surface = 0, m_plane = 0, m_scale = 0, m_squares = 0, m_ordinary_squares = 0, m_skewed = 0;
   int m_crushed = 0;
   Bbox_2 m_box;
 };

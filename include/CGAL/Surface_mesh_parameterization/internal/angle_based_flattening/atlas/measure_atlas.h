@@ -50,6 +50,7 @@ public:
       chart.bound_reached = !(chart.scale_stretch > stretch_tolerance * m_bound);
       chart.l2_stretch = stretch.l2;
       chart.crushed_faces = static_cast<std::size_t>(stretch.crushed_triangles);
+      chart.skewed_share = stretch.skewed_share;
       chart.is_good = !stretch.is_bad(m_bound);
     }
     for(const std::vector<int>& border : part.chart.borders)

@@ -77,6 +77,12 @@ public:
     return (std::min)(area_stretch() / largest_stretch(), largest_stretch());
   }
 
+  // Whether the quasi-conformal ratio is larger than this
+  bool is_thinner(double ratio) const
+  {
+    return !has_area() || largest_stretch() > ratio * smallest_stretch();
+  }
+
   double area_stretch() const { return m_twice_area / m_determinant; }
 
 private:
@@ -88,6 +94,9 @@ private:
 // Triangles are needles on the surface, and crushed in the plane, if they are so many times as long as thin: if the
 // quasi-conformal ratio of the map from an equilateral triangle, or from the surface, is larger.
 inline constexpr double largest_ratio = 1000;
+
+// From this quasi-conformal ratio on, a triangle that is no needle is skewed.
+inline constexpr double skewed_ratio = 5;
 
 // Also a triangle without area
 inline bool is_needle(const Chart& chart, int t)
@@ -104,8 +113,7 @@ inline bool is_crushed(const Chart& chart, const std::vector<Chart::Point_2>& uv
 {
   if(is_needle(chart, t))
     return false;
-  const Triangle_differential map(chart, uv, t);
-  return !map.has_area() || map.largest_stretch() > largest_ratio * map.smallest_stretch();
+  return Triangle_differential(chart, uv, t).is_thinner(largest_ratio);
 }
 
 inline bool has_crushed_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv)
