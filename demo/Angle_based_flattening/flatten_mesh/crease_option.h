@@ -16,6 +16,14 @@
 
 namespace flatten_mesh {
 
+// What became of `--seams creases`
+struct Crease_record
+{
+  double angle = 0;             // of a crease, at least, in radians
+  bool has_seams = false;       // whether there are seams along creases
+  bool is_hard_surface = false; // see `Crease_report::is_hard_surface()`
+};
+
 // The angle of creases in radians, if `--seams` asks for seams along creases and gives an angle that can be one
 inline std::optional<double> crease_angle(const std::string& seams)
 {

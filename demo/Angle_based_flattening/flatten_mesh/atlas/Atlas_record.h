@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/bake/Baking_record.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/model/Skipped_part.h"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +32,7 @@ struct Atlas_record
   std::size_t vertices = 0; // these three are of the surface that the atlas is made of
   std::size_t triangles = 0;
   std::size_t components = 0;
+  std::optional<Crease_record> creases; // if seams were laid along them
   SMP::Atlas_report report;
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart
@@ -41,6 +44,12 @@ struct Atlas_record
   std::vector<std::string> written;
   std::vector<std::string> notes;
 };
+
+// Of `--seams`, without an angle
+inline std::string way_of_seams(const Atlas_record& record)
+{
+  return record.creases ? "creases" : record.options.seams;
+}
 
 inline std::string status_name(const Atlas_record& record)
 {

@@ -24,6 +24,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -75,12 +76,18 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
 namespace internal {
 
 // Marks seams along creases, if these are asked for. They do not divide polygons.
-inline void lay_seams_along_creases(const std::string& seams, Mesh& mesh, const Edge_marks& is_seam)
+inline std::optional<Crease_record> lay_seams_along_creases(const std::string& seams, Mesh& mesh,
+                                                            const Edge_marks& is_seam)
 {
   const std::optional<double> angle = crease_angle(seams);
   if(!angle || mesh.faces().empty()) {
-    return;
+    return std::nullopt;
   }
+  const auto count_seams = [&] {
+    const auto edges = mesh.edges();
+    return std::count_if(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
+  };
+  const auto given = count_seams();
   SMP::Crease_options options;
   options.angle = *angle;
   const auto report = SMP::select_crease_seams(mesh, is_seam, options,
@@ -88,6 +95,7 @@ inline void lay_seams_along_creases(const std::string& seams, Mesh& mesh, const 
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
+  return Crease_record{*angle, count_seams() > given, report.is_hard_surface()};
 }
 
 // What seams cost along each edge, unless that is its length
@@ -103,7 +111,7 @@ inline void weigh_edges(const std::string& seams, const Mesh& mesh,
 
 // No seam divides a polygon of the input.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                         Atlas_progress& progress)
+                                         std::optional<Crease_record>& creases, Atlas_progress& progress)
 {
   namespace np = CGAL::parameters;
   const Edge_marks is_diagonal = diagonals(mesh);
@@ -121,7 +129,7 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
     report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
   } else {
     auto weight = mesh.add_property_map<Edge, double>().first;
-    lay_seams_along_creases(command.atlas.seams, mesh, atlas.seams);
+    creases = lay_seams_along_creases(command.atlas.seams, mesh, atlas.seams);
     weigh_edges(command.atlas.seams, mesh, weight);
     report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
     mesh.remove_property_map(weight);
@@ -157,6 +165,7 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
 
 // The faces of the report are those of the whole mesh.
 inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                                 std::optional<Crease_record>& creases,
                                                  Atlas_progress& progress)
 {
   Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
@@ -167,7 +176,7 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
-  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, progress);
+  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, creases, progress);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -186,13 +195,15 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
 
 } // namespace internal
 
-// Makes charts of the mesh or of the component that is asked for.
+// Makes charts of the mesh or of the component that is asked for, and says what became of its creases.
 inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
-                                             const Atlas& atlas, Atlas_progress& progress)
+                                             const Atlas& atlas, std::optional<Crease_record>& creases,
+                                             Atlas_progress& progress)
 {
   keep_seams(command.atlas, input, atlas.seams);
-  return command.asks_for_component ? internal::make_atlas_of_component(command, input.mesh, atlas, progress)
-                                    : internal::call_make_atlas(command, input.mesh, atlas, progress);
+  return command.asks_for_component
+             ? internal::make_atlas_of_component(command, input.mesh, atlas, creases, progress)
+             : internal::call_make_atlas(command, input.mesh, atlas, creases, progress);
 }
 
 } // namespace flatten_mesh
