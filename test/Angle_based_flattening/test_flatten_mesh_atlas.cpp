@@ -230,9 +230,20 @@ BOOST_AUTO_TEST_CASE(seams_along_creases)
     BOOST_TEST(atlas().get<double>("seams.relative_length") == 7 / std::sqrt(6.),
                boost::test_tools::tolerance(1e-4));
     BOOST_TEST(atlas().get<double>("mean_angle_change") < 1e-4);
+    BOOST_TEST(atlas().get<std::string>("seams.way") == "creases");
+    BOOST_TEST(atlas().get<bool>("seams.is_hard_surface"));
+    BOOST_TEST(json().get_child("notes").empty());
+    BOOST_TEST((standard_output.find("along creases of a hard surface") != std::string::npos));
   }
   flatten(write("cube.off", cube().text()), "--for few-charts --seams creases:100"); // there are none
-  check_success();
+  BOOST_TEST(status == 0);
+  BOOST_TEST(json().get_child("notes").size() == 1u);
+  BOOST_TEST(
+      (standard_error.find("no creases divide the surface where faces differ by more than 100 degrees") !=
+       std::string::npos));
+  BOOST_TEST(!atlas().get<bool>("seams.is_hard_surface"));
+  BOOST_TEST(atlas().get<double>("seams.crease_angle") == 100 * CGAL_PI / 180,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(atlas().get<double>("mean_angle_change") > 0.01);
 }
 
@@ -244,6 +255,8 @@ BOOST_AUTO_TEST_CASE(hidden_seams_are_others)
   const double length = atlas().get<double>("seams.length");
   flatten(dinosaur(), "--for few-charts --seams hidden --seams-to " + quoted(hidden));
   BOOST_TEST(status == 0);
+  BOOST_TEST(atlas().get<std::string>("seams.way") == "hidden");
+  BOOST_TEST(atlas().get<std::string>("seams.is_hard_surface") == "null");
   BOOST_TEST((edges_in(content(hidden)) != edges_in(content(shortest))));
   BOOST_TEST(atlas().get<double>("seams.length") > length);
 }

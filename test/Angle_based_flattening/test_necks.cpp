@@ -138,4 +138,46 @@ BOOST_AUTO_TEST_CASE(charts_are_cut_if_that_is_worth_the_price)
   }
 }
 
+// A frame without and with vertices inside: two halves lie beside each other.
+BOOST_AUTO_TEST_CASE(rings_are_cut_in_two)
+{
+  for(const std::size_t width : {1, 2, 3}) {
+    std::vector<std::string> frame(30, std::string(30, '#'));
+    for(std::size_t y = width; y + width < frame.size(); ++y)
+      std::fill(frame[y].begin() + width, frame[y].end() - width, ' ');
+    Mesh mesh = flat_surface(frame);
+    const Result whole = atlas_of(mesh, infinity), expensive = atlas_of(mesh, 10), cut = atlas_of(mesh, 0.04);
+    BOOST_TEST(bool(cut.report), cut.report.message);
+    BOOST_TEST(whole.report.charts.size() == 1);
+    BOOST_TEST(expensive.report.charts.size() == 1);
+    BOOST_TEST(expensive.seams.empty());
+    BOOST_TEST(cut.report.charts.size() >= 2);
+    BOOST_TEST(cut.report.covered_share > 1.5 * whole.report.covered_share);
+    BOOST_TEST(cut.report.measures.l2_stretch < 1 + 1e-6);
+  }
+}
+
+// Its halves have less than a hundredth of the area.
+BOOST_AUTO_TEST_CASE(small_strips_are_cut_if_they_are_long)
+{
+  std::vector<std::string> picture(72, std::string(72, '#') + std::string(28, ' '));
+  picture.push_back(std::string(100, ' '));
+  picture.push_back(std::string(100, '#'));
+  Mesh mesh = flat_surface(picture);
+  const Result whole = atlas_of(mesh, infinity), cut = atlas_of(mesh, 0.04);
+  BOOST_TEST(bool(cut.report), cut.report.message);
+  BOOST_TEST(cut.report.charts.size() >= 3);
+  BOOST_TEST(cut.report.covered_share > 1.2 * whole.report.covered_share);
+}
+
+// What is cut off would have too little area, or the hole is too small to be worth it.
+BOOST_AUTO_TEST_CASE(small_holes_stay)
+{
+  std::vector<std::string> plate(24, std::string(24, '#'));
+  plate[3][3] = plate[20][12] = ' ';
+  Mesh mesh = flat_surface(plate);
+  BOOST_TEST(atlas_of(mesh, 0.04).report.charts.size() == 1);
+  BOOST_TEST(atlas_of(mesh, 0.04).seams.empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,6 +16,25 @@
 
 namespace flatten_mesh {
 
+// What became of `--seams creases`
+struct Crease_record
+{
+  double angle = 0;             // of a crease, at least, in radians
+  bool has_seams = false;       // whether there are seams along creases
+  bool is_hard_surface = false; // see `Crease_report::is_hard_surface()`
+};
+
+// Adds what became of the creases of another model.
+inline void add(const std::optional<Crease_record>& model, std::optional<Crease_record>& all)
+{
+  if(model && all) {
+    all->has_seams = all->has_seams || model->has_seams;
+    all->is_hard_surface = all->is_hard_surface || model->is_hard_surface;
+  } else if(model) {
+    all = model;
+  }
+}
+
 // The angle of creases in radians, if `--seams` asks for seams along creases and gives an angle that can be one
 inline std::optional<double> crease_angle(const std::string& seams)
 {

@@ -25,6 +25,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -85,12 +86,18 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
 namespace internal {
 
 // Marks seams along creases, if these are asked for. They do not divide polygons.
-inline void lay_seams_along_creases(const std::string& seams, Mesh& mesh, const Edge_marks& is_seam)
+inline std::optional<Crease_record> lay_seams_along_creases(const std::string& seams, Mesh& mesh,
+                                                            const Edge_marks& is_seam)
 {
   const std::optional<double> angle = crease_angle(seams);
   if(!angle || mesh.faces().empty()) {
-    return;
+    return std::nullopt;
   }
+  const auto count_seams = [&] {
+    const auto edges = mesh.edges();
+    return std::count_if(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
+  };
+  const auto given = count_seams();
   SMP::Crease_options options;
   options.angle = *angle;
   const auto report = SMP::select_crease_seams(mesh, is_seam, options,
@@ -98,6 +105,7 @@ inline void lay_seams_along_creases(const std::string& seams, Mesh& mesh, const 
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
+  return Crease_record{*angle, count_seams() > given, report.is_hard_surface()};
 }
 
 // What seams cost along each edge, unless that is its length
@@ -116,13 +124,16 @@ inline Mesh::Property_map<Edge, double> edge_weights(Mesh& mesh)
   return mesh.add_property_map<Edge, double>("e:flatten_mesh_weight", 0).first;
 }
 
-// Says where seams run, unless they are short.
-inline void prepare_edges(const Atlas_options& atlas, Mesh& mesh, const Edge_marks& is_seam)
+// Says where seams run, unless they are short, and returns what became of creases.
+inline std::optional<Crease_record> prepare_edges(const Atlas_options& atlas, Mesh& mesh,
+                                                  const Edge_marks& is_seam)
 {
+  std::optional<Crease_record> creases;
   if(atlas.weighs_edges() && !mesh.is_empty()) {
-    lay_seams_along_creases(atlas.seams, mesh, is_seam);
+    creases = lay_seams_along_creases(atlas.seams, mesh, is_seam);
     weigh_edges(atlas.seams, mesh, edge_weights(mesh));
   }
+  return creases;
 }
 
 // No seam divides a polygon of the input. Edges are prepared.
@@ -179,6 +190,7 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
 
 // The faces of the report are those of the whole mesh.
 inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                                 std::optional<Crease_record>& creases,
                                                  Atlas_progress& progress)
 {
   Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
@@ -189,7 +201,7 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
-  prepare_edges(command.atlas, part, atlas_of_part.seams);
+  creases = prepare_edges(command.atlas, part, atlas_of_part.seams);
   SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, progress);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
@@ -208,8 +220,9 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
 }
 
 // Each model by itself: another one neither hides its edges nor has its seams.
-inline void prepare_joined_models(Atlas_input& input, const Atlas& atlas)
+inline std::optional<Crease_record> prepare_joined_models(Atlas_input& input, const Atlas& atlas)
 {
+  std::optional<Crease_record> creases;
   const auto weight_of_whole = edge_weights(input.mesh);
   for(Joined_model& model : input.joined) {
     Mesh& mesh = model.input.mesh;
@@ -224,7 +237,7 @@ inline void prepare_joined_models(Atlas_input& input, const Atlas& atlas)
           atlas.uv[in_common_mesh(model, h)] = p;
         });
       }
-      prepare_edges(model.command.atlas, mesh, is_seam);
+      add(prepare_edges(model.command.atlas, mesh, is_seam), creases);
     } catch(const Input_error& error) {
       throw Input_error(model.command.title + ": " + error.what());
     }
@@ -234,16 +247,18 @@ inline void prepare_joined_models(Atlas_input& input, const Atlas& atlas)
       weight_of_whole[in_common_mesh(model, e)] = weight[e];
     }
   }
+  return creases;
 }
 
 } // namespace internal
 
-// Makes charts of the mesh or of the component that is asked for.
+// Makes charts of the mesh or of the component that is asked for, and says what became of its creases.
 inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
-                                             const Atlas& atlas, Atlas_progress& progress)
+                                             const Atlas& atlas, std::optional<Crease_record>& creases,
+                                             Atlas_progress& progress)
 {
   if(!input.joined.empty()) {
-    internal::prepare_joined_models(input, atlas);
+    creases = internal::prepare_joined_models(input, atlas);
     return internal::call_make_atlas(command, input.mesh, atlas, progress);
   }
   keep_seams(command.atlas, input, atlas.seams);
@@ -252,9 +267,9 @@ inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_
                  [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
   }
   if(command.asks_for_component) {
-    return internal::make_atlas_of_component(command, input.mesh, atlas, progress);
+    return internal::make_atlas_of_component(command, input.mesh, atlas, creases, progress);
   }
-  internal::prepare_edges(command.atlas, input.mesh, atlas.seams);
+  creases = internal::prepare_edges(command.atlas, input.mesh, atlas.seams);
   return internal::call_make_atlas(command, input.mesh, atlas, progress);
 }
 

@@ -12,6 +12,8 @@
 #include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -87,6 +89,16 @@ inline Report_rows seam_jump_rows(const SMP::Atlas_report& report)
            "largest ratio of the lengths of both sides of an edge on a seam; " + charts + "; best 1"}};
 }
 
+// Where seams run
+inline std::string way_text(const Atlas_record& record)
+{
+  if(record.creases) {
+    return std::string("along creases of ") + (record.creases->is_hard_surface ? "a hard" : "a soft") +
+           " surface, above " + format_number("%.4g degrees", record.creases->angle * 180 / CGAL_PI);
+  }
+  return record.options.repacks ? "given" : record.options.seams == "hidden" ? "in hidden places" : "short";
+}
+
 inline Report_rows chart_rows(const Atlas_record& record)
 {
   const SMP::Atlas_report& report = record.report;
@@ -103,7 +115,7 @@ inline Report_rows chart_rows(const Atlas_record& record)
   append(rows, skipped_rows(record.skipped));
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +
-                      count_text(report.number_of_terminals, "terminal")});
+                      count_text(report.number_of_terminals, "terminal") + "; " + way_text(record)});
   const std::string bound = record.options.keeps_all_charts()
                                 ? std::string()
                                 : "bound " + format_number("%.4g", record.stretch_bound) + "; ";

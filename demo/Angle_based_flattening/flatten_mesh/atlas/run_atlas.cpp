@@ -46,6 +46,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -117,6 +118,16 @@ void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& a
     place_in_rows(mesh, atlas, report.charts.size());
   }
   check_orientation(mesh, atlas);
+}
+
+// Says so if there was no crease to lay seams along.
+void look_at_creases(const Atlas_record& record, Notes& notes)
+{
+  if(record.creases && !record.creases->has_seams) {
+    notes.add("--seams creases: no creases divide the surface where faces differ by more than " +
+              format_number("%.4g degrees", record.creases->angle * 180 / CGAL_PI) +
+              ", so all seams are chosen to be short");
+  }
 }
 
 // Says so if charts stretch more than was asked for.
@@ -391,7 +402,7 @@ void make_charts(const Command_line& command, Atlas_input& input, const Atlas& a
     return;
   }
   record.components = components_by_size(input.mesh).size();
-  record.report = make_atlas_of_input(command, input, atlas, progress);
+  record.report = make_atlas_of_input(command, input, atlas, record.creases, progress);
   if(record.report.has_atlas()) {
     place_charts(command.atlas, input.mesh, atlas, record.report);
   }
@@ -424,6 +435,7 @@ Exit_status run_atlas(const Command_line& command)
   list_skipped_parts(input, atlas, record);
   list_models(input, atlas, record);
   measure_charts(record);
+  look_at_creases(record, notes);
   look_at_stretch(record, notes);
   Baked_surface baked;
   if(record.report.has_atlas() && !command.atlas.bake_from.empty()) {

@@ -51,9 +51,12 @@ public:
     read();
     if(best_cutter() == m_parts.size())
       return;
-    double best = value(), length = 0;
+    double best = value(), length = 0, best_length = 0;
     int worse = 0; // values in a row
-    for(int cuts = 1; cuts <= most_cuts && worse < most_worse; ++cuts) {
+    const auto is_hopeless = [&] {
+      return worse >= most_worse && (length - best_length) * m_options.seam_price > least_waste;
+    };
+    for(int cuts = 1; cuts <= most_cuts && !is_hopeless(); ++cuts) {
       const std::size_t next = best_cutter();
       if(next == m_parts.size())
         break;
@@ -66,6 +69,7 @@ public:
       worse = now > best ? 0 : worse + 1;
       if(now > best) {
         best = now;
+        best_length = length;
         for(std::size_t i = 0; i < m_parts.size(); ++i)
           if(m_cutters[i])
             m_best_seams[i] = m_cutters[i]->seams();
@@ -152,6 +156,8 @@ private:
   }
 
   static constexpr double least_share = 0.01; // of the area that a piece has
+  static constexpr double least_waste =
+      0.01; // many strips may have to be cut before the page is covered better
   static constexpr int most_charts = 256, most_cuts = 64, most_worse = 3;
 
   const std::vector<Surface_part>& m_parts;

@@ -11,64 +11,57 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/border_of_piece.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/chord_paths.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/cut_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sector_graph.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
-
-#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Cuts the maps of disks along chords of their borders. The score of a chord is its length divided by the square root of
-// the area that it cuts off. The map stays as it is.
+// Cuts the maps of disks, and of flat pieces with holes, along chords. The score of a cut is its length divided by the
+// square root of the area that it cuts off. The map stays as it is.
 class Chord_cutter
 {
   typedef Chart::Point_2 Point_2;
 
-  // The border of a piece, counterclockwise
-  struct Border
-  {
-    std::vector<int> corners;    // that face its edges
-    std::vector<Point_2> points; // the sources of the edges
-    std::vector<double> area;    // twice what the edges before enclose with the origin
-    double total_area = 0;       // twice that of the piece
-  };
-
+  // On the border of a piece
   struct Chord
   {
-    std::size_t from, to; // on the border
+    std::size_t from, to;
     double score;
   };
 
   struct Cut
   {
     std::vector<int> path; // the corners that face its edges
-    double score;
+    double score = (std::numeric_limits<double>::infinity)();
   };
 
 public:
-  // `chart` consists of disks, and flat pieces with holes, whose maps are injective, and `cost` is that of the edge that each corner faces. Pieces get
-  // at least the given area in the plane.
+  // The maps of the pieces of `chart` are injective, and `cost` is that of the edge that each corner faces. Pieces get
+  // at least the given area in the plane, those of long strips less.
   Chord_cutter(const Chart& chart, const std::vector<Point_2>& uv, const std::vector<double>& cost,
                double least_area)
-      : m_chart(chart), m_uv(uv), m_cost(cost), m_least_area(2 * least_area), m_graph(chart)
+      : m_chart(chart), m_uv(uv), m_least_area(least_area), m_graph(chart), m_paths(m_graph, uv, cost)
   {
+    std::vector<int> outer;
     for(const std::vector<int>& border : chart.borders)
-      find_cut(border.front());
+      (Border_of_piece(m_graph, m_uv, border.front()).area() < 0 ? m_holes : outer).push_back(border.front());
+    for(int corner : outer)
+      find_cut(corner);
   }
 
   // That of the next cut; infinity if there is none
-  double next_score() const
-  {
-    return m_cuts.empty() ? (std::numeric_limits<double>::infinity)() : m_cuts.front().score;
-  }
+  double next_score() const { return m_cuts.empty() ? Cut().score : m_cuts.front().score; }
 
   // Makes the next cut, and returns its length on the surface.
   double cut()
@@ -76,11 +69,10 @@ public:
     std::pop_heap(m_cuts.begin(), m_cuts.end(), is_worse);
     const std::vector<int> path = std::move(m_cuts.back().path);
     m_cuts.pop_back();
+    set_seams(path, true);
     double length = 0;
-    for(int c : path) {
-      m_graph.set_seam(c, true);
+    for(int c : path)
       length += edge_length(m_chart, c);
-    }
     find_cut(path.front());
     find_cut(m_chart.opposite[path.front()]);
     return length;
@@ -98,147 +90,158 @@ public:
 private:
   static bool is_worse(const Cut& a, const Cut& b) { return a.score > b.score; }
 
-  Border border_of(int start) const
+  void set_seams(const std::vector<int>& path, bool are_seams)
   {
-    Border border;
-    int c = start;
-    do {
-      border.corners.push_back(c);
-      border.points.push_back(m_uv[m_chart.edge_source(c)]);
-      c = m_graph.next_open(c);
-    } while(c != start);
-    const std::size_t n = border.points.size();
-    border.area.assign(n + 1, 0.);
-    for(std::size_t i = 0; i < n; ++i)
-      border.area[i + 1] = border.area[i] + cross_product(border.points[i], border.points[(i + 1) % n]);
-    border.total_area = border.area.back();
-    return border;
+    for(int c : path)
+      m_graph.set_seam(c, are_seams);
   }
 
-  static double cross_product(const Point_2& p, const Point_2& q) { return p.x() * q.y() - p.y() * q.x(); }
-
-  static double distance(const Point_2& p, const Point_2& q)
-  {
-    return std::hypot(p.x() - q.x(), p.y() - q.y());
-  }
-
-  // Twice the smaller of the areas to both sides of a chord
-  static double smaller_area(const Border& border, std::size_t i, std::size_t j)
-  {
-    const double area = border.area[j] - border.area[i] + cross_product(border.points[j], border.points[i]);
-    return (std::min)(area, border.total_area - area);
-  }
-
-  // Finds the best cut of a piece. `corner` faces its border.
+  // Finds the best cut of a piece. `corner` faces its outer border.
   void find_cut(int corner)
   {
-    const Border border = border_of(corner);
-    std::size_t tried = 0;
-    for(const Chord& chord : good_chords(border)) {
-      if(!is_within(border, chord))
-        continue;
-      std::vector<int> path = path_along(border, chord);
-      if(!path.empty()) {
-        m_cuts.push_back({std::move(path), chord.score});
-        std::push_heap(m_cuts.begin(), m_cuts.end(), is_worse);
-        return;
-      }
-      if(++tried == most_paths)
-        return;
-    }
+    const std::vector<Border_of_piece> borders = borders_of(corner);
+    Cut best = cut_along_chord(borders);
+    for(std::size_t i = 1; i < borders.size(); ++i)
+      if(-borders[i].area() >= m_least_area)
+        if(Cut cut = cut_of_ring(borders, borders[i]); cut.score < best.score)
+          best = std::move(cut);
+    if(best.path.empty())
+      return;
+    m_cuts.push_back(std::move(best));
+    std::push_heap(m_cuts.begin(), m_cuts.end(), is_worse);
   }
 
-  // The best chords come first. On a border with many vertices, only some places are tried, at even distances.
-  std::vector<Chord> good_chords(const Border& border) const
+  // The outer border of a piece, and those of its holes
+  std::vector<Border_of_piece> borders_of(int corner) const
+  {
+    std::vector<Border_of_piece> borders;
+    borders.emplace_back(m_graph, m_uv, corner);
+    if(m_holes.empty())
+      return borders;
+    std::vector<char> is_found(m_chart.number_of_triangles(), false);
+    std::vector<int> found;
+    const auto find = [&](int t) {
+      if(!is_found[t])
+        found.push_back(t);
+      is_found[t] = true;
+    };
+    for(find(corner / 3); !found.empty();) {
+      const int t = found.back();
+      found.pop_back();
+      for(int c = 3 * t; c < 3 * t + 3; ++c)
+        if(!m_graph.is_open(c))
+          find(m_chart.opposite[c] / 3);
+    }
+    for(int hole : m_holes)
+      if(is_found[hole / 3])
+        if(Border_of_piece border(m_graph, m_uv, hole); border.area() < 0) // others were cut open
+          borders.push_back(std::move(border));
+    return borders;
+  }
+
+  Cut cut_along_chord(const std::vector<Border_of_piece>& borders) const
+  {
+    const Border_of_piece& border = borders.front();
+    std::size_t tried = 0;
+    for(const Chord& chord : good_chords(border)) {
+      if(!Chord_paths::is_within(borders, border.point(chord.from), border.point(chord.to)))
+        continue;
+      std::vector<int> path = m_paths.path_along(border, chord.from, border, chord.to);
+      if(!path.empty())
+        return {std::move(path), chord.score};
+      if(++tried == most_paths)
+        break;
+    }
+    return {};
+  }
+
+  // Along two chords from the outer border to that of a hole
+  Cut cut_of_ring(const std::vector<Border_of_piece>& borders, const Border_of_piece& hole)
+  {
+    const Ring_chords chords(borders.front(), hole, m_paths.edges_between(borders.front(), hole));
+    const double least =
+        least_area((borders.front().length() + hole.length()) / 2, borders.front().area() + hole.area());
+    const std::vector<Ring_chord> first_chords = chords.first_chords();
+    for(std::size_t i = 0; i < (std::min)(most_paths, first_chords.size()); ++i) {
+      const std::vector<int> path = path_along(borders, hole, first_chords[i]);
+      if(path.empty())
+        continue;
+      set_seams(path, true);
+      Cut cut = cut_of_open_ring(borders, hole, chords.second_chords(first_chords[i], least, largest_score));
+      set_seams(path, false);
+      if(!cut.path.empty())
+        cut.path.insert(cut.path.end(), path.begin(), path.end());
+      return cut;
+    }
+    return {};
+  }
+
+  Cut cut_of_open_ring(const std::vector<Border_of_piece>& borders, const Border_of_piece& hole,
+                       const std::vector<Ring_chord>& chords) const
+  {
+    for(std::size_t i = 0; i < (std::min)(most_paths, chords.size()); ++i) {
+      std::vector<int> path = path_along(borders, hole, chords[i]);
+      if(!path.empty())
+        return {std::move(path), chords[i].score};
+    }
+    return {};
+  }
+
+  std::vector<int> path_along(const std::vector<Border_of_piece>& borders, const Border_of_piece& hole,
+                              const Ring_chord& chord) const
+  {
+    return Chord_paths::is_within(borders, borders.front().point(chord.outer), hole.point(chord.inner))
+               ? m_paths.path_along(borders.front(), chord.outer, hole, chord.inner)
+               : std::vector<int>();
+  }
+
+  // A piece of a long strip may be small: as long as it is, it leaves much of the page empty.
+  double least_area(double length, double area) const
+  {
+    const bool is_strip =
+        length * length > (std::max)(least_aspect * area, least_strip * least_strip * m_least_area);
+    return is_strip ? (std::min)(m_least_area, area / 5) : m_least_area;
+  }
+
+  // The best chords come first. On a border with many vertices, only some places are tried.
+  std::vector<Chord> good_chords(const Border_of_piece& border) const
   {
     std::vector<Chord> chords;
-    if(border.total_area < 2 * m_least_area)
+    const double least = least_area(border.length() / 2, border.area());
+    if(border.area() < 2 * least)
       return chords;
-    const std::vector<std::size_t> places = sampled_places(border);
+    const auto add = [&](std::size_t from, std::size_t to) {
+      const Point_2 &p = border.point(from), &q = border.point(to);
+      const double part = border.area_of_sector(from, to) + Border_of_piece::cross_product(q, p) / 2,
+                   area = (std::min)(part, border.area() - part);
+      if(area >= least && distance(p, q) < largest_score * std::sqrt(area))
+        chords.push_back({from, to, distance(p, q) / std::sqrt(area)});
+    };
+    const std::vector<std::size_t> places = border.sampled_places(most_places);
     for(std::size_t a = 0; a < places.size(); ++a)
-      for(std::size_t b = a + 1; b < places.size(); ++b) {
-        const double area = smaller_area(border, places[a], places[b]);
-        if(area < m_least_area)
-          continue;
-        const double score =
-            distance(border.points[places[a]], border.points[places[b]]) / std::sqrt(area / 2);
-        if(score < largest_score)
-          chords.push_back({places[a], places[b], score});
-      }
+      for(std::size_t b = a + 1; b < places.size(); ++b)
+        add(places[a], places[b]);
+    for(const auto& [from, to] : m_paths.edges_between(border, border))
+      if(from < to)
+        add(from, to);
     std::sort(chords.begin(), chords.end(), [](const Chord& p, const Chord& q) {
-      return p.score != q.score ? p.score < q.score : p.from != q.from ? p.from < q.from : p.to < q.to;
+      return std::tie(p.score, p.from, p.to) < std::tie(q.score, q.from, q.to);
     });
     return chords;
   }
 
-  static std::vector<std::size_t> sampled_places(const Border& border)
-  {
-    const std::size_t n = border.points.size();
-    double length = 0;
-    for(std::size_t i = 0; i < n; ++i)
-      length += distance(border.points[i], border.points[(i + 1) % n]);
-    std::vector<std::size_t> places;
-    double since = length; // the last place
-    for(std::size_t i = 0; i < n; ++i) {
-      if(since >= length / most_places) {
-        places.push_back(i);
-        since = 0;
-      }
-      since += distance(border.points[i], border.points[(i + 1) % n]);
-    }
-    return places;
-  }
-
-  // Whether the chord is inside of the piece
-  bool is_within(const Border& border, const Chord& chord) const
-  {
-    const std::size_t n = border.points.size();
-    const Point_2 &p = border.points[chord.from], &q = border.points[chord.to], middle = CGAL::midpoint(p, q);
-    bool is_inside = false; // the middle, by the parity of the edges below it
-    for(std::size_t i = 0; i < n; ++i) {
-      const std::size_t j = (i + 1) % n;
-      const Point_2 &r = border.points[i], &s = border.points[j];
-      if((r.x() <= middle.x()) != (s.x() <= middle.x()) &&
-         (CGAL::orientation(r, s, middle) == CGAL::LEFT_TURN) == (r.x() < s.x()))
-        is_inside = !is_inside;
-      if(i != chord.from && j != chord.from && i != chord.to && j != chord.to &&
-         CGAL::orientation(p, q, r) != CGAL::orientation(p, q, s) &&
-         CGAL::orientation(r, s, p) != CGAL::orientation(r, s, q))
-        return false;
-    }
-    return is_inside;
-  }
-
-  // The shortest path between the ends of a chord; empty if it is much longer than the chord
-  std::vector<int> path_along(const Border& border, const Chord& chord) const
-  {
-    const int source = m_graph.source_node(border.corners[chord.from]),
-              target = m_graph.source_node(border.corners[chord.to]);
-    std::vector<char> is_allowed(static_cast<std::size_t>(m_graph.number_of_nodes()));
-    for(int x = 0; x < m_graph.number_of_nodes(); ++x)
-      is_allowed[x] = x == target || (m_graph.is_node(x) && !m_graph.is_on_border(x));
-    Shortest_paths paths(m_graph, m_cost);
-    paths.restrict_to(std::move(is_allowed));
-    if(paths.find({source}, forbidden, [&](int x) { return x == target; }) < 0)
-      return {};
-    std::vector<int> path = paths.path(target);
-    double length = 0;
-    for(int c : path)
-      length += distance(m_uv[m_chart.edge_source(c)], m_uv[m_chart.edge_target(c)]);
-    if(length > most_detour * distance(border.points[chord.from], border.points[chord.to]))
-      path.clear();
-    return path;
-  }
-
-  static constexpr double largest_score = 1.8, most_detour = 1.5;
+  static constexpr double largest_score = 1.8;
+  static constexpr double least_aspect = 20; // of strips: their length divided by their width, and
+  static constexpr double least_strip = 5;   // their length, in units of the square root of the least area
   static constexpr std::size_t most_places = 128, most_paths = 8;
 
   const Chart& m_chart;
   const std::vector<Point_2>& m_uv;
-  const std::vector<double>& m_cost;
-  const double m_least_area; // twice that of a piece
+  const double m_least_area; // of a piece
   Sector_graph m_graph;
-  std::vector<Cut> m_cuts; // a heap
+  Chord_paths m_paths;
+  std::vector<int> m_holes; // a corner at the border of each
+  std::vector<Cut> m_cuts;  // a heap
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

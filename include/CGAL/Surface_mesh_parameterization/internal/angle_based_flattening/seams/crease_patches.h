@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/flat_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_normals.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/patch_layouts.h>
 
 #include <CGAL/Origin.h>
 
@@ -24,14 +24,10 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <queue>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// A length in a layout may be wrong by this part of the square root of the area.
-inline constexpr double layout_tolerance = 2e-3;
 
 // Triangles between creases
 struct Crease_patch
@@ -56,22 +52,22 @@ struct Crease_patches
 class Crease_patch_finder
 {
   typedef Corner_table::Point_2 Point_2;
-  typedef Corner_table::Kernel::Vector_2 Vector_2;
   typedef Corner_table::Kernel::Vector_3 Vector_3;
 
 public:
   Crease_patch_finder(const Chart& surface, const std::vector<double>& cost, double angle)
-      : m_surface(surface), m_cost(cost), m_cosine(std::cos(angle)), m_normal(crease_normals(surface)),
-        m_is_laid_out(surface.number_of_triangles(), false)
+      : m_surface(surface), m_cost(cost), m_cosine(std::cos(angle))
   {}
 
   Crease_patches run()
   {
+    find_normals();
     find_patches();
     m_result.layout.assign(m_surface.vertex.size(), CGAL::ORIGIN);
+    Patch_unfolding unfolding(m_surface, m_result.patch, m_result.layout);
     for(Crease_patch& patch : m_result.patches) {
       patch.is_flat = project(patch.triangles);
-      patch.unfolds = patch.is_flat || unfold(patch);
+      patch.unfolds = patch.is_flat || unfolding.run(patch.triangles, patch.area);
       patch.joins = patch.unfolds && !(patch.is_flat && has_holes(patch));
     }
     absorb_scraps();
@@ -80,6 +76,31 @@ public:
 
 private:
   static constexpr double largest_scrap = 5e-3; // of the area
+  static constexpr double least_height =
+      1e-4; // of triangles that are no needles, relative to their longest sides
+
+  // The direction of a needle is mostly rounding: it takes the normal across its longest side.
+  void find_normals()
+  {
+    std::vector<int> needles; // the corners that face their longest sides
+    for(int t = 0; t < m_surface.number_of_triangles(); ++t) {
+      const Vector_3 normal = triangle_normal(m_surface, t);
+      const double length = std::sqrt(normal.squared_length());
+      int longest = 3 * t;
+      for(int c : {3 * t + 1, 3 * t + 2})
+        longest = edge_length(m_surface, c) > edge_length(m_surface, longest) ? c : longest;
+      const double side = edge_length(m_surface, longest);
+      const bool is_needle = !(length > least_height * side * side);
+      m_normal.push_back(is_needle ? CGAL::NULL_VECTOR : normal / length);
+      if(is_needle)
+        needles.push_back(longest);
+    }
+    // twice, because needles come in pairs
+    for(int round = 0; round < 2; ++round)
+      for(int c : needles)
+        if(m_normal[c / 3] == CGAL::NULL_VECTOR && m_surface.opposite[c] >= 0)
+          m_normal[c / 3] = m_normal[m_surface.opposite[c] / 3];
+  }
 
   bool is_crease(int c) const
   {
@@ -117,38 +138,6 @@ private:
     return layout.is_flat();
   }
 
-  // Lays a patch out triangle by triangle, across long edges first. Returns whether all triangles fit together.
-  bool unfold(const Crease_patch& patch)
-  {
-    typedef std::pair<double, int> Entry; // length of an edge, and the corner that faces it from outside
-    std::priority_queue<Entry> queue;
-    const auto add = [&](int t) {
-      m_is_laid_out[t] = true;
-      for(int c = 3 * t; c < 3 * t + 3; ++c)
-        if(is_inside(c))
-          queue.emplace(edge_length(m_surface, c), m_surface.opposite[c]);
-    };
-    const auto is_smaller = [&](int s, int t) {
-      return surface_area(m_surface, s) < surface_area(m_surface, t);
-    };
-    const int first = *std::max_element(patch.triangles.begin(), patch.triangles.end(), is_smaller);
-    m_result.layout[3 * first] = Point_2(0, 0);
-    m_result.layout[3 * first + 1] = Point_2(edge_length(m_surface, 3 * first + 2), 0);
-    place(3 * first + 2);
-    add(first);
-    while(!queue.empty()) {
-      const int c = queue.top().second, across = m_surface.opposite[c];
-      queue.pop();
-      if(m_is_laid_out[c / 3])
-        continue;
-      m_result.layout[next_corner(c)] = m_result.layout[previous_corner(across)];
-      m_result.layout[previous_corner(c)] = m_result.layout[next_corner(across)];
-      place(c);
-      add(c / 3);
-    }
-    return fits_together(patch);
-  }
-
   // By Euler's characteristic
   bool has_holes(const Crease_patch& patch) const
   {
@@ -164,37 +153,7 @@ private:
     return (end - vertices.begin()) - sides / 2 + static_cast<int>(patch.triangles.size()) < 1;
   }
 
-  bool is_inside(int c) const
-  {
-    const int across = m_surface.opposite[c];
-    return across >= 0 && m_result.patch[across / 3] == m_result.patch[c / 3];
-  }
-
-  // Places a corner on the left of the edge that it faces.
-  void place(int c)
-  {
-    const auto point = [&](int corner) { return m_surface.points[m_surface.vertex[corner]]; };
-    const Vector_3 side = point(previous_corner(c)) - point(next_corner(c)),
-                   v = point(c) - point(next_corner(c));
-    const Point_2& p = m_result.layout[next_corner(c)];
-    const Vector_2 e = m_result.layout[previous_corner(c)] - p;
-    const double square = side.squared_length();
-    const double along = square > 0 ? v * side / square : 0,
-                 across = square > 0 ? std::sqrt(CGAL::cross_product(side, v).squared_length()) / square : 0;
-    m_result.layout[c] = p + along * e + across * Vector_2(-e.y(), e.x());
-  }
-
-  bool fits_together(const Crease_patch& patch) const
-  {
-    const double square = layout_tolerance * layout_tolerance * patch.area;
-    for(int t : patch.triangles)
-      for(int c = 3 * t; c < 3 * t + 3; ++c)
-        if(is_inside(c) &&
-           CGAL::squared_distance(m_result.layout[next_corner(c)],
-                                  m_result.layout[previous_corner(m_surface.opposite[c])]) > square)
-          return false;
-    return true;
-  }
+  bool is_inside(int c) const { return is_within_patch(m_surface, m_result.patch, c); }
 
   // Scraps are small bent disks beside a patch that does not unfold: rough places of its shape. They become parts of the
   // patch that they share the longest border with.
@@ -235,7 +194,6 @@ private:
   const std::vector<double>& m_cost;
   double m_cosine;
   std::vector<Vector_3> m_normal; // of each triangle; zero if it has none
-  std::vector<char> m_is_laid_out;
   Crease_patches m_result;
 };
 

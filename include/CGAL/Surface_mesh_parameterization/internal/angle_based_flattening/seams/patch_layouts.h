@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Motions that lay one patch beside another, and whether the two then overlap. For `merge_patches.h`.
+// Plane layouts of patches: how one unfolds, for `crease_patches.h`; motions that lay one beside another, and whether
+// the two then overlap, for `merge_patches.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_PATCH_LAYOUTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_PATCH_LAYOUTS_H
@@ -11,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dimension.h>
@@ -21,9 +23,99 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A length in a layout may be wrong by this part of the square root of the area.
+inline constexpr double layout_tolerance = 2e-3;
+
+// Whether the edge that a corner faces lies within a patch. `patch` is that of each triangle.
+inline bool is_within_patch(const Corner_table& surface, const std::vector<int>& patch, int c)
+{
+  return surface.opposite[c] >= 0 && patch[surface.opposite[c] / 3] == patch[c / 3];
+}
+
+// Lays patches out triangle by triangle, across long edges first.
+class Patch_unfolding
+{
+  typedef Corner_table::Kernel::Vector_2 Vector_2;
+  typedef Corner_table::Kernel::Vector_3 Vector_3;
+  typedef Corner_table::Point_2 Point_2;
+
+public:
+  // `patch` is that of each triangle, and `layout` receives the place of each corner.
+  Patch_unfolding(const Corner_table& surface, const std::vector<int>& patch, std::vector<Point_2>& layout)
+      : m_surface(surface), m_patch(patch), m_layout(layout),
+        m_is_laid_out(surface.number_of_triangles(), false)
+  {}
+
+  // Lays out all triangles of a patch, and returns whether they fit together.
+  bool run(const std::vector<int>& triangles, double area)
+  {
+    typedef std::pair<double, int> Entry; // length of an edge, and the corner that faces it from outside
+    std::priority_queue<Entry> queue;
+    const auto add = [&](int t) {
+      m_is_laid_out[t] = true;
+      for(int c = 3 * t; c < 3 * t + 3; ++c)
+        if(is_within_patch(m_surface, m_patch, c))
+          queue.emplace(edge_length(m_surface, c), m_surface.opposite[c]);
+    };
+    const auto is_smaller = [&](int s, int t) {
+      return surface_area(m_surface, s) < surface_area(m_surface, t);
+    };
+    const int first = *std::max_element(triangles.begin(), triangles.end(), is_smaller);
+    m_layout[3 * first] = Point_2(0, 0);
+    m_layout[3 * first + 1] = Point_2(edge_length(m_surface, 3 * first + 2), 0);
+    place(3 * first + 2);
+    add(first);
+    while(!queue.empty()) {
+      const int c = queue.top().second, across = m_surface.opposite[c];
+      queue.pop();
+      if(m_is_laid_out[c / 3])
+        continue;
+      m_layout[next_corner(c)] = m_layout[previous_corner(across)];
+      m_layout[previous_corner(c)] = m_layout[next_corner(across)];
+      place(c);
+      add(c / 3);
+    }
+    return fits_together(triangles, area);
+  }
+
+private:
+  // Places a corner on the left of the edge that it faces.
+  void place(int c)
+  {
+    const auto point = [&](int corner) { return m_surface.points[m_surface.vertex[corner]]; };
+    const Vector_3 side = point(previous_corner(c)) - point(next_corner(c)),
+                   v = point(c) - point(next_corner(c));
+    const Point_2& p = m_layout[next_corner(c)];
+    const Vector_2 e = m_layout[previous_corner(c)] - p;
+    const double square = side.squared_length();
+    const double along = square > 0 ? v * side / square : 0,
+                 across = square > 0 ? std::sqrt(CGAL::cross_product(side, v).squared_length()) / square : 0;
+    m_layout[c] = p + along * e + across * Vector_2(-e.y(), e.x());
+  }
+
+  bool fits_together(const std::vector<int>& triangles, double area) const
+  {
+    const double square = layout_tolerance * layout_tolerance * area;
+    for(int t : triangles)
+      for(int c = 3 * t; c < 3 * t + 3; ++c)
+        if(is_within_patch(m_surface, m_patch, c) &&
+           CGAL::squared_distance(m_layout[next_corner(c)],
+                                  m_layout[previous_corner(m_surface.opposite[c])]) > square)
+          return false;
+    return true;
+  }
+
+  const Corner_table& m_surface;
+  const std::vector<int>& m_patch;
+  std::vector<Point_2>& m_layout;
+  std::vector<char> m_is_laid_out;
+};
 
 // A rotation and a translation. (Eigen::umeyama() fits one too, but g++ 12 gives false warnings inside of it.)
 class Planar_motion
