@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
@@ -20,18 +19,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// The charts of all parts of a surface, with their final coordinates
-struct Atlas
-{
-  std::vector<Part_atlas> parts;
-  std::vector<std::size_t> first_chart; // of each part: the number of its first chart
-  Atlas_report report;                  // without the lengths of seams and the measures of the caller
-};
 
 // Makes the atlas of a surface. `weight` multiplies the lengths of each triangle in the plane; empty if all are 1. A
 // part that cannot be flattened is skipped. If something else is wrong, the report says so.

@@ -11,19 +11,26 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -134,6 +141,69 @@ private:
   std::vector<std::pair<float, float>> m_densities; // and areas, of all triangles
   double m_surface = 0;
 };
+
+// While it exists, texels are squares in the plane of a map, also if pages are not.
+class Square_texels
+{
+public:
+  Square_texels(const Atlas_options& options, std::vector<Chart::Point_2>& uv) : m_map(uv), m_uv(uv)
+  {
+    const double aspect = options.pack_into_square ? aspect_ratio(options) : 1;
+    for(Chart::Point_2& p : m_map)
+      p = Chart::Point_2(p.x(), p.y() / aspect);
+  }
+
+  ~Square_texels() { m_map = std::move(m_uv); }
+
+  Square_texels(const Square_texels&) = delete;
+  Square_texels& operator=(const Square_texels&) = delete;
+
+private:
+  std::vector<Chart::Point_2>& m_map;
+  std::vector<Chart::Point_2> m_uv; // as it was
+};
+
+inline void look_at_stretch(Atlas_report& report)
+{
+  const std::vector<Atlas_report::Chart>& charts = report.charts;
+  const auto is_bad = [](const Atlas_report::Chart& chart) { return !chart.is_good; };
+  const auto first = std::find_if(charts.begin(), charts.end(), is_bad);
+  if(first == charts.end())
+    return;
+  std::ostringstream text;
+  text << std::count_if(first, charts.end(), is_bad) << " of " << charts.size()
+       << " charts stretch the surface badly: chart " << first - charts.begin() << " has an L2 stretch of "
+       << first->l2_stretch << ", " << first->crushed_faces << " crushed faces, and "
+       << 100 * first->skewed_share << " % of skewed area";
+  report.status = Diagnosis::STRETCH_BOUND_MISSED;
+  report.message = text.str();
+}
+
+// Measures the charts of an atlas, and says if some are not good. The charts must be injective.
+inline void measure_atlas(const Atlas_options& options, Atlas& atlas)
+{
+  Atlas_report& report = atlas.report;
+  int triangles = 0;
+  double surface = 0;
+  for(const Part_atlas& part : atlas.parts)
+    for(int t = 0; part.succeeded() && t < part.chart.number_of_triangles(); ++t, ++triangles)
+      surface += surface_area(part.chart, t);
+  Atlas_measurement measurement(triangles, surface, options.stretch_bound);
+  for(std::size_t i = 0; i < atlas.parts.size(); ++i)
+    if(atlas.parts[i].succeeded()) {
+      const Square_texels square_texels(options, atlas.parts[i].uv);
+      measurement.add(atlas.parts[i], report, atlas.first_chart[i]);
+      report.number_of_terminals += atlas.parts[i].number_of_terminals;
+    }
+  report.measures = measurement.measures();
+  report.measures.border_is_simple = true;
+  if(options.pack_into_square) {
+    report.texel_density = report.covered_share / CGAL::square(report.measures.l2_stretch);
+    report.low_texel_density =
+        measurement.density_of_share(0.95) * aspect_ratio(options) / report.number_of_pages;
+  }
+  look_at_stretch(report);
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -50,6 +50,14 @@ struct Part_atlas
   bool succeeded() const { return status == Diagnosis::NOTHING_WRONG; }
 };
 
+// The charts of all parts of a surface, with their final coordinates
+struct Atlas
+{
+  std::vector<Part_atlas> parts;
+  std::vector<std::size_t> first_chart; // of each part: the number of its first chart
+  Atlas_report report;                  // without the lengths of seams and the measures of the caller
+};
+
 // Numbers the pieces anew after the chart was opened along further seams. Each new piece inherits how its old piece was
 // made.
 inline void renumber_pieces(Part_atlas& atlas)
