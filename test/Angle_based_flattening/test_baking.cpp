@@ -454,6 +454,33 @@ BOOST_AUTO_TEST_CASE(charts_do_not_bleed_into_one_another)
   }
 }
 
+// A texture of half the height is the lower half of a square one, if the map is.
+BOOST_AUTO_TEST_CASE(rectangles_are_parts_of_squares)
+{
+  Baked_sphere sphere;
+  sphere.bake(128);
+  const auto bake = [&](int height) -> SMP::Baked_textures {
+    return SMP::bake_surface(
+        sphere.simple, sphere.uv, sphere.fine, sphere.frames,
+        with<Baking_options>(&Baking_options::resolution, 128, &Baking_options::height, height),
+        np::face_patch_map(sphere.chart));
+  };
+  const SMP::Baked_textures half = bake(64);
+  BOOST_REQUIRE(half);
+  BOOST_TEST(half.resolution == 128);
+  BOOST_TEST(half.height == 64);
+  for(const Halfedge h : sphere.simple.halfedges())
+    sphere.uv[h] = Kernel::Point_2(sphere.uv[h].x(), sphere.uv[h].y() / 2);
+  const SMP::Baked_textures whole = bake(128);
+  const auto lower_half = [](const auto& values) {
+    return std::decay_t<decltype(values)>(values.begin() + values.size() / 2, values.end());
+  };
+  BOOST_TEST((half.texels == lower_half(whole.texels)));
+  BOOST_TEST((half.normals == lower_half(whole.normals)));
+  BOOST_TEST((half.displacements == lower_half(whole.displacements)));
+  BOOST_TEST(!bake(0));
+}
+
 BOOST_AUTO_TEST_CASE(threads_do_not_matter)
 {
   Baked_sphere sphere;

@@ -58,9 +58,6 @@ inline void check_pages(const bool asks_for_density, const Command_line& command
                                          : "--no-pack") +
                       ": it has the texels of the unit square");
   }
-  if(!atlas.bake_from.empty() && atlas.resolution != atlas.height) {
-    throw Usage_error("--bake-from needs pages that are squares: textures are baked with one --resolution");
-  }
 }
 
 } // namespace internal

@@ -33,7 +33,10 @@ namespace Surface_mesh_parameterization {
 /// The options of `bake_surface()`.
 struct Baking_options
 {
-  int resolution = 1024; ///< Texels along each side of the square, from 1 to 16384.
+  int resolution = 1024; ///< Texels along the horizontal sides of the texture, from 1 to 16384.
+
+  /// Texels along the vertical sides, from 1 to 16384; by default, the same as `resolution`.
+  std::optional<int> height;
 
   /// Number of texels around charts that are filled, from 0 to 1024. It should be at most `Packing_options::gutter`;
   /// between charts that are closer than two gutters, each texel belongs to the nearest chart.
@@ -47,6 +50,9 @@ struct Baking_options
   bool normals_in_object_space = false;
 
   int threads = 0; ///< As `Flattening_options::threads`.
+
+  /// The number of texels along the vertical sides: `height`, or its default.
+  int number_of_rows() const { return height.value_or(resolution); }
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -99,10 +105,10 @@ struct Tangent_frame
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// The square images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is
-/// that at \f$v = 1\f$, the last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$
-/// of a texture of \f$n^2\f$ texels have their centre at
-/// \f$u = (j + 1/2) / n\f$ and \f$v = 1 - (i + 1/2) / n\f$.
+/// The images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is that at
+/// \f$v = 1\f$, the last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$ of a
+/// texture of \f$m\f$ rows and \f$n\f$ columns have their centre at \f$u = (j + 1/2) / n\f$ and
+/// \f$v = 1 - (i + 1/2) / m\f$.
 struct Baked_textures : Baking_report
 {
   /// Where the values of a texel come from.
@@ -118,7 +124,8 @@ struct Baked_textures : Baking_report
     CLOSEST_POINT ///< The ray met nothing. The values are those of the closest point.
   };
 
-  int resolution = 0; ///< The number of texels along each side.
+  int resolution = 0; ///< The number of columns of texels.
+  int height = 0;     ///< The number of rows of texels.
 
   std::vector<std::uint8_t> texels; ///< For each texel, its `Texel`.
   std::vector<float> normals;       ///< For each texel, x, y and z of a vector of length 1.

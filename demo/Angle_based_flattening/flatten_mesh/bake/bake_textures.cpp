@@ -136,6 +136,7 @@ Baked_surface bake_textures(const Command_line& command, Atlas_input& input, con
   baked.frames = mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:flatten_mesh_frame").first;
   SMP::Baking_options options;
   options.resolution = command.atlas.resolution;
+  options.height = command.atlas.height;
   options.gutter = command.atlas.gutter;
   options.threads = command.options.threads;
   const auto charts = np::face_patch_map(atlas.chart);

@@ -15,33 +15,24 @@
 
 namespace flatten_mesh {
 
-namespace internal {
-
-inline std::string square_png(const int resolution, const png_uint_32 format, const void* pixels)
-{
-  return png_of_pixels(resolution, resolution, format, pixels);
-}
-
-} // namespace internal
-
 // Red, green and blue are x, y and z, with 8 bits: 0 is -1, and 255 is 1.
 inline std::string normals_png(const CGAL::Surface_mesh_parameterization::Baked_textures& textures)
 {
-  return internal::square_png(textures.resolution, PNG_FORMAT_RGB,
-                              textures.normal_pixels<std::uint8_t>().data());
+  return png_of_pixels(textures.resolution, textures.height, PNG_FORMAT_RGB,
+                       textures.normal_pixels<std::uint8_t>().data());
 }
 
 // Grey with 16 bits, from the least displacement to the greatest
 inline std::string displacements_png(const CGAL::Surface_mesh_parameterization::Baked_textures& textures)
 {
-  return internal::square_png(textures.resolution, PNG_FORMAT_LINEAR_Y,
-                              textures.displacement_pixels<std::uint16_t>().data());
+  return png_of_pixels(textures.resolution, textures.height, PNG_FORMAT_LINEAR_Y,
+                       textures.displacement_pixels<std::uint16_t>().data());
 }
 
 inline std::string colors_png(const CGAL::Surface_mesh_parameterization::Baked_textures& textures)
 {
-  return internal::square_png(textures.resolution, PNG_FORMAT_RGB,
-                              textures.color_pixels<std::uint8_t>().data());
+  return png_of_pixels(textures.resolution, textures.height, PNG_FORMAT_RGB,
+                       textures.color_pixels<std::uint8_t>().data());
 }
 
 } // namespace flatten_mesh

@@ -67,7 +67,7 @@ public:
 
   Baked_textures run()
   {
-    const Chart_texels texels(m_simple, m_options.resolution);
+    const Chart_texels texels(m_simple, m_options.resolution, m_options.number_of_rows());
     allocate();
     std::vector<Distance_statistics> statistics(texels.number_of_bands());
     parallel_for(texels.number_of_bands(), [&](int band) { statistics[band] = bake_band(texels, band); });
@@ -96,8 +96,9 @@ private:
 
   void allocate()
   {
-    const std::size_t n = static_cast<std::size_t>(m_options.resolution) * m_options.resolution;
+    const std::size_t n = static_cast<std::size_t>(m_options.resolution) * m_options.number_of_rows();
     m_textures.resolution = m_options.resolution;
+    m_textures.height = m_options.number_of_rows();
     m_textures.texels.assign(n, Baked_textures::EMPTY);
     m_textures.displacements.assign(n, 0);
     m_textures.normals.assign(3 * n, 0);

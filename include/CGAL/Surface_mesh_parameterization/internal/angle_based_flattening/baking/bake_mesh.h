@@ -93,6 +93,7 @@ private:
                                                 std::to_string(most));
     };
     if(is_wrong("resolution", m_options.resolution, 1, largest_baked_resolution) ||
+       is_wrong("height", m_options.number_of_rows(), 1, largest_baked_resolution) ||
        is_wrong("gutter", m_options.gutter, 0, largest_baked_gutter))
       return false;
     if(m_options.threads < 0)

@@ -84,8 +84,8 @@ class Chart_texels
 public:
   static constexpr int rows_of_band = 8;
 
-  Chart_texels(const Charted_surface& surface, int resolution)
-      : m_surface(surface), m_resolution(resolution),
+  Chart_texels(const Charted_surface& surface, int columns, int rows)
+      : m_surface(surface), m_columns(columns), m_rows(rows),
         m_first(static_cast<std::size_t>(number_of_bands()) + 1, 0)
   {
     const int n = surface.number_of_triangles();
@@ -98,26 +98,26 @@ public:
       for_each_band(t, [&](int band) { m_triangles[next[band]++] = t; });
   }
 
-  int number_of_bands() const { return (m_resolution + rows_of_band - 1) / rows_of_band; }
+  int number_of_bands() const { return (m_rows + rows_of_band - 1) / rows_of_band; }
   int first_row(int band) const { return band * rows_of_band; }
-  int end_row(int band) const { return (std::min)(m_resolution, first_row(band) + rows_of_band); }
+  int end_row(int band) const { return (std::min)(m_rows, first_row(band) + rows_of_band); }
 
   // Of each texel of the rows of a band
   std::vector<Texel_source> sources(int band) const
   {
     const int rows = end_row(band) - first_row(band);
-    std::vector<Texel_source> result(static_cast<std::size_t>(rows) * m_resolution);
+    std::vector<Texel_source> result(static_cast<std::size_t>(rows) * m_columns);
     for(std::size_t i = m_first[band]; i < m_first[band + 1]; ++i) {
       const int t = m_triangles[i];
       const Texel_triangle triangle(corners(t), t);
       visit_texels(corners(t), rounding_tolerance, [&](int from_below, int first, int last) {
-        const int row = (std::max)(m_resolution - 1 - from_below, 0) - first_row(band);
+        const int row = (std::max)(m_rows - 1 - from_below, 0) - first_row(band);
         if(row < 0 || row >= rows)
           return;
-        last = (std::min)(last, m_resolution - 1);
+        last = (std::min)(last, m_columns - 1);
         for(int x = (std::max)(first, 0); x <= last; ++x)
           triangle.offer({x + 0.5, (std::max)(from_below, 0) + 0.5},
-                         result[static_cast<std::size_t>(row) * m_resolution + x]);
+                         result[static_cast<std::size_t>(row) * m_columns + x]);
       });
     }
     return result;
@@ -127,7 +127,8 @@ private:
   std::array<Planar_point, 3> corners(int t) const
   {
     const Planar_point* uv = &m_surface.uv[3 * static_cast<std::size_t>(t)];
-    return {uv[0] * m_resolution, uv[1] * m_resolution, uv[2] * m_resolution};
+    const Planar_point size(m_columns, m_rows);
+    return {uv[0].cwiseProduct(size), uv[1].cwiseProduct(size), uv[2].cwiseProduct(size)};
   }
 
   template <typename Visit>
@@ -136,14 +137,14 @@ private:
     const std::array<Planar_point, 3> p = corners(t);
     const double bottom = (std::min)({p[0].y(), p[1].y(), p[2].y()}) - 2 * rounding_tolerance,
                  top = (std::max)({p[0].y(), p[1].y(), p[2].y()}) + 2 * rounding_tolerance;
-    const int first = (std::max)(m_resolution - 1 - static_cast<int>(std::floor(top)), 0),
-              last = (std::min)(m_resolution - 1 - static_cast<int>(std::floor(bottom)), m_resolution - 1);
+    const int first = (std::max)(m_rows - 1 - static_cast<int>(std::floor(top)), 0),
+              last = (std::min)(m_rows - 1 - static_cast<int>(std::floor(bottom)), m_rows - 1);
     for(int band = first / rows_of_band; band <= last / rows_of_band; ++band)
       visit(band);
   }
 
   const Charted_surface& m_surface;
-  const int m_resolution;
+  const int m_columns, m_rows;
   std::vector<std::size_t> m_first; // of each band: its first one in `m_triangles`
   std::vector<int> m_triangles;
 };

@@ -27,7 +27,7 @@ class Gutter_filler
 {
 public:
   Gutter_filler(Baked_textures& textures, int gutter)
-      : m_textures(textures), m_resolution(textures.resolution), m_gutter(gutter),
+      : m_textures(textures), m_columns(textures.resolution), m_rows(textures.height), m_gutter(gutter),
         m_above(textures.texels.size(), none)
   {}
 
@@ -35,11 +35,11 @@ public:
   {
     if(m_gutter == 0)
       return;
-    parallel_for((m_resolution + columns_at_once - 1) / columns_at_once,
+    parallel_for((m_columns + columns_at_once - 1) / columns_at_once,
                  [this](int block) { find_in_columns(block * columns_at_once); });
-    std::vector<std::size_t> filled(m_resolution, 0);
-    parallel_for(m_resolution, [&](int row) {
-      for(int column = 0; column < m_resolution; ++column)
+    std::vector<std::size_t> filled(m_rows, 0);
+    parallel_for(m_rows, [&](int row) {
+      for(int column = 0; column < m_columns; ++column)
         filled[row] += fill(row, column);
     });
     for(const std::size_t number : filled)
@@ -49,18 +49,15 @@ public:
 private:
   static constexpr int none = (1 << 15) - 1, columns_at_once = 64;
 
-  std::size_t index(int row, int column) const
-  {
-    return static_cast<std::size_t>(row) * m_resolution + column;
-  }
+  std::size_t index(int row, int column) const { return static_cast<std::size_t>(row) * m_columns + column; }
 
   bool is_in_chart(std::size_t i) const { return m_textures.texels[i] > Baked_textures::GUTTER; }
 
   // How many rows each texel is from the nearest one of a chart in its column: above it negative
   void find_in_columns(int first)
   {
-    const int end = (std::min)(first + columns_at_once, m_resolution);
-    for(int row = 0; row < m_resolution; ++row)
+    const int end = (std::min)(first + columns_at_once, m_columns);
+    for(int row = 0; row < m_rows; ++row)
       for(int x = first; x < end; ++x) {
         const int before = row > 0 ? m_above[index(row - 1, x)] : none;
         m_above[index(row, x)] =
@@ -68,7 +65,7 @@ private:
                                       : before == none || before <= -m_gutter ? none
                                                                               : before - 1);
       }
-    for(int row = m_resolution - 2; row >= 0; --row)
+    for(int row = m_rows - 2; row >= 0; --row)
       for(int x = first; x < end; ++x) {
         const int below = m_above[index(row + 1, x)];
         std::int16_t& here = m_above[index(row, x)];
@@ -87,7 +84,7 @@ private:
     std::size_t nearest = i;
     for(int step = 0; step <= m_gutter && step * step < best; ++step)
       for(const int x : {column - step, column + step})
-        if(x >= 0 && x < m_resolution) {
+        if(x >= 0 && x < m_columns) {
           const int rows = m_above[index(row, x)];
           if(rows != none && step * step + rows * rows < best) {
             best = step * step + rows * rows;
@@ -111,7 +108,7 @@ private:
   }
 
   Baked_textures& m_textures;
-  const int m_resolution, m_gutter;
+  const int m_columns, m_rows, m_gutter;
   std::vector<std::int16_t> m_above;
 };
 
