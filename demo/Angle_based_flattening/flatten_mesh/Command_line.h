@@ -25,8 +25,8 @@ struct Atlas_options
   std::string separates; // "on", "off", or empty: as the purpose says
   std::string isometric; // likewise
   std::optional<double> seam_price;
-  std::string seams = "length"; // or "creases", "creases:DEGREES", "hidden"
-  std::string seams_from;       // a file, "uv", or empty
+  std::string seams = "auto"; // or "length", "near-creases", "creases", "creases:DEGREES", "hidden"
+  std::string seams_from;     // a file, "uv", or empty
   bool charts_from_materials = false;
   bool is_packed = true;
   std::string units = "square";

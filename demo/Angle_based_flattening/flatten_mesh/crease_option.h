@@ -16,12 +16,13 @@
 
 namespace flatten_mesh {
 
-// What became of `--seams creases`
-struct Crease_record
+// What became of `--seams`
+struct Seam_way
 {
-  double angle = 0;             // of a crease, at least, in radians
-  bool has_seams = false;       // whether there are seams along creases
-  bool is_hard_surface = false; // see `Crease_report::is_hard_surface()`
+  std::string name;                    // without an angle; not "auto"
+  std::optional<double> crease_angle;  // if creases are seams: of a crease, at least, in radians
+  bool lacks_creases = false;          // whether there is none
+  std::optional<bool> is_hard_surface; // if that matters: see `Crease_report::is_hard_surface()`
 };
 
 // The angle of creases in radians, if `--seams` asks for seams along creases and gives an angle that can be one

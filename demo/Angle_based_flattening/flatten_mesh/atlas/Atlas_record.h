@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +31,7 @@ struct Atlas_record
   std::size_t vertices = 0; // these three are of the surface that the atlas is made of
   std::size_t triangles = 0;
   std::size_t components = 0;
-  std::optional<Crease_record> creases; // if seams were laid along them
+  Seam_way seam_way;
   SMP::Atlas_report report;
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart
@@ -44,12 +43,6 @@ struct Atlas_record
   std::vector<std::string> written;
   std::vector<std::string> notes;
 };
-
-// Of `--seams`, without an angle
-inline std::string way_of_seams(const Atlas_record& record)
-{
-  return record.creases ? "creases" : record.options.seams;
-}
 
 inline std::string status_name(const Atlas_record& record)
 {

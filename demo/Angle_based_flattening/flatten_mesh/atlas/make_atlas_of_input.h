@@ -75,43 +75,69 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
 
 namespace internal {
 
-// Marks seams along creases, if these are asked for. They do not divide polygons.
-inline std::optional<Crease_record> lay_seams_along_creases(const std::string& seams, Mesh& mesh,
-                                                            const Edge_marks& is_seam)
+inline bool is_hard_surface(Mesh& mesh)
 {
-  const std::optional<double> angle = crease_angle(seams);
-  if(!angle || mesh.faces().empty()) {
-    return std::nullopt;
-  }
+  auto marks = mesh.add_property_map<Edge, bool>().first;
+  const auto report = SMP::select_crease_seams(mesh, marks, SMP::Crease_options(),
+                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
+  mesh.remove_property_map(marks);
+  return report && report.is_hard_surface();
+}
+
+// Marks seams along creases. They do not divide polygons.
+inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam)
+{
   const auto count_seams = [&] {
     const auto edges = mesh.edges();
     return std::count_if(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
   };
   const auto given = count_seams();
   SMP::Crease_options options;
-  options.angle = *angle;
+  options.angle = angle;
   const auto report = SMP::select_crease_seams(mesh, is_seam, options,
                                                CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
-  return Crease_record{*angle, count_seams() > given, report.is_hard_surface()};
+  return {"creases", angle, count_seams() == given, report.is_hard_surface()};
+}
+
+// Finds out what `--seams` means for a mesh, and marks seams along creases if they are asked for.
+inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
+{
+  const std::optional<double> angle = crease_angle(options.seams);
+  if(angle && !mesh.faces().empty()) {
+    return lay_seams_along_creases(*angle, mesh, is_seam);
+  }
+  Seam_way way;
+  way.name = angle ? "creases" : options.seams;
+  if(way.name == "auto") {
+    way.name = "length";
+    if(options.purpose == "texture") {
+      way.is_hard_surface = is_hard_surface(mesh);
+      way.name = *way.is_hard_surface ? "near-creases" : way.name;
+    }
+  }
+  return way;
 }
 
 // What seams cost along each edge, unless that is its length
-inline void weigh_edges(const std::string& seams, const Mesh& mesh,
+inline void weigh_edges(const std::string& way, const Mesh& mesh,
                         const Mesh::Property_map<Edge, double>& weight)
 {
-  const auto report = seams == "hidden" ? SMP::compute_visibility_weights(mesh, weight)
-                                        : SMP::compute_crease_weights(mesh, weight);
+  namespace np = CGAL::parameters;
+  const double cheapest = way == "near-creases" ? 0.475 : 0.3;
+  const auto report = way == "hidden"
+                          ? SMP::compute_visibility_weights(mesh, weight)
+                          : SMP::compute_crease_weights(mesh, weight, np::default_values(), cheapest);
   if(!report) {
-    throw Input_error("cannot weigh edges for --seams " + seams + ": " + report.message);
+    throw Input_error("cannot weigh edges for --seams " + way + ": " + report.message);
   }
 }
 
 // No seam divides a polygon of the input.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                         std::optional<Crease_record>& creases, Atlas_progress& progress)
+                                         Seam_way& way, Atlas_progress& progress)
 {
   namespace np = CGAL::parameters;
   const Edge_marks is_diagonal = diagonals(mesh);
@@ -125,12 +151,12 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
     return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
   SMP::Atlas_report report;
-  if(command.atlas.seams == "length") {
+  way = choose_seams(command.atlas, mesh, atlas.seams);
+  if(way.name == "length") {
     report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
   } else {
     auto weight = mesh.add_property_map<Edge, double>().first;
-    creases = lay_seams_along_creases(command.atlas.seams, mesh, atlas.seams);
-    weigh_edges(command.atlas.seams, mesh, weight);
+    weigh_edges(way.name, mesh, weight);
     report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
     mesh.remove_property_map(weight);
   }
@@ -165,8 +191,7 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
 
 // The faces of the report are those of the whole mesh.
 inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                                 std::optional<Crease_record>& creases,
-                                                 Atlas_progress& progress)
+                                                 Seam_way& way, Atlas_progress& progress)
 {
   Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
   Mesh& part = component.part.mesh;
@@ -176,7 +201,7 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
-  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, creases, progress);
+  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, way, progress);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -195,15 +220,14 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
 
 } // namespace internal
 
-// Makes charts of the mesh or of the component that is asked for, and says what became of its creases.
+// Makes charts of the mesh or of the component that is asked for, and says where seams run.
 inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
-                                             const Atlas& atlas, std::optional<Crease_record>& creases,
-                                             Atlas_progress& progress)
+                                             const Atlas& atlas, Seam_way& way, Atlas_progress& progress)
 {
   keep_seams(command.atlas, input, atlas.seams);
   return command.asks_for_component
-             ? internal::make_atlas_of_component(command, input.mesh, atlas, creases, progress)
-             : internal::call_make_atlas(command, input.mesh, atlas, creases, progress);
+             ? internal::make_atlas_of_component(command, input.mesh, atlas, way, progress)
+             : internal::call_make_atlas(command, input.mesh, atlas, way, progress);
 }
 
 } // namespace flatten_mesh
