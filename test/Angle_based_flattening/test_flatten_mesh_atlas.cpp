@@ -11,6 +11,8 @@
 
 #include <pty.h>
 
+#include <tuple>
+
 BOOST_AUTO_TEST_SUITE(test_flatten_mesh_atlas)
 
 using Uv = std::array<double, 2>;
@@ -245,6 +247,29 @@ BOOST_AUTO_TEST_CASE(seams_along_creases)
   BOOST_TEST(atlas().get<double>("seams.crease_angle") == 100 * CGAL_PI / 180,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(atlas().get<double>("mean_angle_change") > 0.01);
+}
+
+// By default, seams are short, and those of textures of hard surfaces are near creases.
+BOOST_AUTO_TEST_CASE(way_of_seams_by_default)
+{
+  const std::string block = write("block.off", ring().text());
+  for(const auto& [input, options, way, is_hard] :
+      {std::tuple(block, "", "near-creases", "true"),
+       {block, "--for few-charts", "length", "null"},
+       {block, "--seams length", "length", "null"},
+       {block, "--for conformal --seams near-creases", "near-creases", "null"},
+       {dinosaur(), "--weld off", "length", "false"}}) {
+    BOOST_TEST_CONTEXT(input << " " << options)
+    {
+      flatten(input, options);
+      check_success();
+      BOOST_TEST(atlas().get<std::string>("seams.way") == way);
+      BOOST_TEST(atlas().get<std::string>("seams.is_hard_surface") == is_hard);
+      BOOST_TEST(atlas().get<std::string>("seams.crease_angle") == "null");
+      BOOST_TEST((standard_output.find("near creases of a hard surface") != std::string::npos) ==
+                 (is_hard == std::string("true")));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(hidden_seams_are_others)

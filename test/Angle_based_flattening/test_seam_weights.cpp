@@ -200,6 +200,28 @@ BOOST_AUTO_TEST_CASE(creases)
   BOOST_TEST(uprights == 12);
 }
 
+BOOST_AUTO_TEST_CASE(cheapest_creases)
+{
+  const Mesh tube = seam_surfaces::tube(7, 2).mesh();
+  const Weights usual = weights(tube, CREASES);
+  for(const double cheapest : {0., 0.3, 0.475, 1.}) {
+    Weights result;
+    const auto map = boost::make_assoc_property_map(result);
+    BOOST_TEST(bool(SMP::compute_crease_weights(tube, map, CGAL::parameters::default_values(), cheapest)));
+    for(Edge e : tube.edges())
+      BOOST_TEST(factor(tube, result, e) == 1 - (1 - cheapest) / 0.7 * (1 - factor(tube, usual, e)),
+                 boost::test_tools::tolerance(1e-9));
+  }
+  for(const double cheapest : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    Weights result;
+    const auto map = boost::make_assoc_property_map(result);
+    const auto report = SMP::compute_crease_weights(tube, map, CGAL::parameters::default_values(), cheapest);
+    BOOST_TEST((report.status == SMP::Diagnosis::WRONG_OPTION));
+    BOOST_TEST(report.message.find("cheapest") != std::string::npos);
+    BOOST_TEST(result.empty());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(points_of_another_map)
 {
   const Mesh mesh = seam_surfaces::slab(2).mesh();

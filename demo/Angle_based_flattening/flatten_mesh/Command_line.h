@@ -26,8 +26,8 @@ struct Atlas_options
   std::string separates; // "on", "off", or empty: as the purpose says
   std::string isometric; // likewise
   std::optional<double> seam_price;
-  std::string seams = "length"; // or "creases", "creases:DEGREES", "hidden"
-  std::string seams_from;       // a file, "uv", or empty
+  std::string seams = "auto"; // or "length", "near-creases", "creases", "creases:DEGREES", "hidden"
+  std::string seams_from;     // a file, "uv", or empty
   bool charts_from_materials = false;
   bool repacks = false;        // keeps the charts of the texture coordinates in the input
   bool repairs_charts = false; // of these, flattens those anew that are not injective
@@ -50,7 +50,6 @@ struct Atlas_options
 
   bool is_in_world_units() const { return units == "world"; }
   bool keeps_all_charts() const { return repacks && !repairs_charts; }
-  bool weighs_edges() const { return seams != "length" && !repacks; }
 };
 
 // What the user asks for.

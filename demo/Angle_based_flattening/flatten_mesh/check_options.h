@@ -316,7 +316,8 @@ inline void check_way_of_seams(const std::string& seams)
   }
   if(!crease_angle(seams)) {
     check_name("seams", seams,
-               {"length", "creases", "creases:DEGREES with an angle above 0 and below 180", "hidden"});
+               {"auto", "length", "near-creases", "creases",
+                "creases:DEGREES with an angle above 0 and below 180", "hidden"});
   }
 }
 

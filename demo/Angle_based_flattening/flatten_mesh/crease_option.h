@@ -13,26 +13,31 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace flatten_mesh {
 
-// What became of `--seams creases`
-struct Crease_record
+// What became of `--seams`
+struct Seam_way
 {
-  double angle = 0;             // of a crease, at least, in radians
-  bool has_seams = false;       // whether there are seams along creases
-  bool is_hard_surface = false; // see `Crease_report::is_hard_surface()`
+  std::string name;                    // without an angle; not "auto"
+  std::optional<double> crease_angle;  // if creases are seams: of a crease, at least, in radians
+  bool lacks_creases = false;          // whether there is none
+  std::optional<bool> is_hard_surface; // if that matters: see `Crease_report::is_hard_surface()`
 };
 
-// Adds what became of the creases of another model.
-inline void add(const std::optional<Crease_record>& model, std::optional<Crease_record>& all)
+// That of several models: "various" if they differ
+inline Seam_way way_in_common(const std::vector<Seam_way>& ways)
 {
-  if(model && all) {
-    all->has_seams = all->has_seams || model->has_seams;
-    all->is_hard_surface = all->is_hard_surface || model->is_hard_surface;
-  } else if(model) {
-    all = model;
+  Seam_way common = ways.empty() ? Seam_way{"length", std::nullopt, false, std::nullopt} : ways.front();
+  for(const Seam_way& way : ways) {
+    common.name = way.name == common.name ? way.name : "various";
+    common.lacks_creases = common.lacks_creases && way.lacks_creases;
+    if(way.is_hard_surface) {
+      common.is_hard_surface = common.is_hard_surface.value_or(false) || *way.is_hard_surface;
+    }
   }
+  return common;
 }
 
 // The angle of creases in radians, if `--seams` asks for seams along creases and gives an angle that can be one

@@ -156,7 +156,9 @@ inline po::options_description atlas_options(Command_line& command)
       "where the length of new seams is in units of the square root of the area; inf: cut none. texture, "
       "conformal: 0.04; few-charts, or with --seams-from or --charts-from-materials: inf");
   add("seams", po::value(&atlas.seams)->value_name("NAME")->default_value(atlas.seams),
-      "where seams run. length: they are short. creases, or creases:DEGREES: first along edges whose faces "
+      "where seams run. length: they are short. near-creases: along creases where that is hardly longer. "
+      "auto: near-creases for the textures of hard surfaces, which are flat between creases, as machine "
+      "parts are; otherwise length. creases, or creases:DEGREES: first along edges whose faces "
       "differ by more than this angle, 40 degrees if it is not given; flat faces stay whole. For machine "
       "parts and buildings. hidden: in folds and cavities, and below and behind other parts. For characters");
   add("seams-from", po::value(&atlas.seams_from)->value_name("FILE.selection.txt|uv"),

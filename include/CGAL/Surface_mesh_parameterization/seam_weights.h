@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 /// \file seam_weights.h
 
@@ -36,16 +37,11 @@ namespace internal::ABF {
 // worth it.
 inline constexpr double cheapest_edge = 0.3;
 
-// From the cheapest weight at factor 0 to the length at factor 1
-inline double seam_weight(double length, double factor)
-{
-  return length * (cheapest_edge + (1 - cheapest_edge) * factor * factor);
-}
-
-// `prepare(arrays, face_numbers)` returns a function that gives the factor of an edge and its ends.
+// From `cheapest` times the length at factor 0 to the length at factor 1. `prepare(arrays, face_numbers)` returns a
+// function that gives the factor of an edge and its ends.
 template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameters, typename Prepare>
 Mesh_report<TriangleMesh> put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
-                                           const NamedParameters& np, const Prepare& prepare)
+                                           const NamedParameters& np, double cheapest, const Prepare& prepare)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -61,7 +57,8 @@ Mesh_report<TriangleMesh> put_seam_weights(const TriangleMesh& mesh, EdgeWeightM
   for(auto e : edges(mesh)) {
     const std::size_t a = get(vertex_numbers, source(e, mesh)), b = get(vertex_numbers, target(e, mesh));
     const double length = std::sqrt(CGAL::squared_distance(arrays.points[a], arrays.points[b]));
-    put(weights, e, seam_weight(length, factor(e, a, b)));
+    const double f = factor(e, a, b);
+    put(weights, e, length * (cheapest + (1 - cheapest) * f * f));
   }
   return report;
 }
@@ -102,32 +99,46 @@ template <typename TriangleMesh, typename EdgeWeightMap,
 Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
                                                      const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::put_seam_weights(
-      mesh, weights, np, [](const internal::ABF::Triangle_arrays& arrays, const auto&) {
-        return [visibility = internal::ABF::visibility(arrays)](const auto&, std::size_t a, std::size_t b) {
-          return (visibility[a] + visibility[b]) / 2;
-        };
-      });
+  return internal::ABF::put_seam_weights(mesh, weights, np, internal::ABF::cheapest_edge,
+                                         [](const internal::ABF::Triangle_arrays& arrays, const auto&) {
+                                           return [visibility = internal::ABF::visibility(arrays)](
+                                                      const auto&, std::size_t a, std::size_t b) {
+                                             return (visibility[a] + visibility[b]) / 2;
+                                           };
+                                         });
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// computes edge weights that draw seams to creases.
 ///
-/// The weight of an edge of length \f$l\f$ is \f$l\,(0.3 + 0.7\,c^2)\f$. Here, \f$c\f$ is the cosine of the angle
-/// between the normals of the two faces, or 0 if the cosine is negative. The weight of an edge in a flat region is its
-/// length; a bend by 30 degrees gives 0.83 times the length, and a bend by 90 degrees or more gives 0.3 times the
-/// length. Convex and concave creases count the same. The weight of border edges and of edges of degenerate faces is
+/// The weight of an edge of length \f$l\f$ is \f$l\,(p + (1 - p)\,c^2)\f$, where \f$p\f$ is `cheapest`. Here, \f$c\f$
+/// is the cosine of the angle between the normals of the two faces, or 0 if the cosine is negative. The weight of an edge
+/// in a flat region is its length; by default, a bend by 30 degrees gives 0.83 times the length, and a bend by 90 degrees
+/// or more gives 0.3 times the length. Convex and concave creases count the same. The weight of border edges and of edges of degenerate faces is
 /// their length. A rounded crease consists of small bends, and hardly counts.
 ///
-/// Time and memory are linear. Parameters, requirements and the report are those of `compute_visibility_weights()`.
+/// Time and memory are linear. Other parameters, requirements and the report are those of
+/// `compute_visibility_weights()`.
+///
+/// \param cheapest the least weight per length, from 0 to 1: the larger, the shorter are seams, and the fewer are on
+///   creases.
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
-                                                 const NamedParameters& np = parameters::default_values())
+                                                 const NamedParameters& np = parameters::default_values(),
+                                                 double cheapest = 0.3)
 {
+  if(!(cheapest >= 0 && cheapest <= 1)) {
+    Mesh_report<TriangleMesh> report;
+    report.status = Diagnosis::WRONG_OPTION;
+    report.message = "the cheapest edge has " + std::to_string(cheapest) +
+                     " of its length as its weight, and must have 0 to 1";
+    return report;
+  }
   return internal::ABF::put_seam_weights(
-      mesh, weights, np, [&mesh](const internal::ABF::Triangle_arrays& arrays, const auto& face_numbers) {
+      mesh, weights, np, cheapest,
+      [&mesh](const internal::ABF::Triangle_arrays& arrays, const auto& face_numbers) {
         return [&arrays, &mesh, face_numbers](const auto& e, std::size_t, std::size_t) {
           if(CGAL::is_border(e, mesh))
             return 1.;

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,8 +43,8 @@ struct Atlas_record
   std::size_t vertices = 0; // these three are of the surface that the atlas is made of
   std::size_t triangles = 0;
   std::size_t components = 0;
-  std::size_t left_out = 0;             // faces that were not to be flattened
-  std::optional<Crease_record> creases; // if seams were laid along them
+  std::size_t left_out = 0; // faces that were not to be flattened
+  Seam_way seam_way;
   SMP::Atlas_report report;
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart
@@ -65,12 +64,6 @@ inline std::vector<Skipped_part> skipped_of_model(const Atlas_record& record, co
   std::copy_if(record.skipped.begin(), record.skipped.end(), std::back_inserter(parts),
                [model](const Skipped_part& part) { return part.model == model; });
   return parts;
-}
-
-// Of `--seams`, without an angle; with `--repack`, they were there
-inline std::string way_of_seams(const Atlas_record& record)
-{
-  return record.options.repacks ? "given" : record.creases ? "creases" : record.options.seams;
 }
 
 inline std::string status_name(const Atlas_record& record)

@@ -18,6 +18,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/seam_weights.h>
 #include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
@@ -85,37 +86,63 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
 
 namespace internal {
 
-// Marks seams along creases, if these are asked for. They do not divide polygons.
-inline std::optional<Crease_record> lay_seams_along_creases(const std::string& seams, Mesh& mesh,
-                                                            const Edge_marks& is_seam)
+inline bool is_hard_surface(Mesh& mesh)
 {
-  const std::optional<double> angle = crease_angle(seams);
-  if(!angle || mesh.faces().empty()) {
-    return std::nullopt;
-  }
+  auto marks = mesh.add_property_map<Edge, bool>().first;
+  const auto report = SMP::select_crease_seams(mesh, marks, SMP::Crease_options(),
+                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
+  mesh.remove_property_map(marks);
+  return report && report.is_hard_surface();
+}
+
+// Marks seams along creases. They do not divide polygons.
+inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam)
+{
   const auto count_seams = [&] {
     const auto edges = mesh.edges();
     return std::count_if(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
   };
   const auto given = count_seams();
   SMP::Crease_options options;
-  options.angle = *angle;
+  options.angle = angle;
   const auto report = SMP::select_crease_seams(mesh, is_seam, options,
                                                CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
-  return Crease_record{*angle, count_seams() > given, report.is_hard_surface()};
+  return {"creases", angle, count_seams() == given, report.is_hard_surface()};
+}
+
+// Finds out what `--seams` means for a mesh, and marks seams along creases if they are asked for.
+inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
+{
+  const std::optional<double> angle = crease_angle(options.seams);
+  if(angle && !mesh.faces().empty()) {
+    return lay_seams_along_creases(*angle, mesh, is_seam);
+  }
+  Seam_way way;
+  way.name = angle ? "creases" : options.seams;
+  if(way.name == "auto") {
+    way.name = "length";
+    if(options.purpose == "texture") {
+      way.is_hard_surface = is_hard_surface(mesh);
+      way.name = *way.is_hard_surface ? "near-creases" : way.name;
+    }
+  }
+  return way;
 }
 
 // What seams cost along each edge, unless that is its length
-inline void weigh_edges(const std::string& seams, const Mesh& mesh,
+inline void weigh_edges(const std::string& way, const Mesh& mesh,
                         const Mesh::Property_map<Edge, double>& weight)
 {
-  const auto report = seams == "hidden" ? SMP::compute_visibility_weights(mesh, weight)
-                                        : SMP::compute_crease_weights(mesh, weight);
+  namespace np = CGAL::parameters;
+  const double cheapest = way == "near-creases" ? 0.475 : 0.3;
+  const auto report = way == "hidden"
+                          ? SMP::compute_visibility_weights(mesh, weight)
+                          : SMP::compute_crease_weights(mesh, weight, np::default_values(), cheapest);
   if(!report) {
-    throw Input_error("cannot weigh edges for --seams " + seams + ": " + report.message);
+    throw Input_error("cannot weigh edges for --seams " + way + ": " + report.message);
   }
 }
 
@@ -124,21 +151,27 @@ inline Mesh::Property_map<Edge, double> edge_weights(Mesh& mesh)
   return mesh.add_property_map<Edge, double>("e:flatten_mesh_weight", 0).first;
 }
 
-// Says where seams run, unless they are short, and returns what became of creases.
-inline std::optional<Crease_record> prepare_edges(const Atlas_options& atlas, Mesh& mesh,
-                                                  const Edge_marks& is_seam)
+inline bool has_weights(const Seam_way& way)
 {
-  std::optional<Crease_record> creases;
-  if(atlas.weighs_edges() && !mesh.is_empty()) {
-    creases = lay_seams_along_creases(atlas.seams, mesh, is_seam);
-    weigh_edges(atlas.seams, mesh, edge_weights(mesh));
+  return way.name != "length" && way.name != "given";
+}
+
+// Marks and weighs edges as `--seams` says.
+inline Seam_way prepare_edges(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
+{
+  if(options.repacks) {
+    return {"given", std::nullopt, false, std::nullopt};
   }
-  return creases;
+  const Seam_way way = choose_seams(options, mesh, is_seam);
+  if(has_weights(way) && !mesh.is_empty()) {
+    weigh_edges(way.name, mesh, edge_weights(mesh));
+  }
+  return way;
 }
 
 // No seam divides a polygon of the input. Edges are prepared.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                         Atlas_progress& progress)
+                                         const Seam_way& way, Atlas_progress& progress)
 {
   namespace np = CGAL::parameters;
   const Edge_marks is_diagonal = diagonals(mesh);
@@ -152,12 +185,12 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
     return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
   SMP::Atlas_report report;
-  if(!command.atlas.weighs_edges()) {
-    report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
-  } else {
+  if(has_weights(way)) {
     auto weight = edge_weights(mesh);
     report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
     mesh.remove_property_map(weight);
+  } else {
+    report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
   }
   mesh.remove_property_map(polygon);
   return report;
@@ -190,8 +223,7 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
 
 // The faces of the report are those of the whole mesh.
 inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                                 std::optional<Crease_record>& creases,
-                                                 Atlas_progress& progress)
+                                                 Seam_way& way, Atlas_progress& progress)
 {
   Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
   Mesh& part = component.part.mesh;
@@ -201,8 +233,8 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
-  creases = prepare_edges(command.atlas, part, atlas_of_part.seams);
-  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, progress);
+  way = prepare_edges(command.atlas, part, atlas_of_part.seams);
+  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, way, progress);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -219,47 +251,61 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
   return report;
 }
 
-// Each model by itself: another one neither hides its edges nor has its seams.
-inline std::optional<Crease_record> prepare_joined_models(Atlas_input& input, const Atlas& atlas)
+inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, double>& weight)
 {
-  std::optional<Crease_record> creases;
-  const auto weight_of_whole = edge_weights(input.mesh);
+  for(const Edge e : mesh.edges()) {
+    weight[e] = CGAL::Polygon_mesh_processing::edge_length(e, mesh);
+  }
+}
+
+// Each model by itself: another one neither hides its edges nor has its seams.
+inline Seam_way prepare_model(Joined_model& model, const Atlas& whole,
+                              const Mesh::Property_map<Edge, double>& weights)
+{
+  Mesh& mesh = model.input.mesh;
+  const Edge_marks is_seam = seam_marks(mesh);
+  keep_seams(model.command.atlas, model.input, is_seam);
+  if(model.command.atlas.repacks) {
+    take_texture(model.input, is_seam,
+                 [&](const Halfedge h, const Kernel::Point_2& p) { whole.uv[in_common_mesh(model, h)] = p; });
+  }
+  Seam_way way = prepare_edges(model.command.atlas, mesh, is_seam);
+  const auto weight = edge_weights(mesh);
+  if(!has_weights(way)) {
+    weigh_by_length(mesh, weight);
+  }
+  for(const Edge e : mesh.edges()) {
+    whole.seams[in_common_mesh(model, e)] = is_seam[e];
+    weights[in_common_mesh(model, e)] = weight[e];
+  }
+  return way;
+}
+
+inline Seam_way prepare_joined_models(Atlas_input& input, const Atlas& atlas)
+{
+  const auto weights = edge_weights(input.mesh);
+  std::vector<Seam_way> ways;
   for(Joined_model& model : input.joined) {
-    Mesh& mesh = model.input.mesh;
-    if(mesh.is_empty()) {
-      continue;
-    }
-    const Edge_marks is_seam = seam_marks(mesh);
     try {
-      keep_seams(model.command.atlas, model.input, is_seam);
-      if(model.command.atlas.repacks) {
-        take_texture(model.input, is_seam, [&](const Halfedge h, const Kernel::Point_2& p) {
-          atlas.uv[in_common_mesh(model, h)] = p;
-        });
+      if(!model.input.mesh.is_empty()) {
+        ways.push_back(prepare_model(model, atlas, weights));
       }
-      add(prepare_edges(model.command.atlas, mesh, is_seam), creases);
     } catch(const Input_error& error) {
       throw Input_error(model.command.title + ": " + error.what());
     }
-    const auto weight = edge_weights(mesh);
-    for(const Edge e : mesh.edges()) {
-      atlas.seams[in_common_mesh(model, e)] = is_seam[e];
-      weight_of_whole[in_common_mesh(model, e)] = weight[e];
-    }
   }
-  return creases;
+  return way_in_common(ways);
 }
 
 } // namespace internal
 
-// Makes charts of the mesh or of the component that is asked for, and says what became of its creases.
+// Makes charts of the mesh or of the component that is asked for, and says where seams run.
 inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
-                                             const Atlas& atlas, std::optional<Crease_record>& creases,
-                                             Atlas_progress& progress)
+                                             const Atlas& atlas, Seam_way& way, Atlas_progress& progress)
 {
   if(!input.joined.empty()) {
-    creases = internal::prepare_joined_models(input, atlas);
-    return internal::call_make_atlas(command, input.mesh, atlas, progress);
+    way = internal::prepare_joined_models(input, atlas);
+    return internal::call_make_atlas(command, input.mesh, atlas, way, progress);
   }
   keep_seams(command.atlas, input, atlas.seams);
   if(command.atlas.repacks) {
@@ -267,10 +313,10 @@ inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_
                  [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
   }
   if(command.asks_for_component) {
-    return internal::make_atlas_of_component(command, input.mesh, atlas, creases, progress);
+    return internal::make_atlas_of_component(command, input.mesh, atlas, way, progress);
   }
-  creases = internal::prepare_edges(command.atlas, input.mesh, atlas.seams);
-  return internal::call_make_atlas(command, input.mesh, atlas, progress);
+  way = internal::prepare_edges(command.atlas, input.mesh, atlas.seams);
+  return internal::call_make_atlas(command, input.mesh, atlas, way, progress);
 }
 
 } // namespace flatten_mesh

@@ -64,9 +64,10 @@ inline std::string atlas_json(const Atlas_record& record)
 {
   const SMP::Atlas_report& report = record.report;
   Json_object seams, json;
-  seams.add("way", json_text(way_of_seams(record)));
-  seams.add("crease_angle", record.creases ? json_number(record.creases->angle) : "null");
-  seams.add("is_hard_surface", record.creases ? json_bool(record.creases->is_hard_surface) : "null");
+  const Seam_way& way = record.seam_way;
+  seams.add("way", json_text(way.name));
+  seams.add("crease_angle", way.crease_angle ? json_number(*way.crease_angle) : "null");
+  seams.add("is_hard_surface", way.is_hard_surface ? json_bool(*way.is_hard_surface) : "null");
   seams.add("length", json_number(report.seam_length));
   seams.add("relative_length", json_number(report.relative_seam_length));
   seams.add("terminals", json_number(report.number_of_terminals));

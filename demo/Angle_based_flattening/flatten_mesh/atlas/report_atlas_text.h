@@ -90,13 +90,17 @@ inline Report_rows seam_jump_rows(const SMP::Atlas_report& report)
 }
 
 // Where seams run
-inline std::string way_text(const Atlas_record& record)
+inline std::string way_text(const Seam_way& way)
 {
-  if(record.creases) {
-    return std::string("along creases of ") + (record.creases->is_hard_surface ? "a hard" : "a soft") +
-           " surface, above " + format_number("%.4g degrees", record.creases->angle * 180 / CGAL_PI);
+  const std::string surface = way.is_hard_surface.value_or(false) ? " of a hard surface" : "";
+  if(way.crease_angle) {
+    return "along creases" + surface + ", above " +
+           format_number("%.4g degrees", *way.crease_angle * 180 / CGAL_PI);
   }
-  return record.options.repacks ? "given" : record.options.seams == "hidden" ? "in hidden places" : "short";
+  if(way.name == "near-creases") {
+    return "short, near creases" + surface;
+  }
+  return way.name == "hidden" ? "in hidden places" : way.name == "length" ? "short" : way.name;
 }
 
 inline Report_rows chart_rows(const Atlas_record& record)
@@ -115,7 +119,7 @@ inline Report_rows chart_rows(const Atlas_record& record)
   append(rows, skipped_rows(record.skipped));
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +
-                      count_text(report.number_of_terminals, "terminal") + "; " + way_text(record)});
+                      count_text(report.number_of_terminals, "terminal") + "; " + way_text(record.seam_way)});
   const std::string bound = record.options.keeps_all_charts()
                                 ? std::string()
                                 : "bound " + format_number("%.4g", record.stretch_bound) + "; ";

@@ -123,9 +123,9 @@ void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& a
 // Says so if there was no crease to lay seams along.
 void look_at_creases(const Atlas_record& record, Notes& notes)
 {
-  if(record.creases && !record.creases->has_seams) {
+  if(record.seam_way.lacks_creases) {
     notes.add("--seams creases: no creases divide the surface where faces differ by more than " +
-              format_number("%.4g degrees", record.creases->angle * 180 / CGAL_PI) +
+              format_number("%.4g degrees", *record.seam_way.crease_angle * 180 / CGAL_PI) +
               ", so all seams are chosen to be short");
   }
 }
@@ -402,7 +402,7 @@ void make_charts(const Command_line& command, Atlas_input& input, const Atlas& a
     return;
   }
   record.components = components_by_size(input.mesh).size();
-  record.report = make_atlas_of_input(command, input, atlas, record.creases, progress);
+  record.report = make_atlas_of_input(command, input, atlas, record.seam_way, progress);
   if(record.report.has_atlas()) {
     place_charts(command.atlas, input.mesh, atlas, record.report);
   }
