@@ -15,21 +15,18 @@
 #include "flatten_mesh/plain/Cut_mesh.h"
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/keep_seams.h"
+#include "flatten_mesh/atlas/prepare_edges.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
-#include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,89 +82,6 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
 }
 
 namespace internal {
-
-inline bool is_hard_surface(Mesh& mesh)
-{
-  auto marks = mesh.add_property_map<Edge, bool>().first;
-  const auto report = SMP::select_crease_seams(mesh, marks, SMP::Crease_options(),
-                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
-  mesh.remove_property_map(marks);
-  return report && report.is_hard_surface();
-}
-
-// Marks seams along creases. They do not divide polygons.
-inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam)
-{
-  const auto count_seams = [&] {
-    const auto edges = mesh.edges();
-    return std::count_if(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
-  };
-  const auto given = count_seams();
-  SMP::Crease_options options;
-  options.angle = angle;
-  const auto report = SMP::select_crease_seams(mesh, is_seam, options,
-                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
-  if(!report) {
-    throw Input_error("cannot lay seams along creases: " + report.message);
-  }
-  return {"creases", angle, count_seams() == given, report.is_hard_surface()};
-}
-
-// Finds out what `--seams` means for a mesh, and marks seams along creases if they are asked for.
-inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
-{
-  const std::optional<double> angle = crease_angle(options.seams);
-  if(angle && !mesh.faces().empty()) {
-    return lay_seams_along_creases(*angle, mesh, is_seam);
-  }
-  Seam_way way;
-  way.name = angle ? "creases" : options.seams;
-  if(way.name == "auto") {
-    way.name = "length";
-    if(options.purpose == "texture") {
-      way.is_hard_surface = is_hard_surface(mesh);
-      way.name = *way.is_hard_surface ? "near-creases" : way.name;
-    }
-  }
-  return way;
-}
-
-// What seams cost along each edge, unless that is its length
-inline void weigh_edges(const std::string& way, const Mesh& mesh,
-                        const Mesh::Property_map<Edge, double>& weight)
-{
-  namespace np = CGAL::parameters;
-  const double cheapest = way == "near-creases" ? 0.475 : 0.3;
-  const auto report = way == "hidden"
-                          ? SMP::compute_visibility_weights(mesh, weight)
-                          : SMP::compute_crease_weights(mesh, weight, np::default_values(), cheapest);
-  if(!report) {
-    throw Input_error("cannot weigh edges for --seams " + way + ": " + report.message);
-  }
-}
-
-inline Mesh::Property_map<Edge, double> edge_weights(Mesh& mesh)
-{
-  return mesh.add_property_map<Edge, double>("e:flatten_mesh_weight", 0).first;
-}
-
-inline bool has_weights(const Seam_way& way)
-{
-  return way.name != "length" && way.name != "given";
-}
-
-// Marks and weighs edges as `--seams` says.
-inline Seam_way prepare_edges(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
-{
-  if(options.repacks) {
-    return {"given", std::nullopt, false, std::nullopt};
-  }
-  const Seam_way way = choose_seams(options, mesh, is_seam);
-  if(has_weights(way) && !mesh.is_empty()) {
-    weigh_edges(way.name, mesh, edge_weights(mesh));
-  }
-  return way;
-}
 
 // No seam divides a polygon of the input. Edges are prepared.
 inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,

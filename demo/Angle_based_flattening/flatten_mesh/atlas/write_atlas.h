@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_WRITE_ATLAS_H
+#define FLATTEN_MESH_WRITE_ATLAS_H
+
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/atlas/join_models.h"
+#include "flatten_mesh/atlas/place_charts.h"
+#include "flatten_mesh/atlas/report_atlas_json.h"
+#include "flatten_mesh/atlas/textured_atlas.h"
+#include "flatten_mesh/atlas/write_atlas_svg.h"
+#include "flatten_mesh/bake/bake_textures.h"
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/face_options.h"
+#include "flatten_mesh/model/concave_polygons.h"
+#include "flatten_mesh/model/divide_polygons.h"
+#include "flatten_mesh/model/Model_texture.h"
+#include "flatten_mesh/model/write_model.h"
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/pictures/page_boxes.h"
+#include "flatten_mesh/pictures/Up_axis.h"
+#include "flatten_mesh/texts.h"
+
+#ifdef ABF_WITH_PNG
+#include "flatten_mesh/bake/write_baked_model.h"
+#include "flatten_mesh/pictures/chart_images.h"
+#include "flatten_mesh/pictures/draw_atlas.h"
+#endif
+
+#ifdef ABF_WITH_THREE
+#include "flatten_mesh/report/contents_of_atlas.h"
+#include "flatten_mesh/report/report_page.h"
+#endif
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
+{
+  std::ostringstream text;
+  SMP::write_seam_selection(text, mesh, atlas.seams);
+  return text.str();
+}
+
+// `no_index` without chart
+inline Index chart_number(const Atlas& atlas, const Face f)
+{
+  return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
+}
+
+inline Model_texture texture_of(const Model& model, const Mesh& mesh, const Corner_origins& origins,
+                                const Atlas& atlas)
+{
+  const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
+  const auto chart = [&atlas](const Face f) { return chart_number(atlas, f); };
+  return model_texture(model, mesh, origins, uv, chart);
+}
+
+// The polygons that other programs would draw with triangles that overlap. GLB files have none.
+inline std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
+                                            const Atlas& atlas, const SMP::Atlas_report& report)
+{
+  if(command.output.empty() || file_format(command.output) == "glb" || !report.has_atlas()) {
+    return {};
+  }
+  std::vector<bool> is_divided =
+      concave_polygons(input.model, texture_of(input.model, input.mesh, input.origins, atlas));
+  const std::vector<bool> is_torn = torn_polygons(
+      input.model, input.mesh, input.origins, [&atlas](const Halfedge h) { return atlas.uv[h]; },
+      [&atlas](const Face f) { return chart_number(atlas, f); });
+  std::transform(is_divided.begin(), is_divided.end(), is_torn.begin(), is_divided.begin(),
+                 std::logical_or<bool>());
+  return is_divided;
+}
+
+// A model that is written, with its charts
+struct Written_model
+{
+  Command_line command;
+  const Atlas_input& input;
+  Atlas atlas;
+  std::vector<bool> is_divided; // of each polygon
+};
+
+inline std::vector<Written_model> models_to_write(const Command_line& command, Atlas_input& input,
+                                                  const Atlas& atlas, const SMP::Atlas_report& report)
+{
+  std::vector<Written_model> models;
+  const auto add = [&](const Command_line& own, const Atlas_input& model, const Atlas& charts) {
+    models.push_back({own, model, charts, polygons_to_divide(own, model, charts, report)});
+  };
+  if(input.joined.empty()) {
+    add(command, input, atlas);
+  }
+  for(Joined_model& model : input.joined) {
+    add(model.command, model.input, atlas_of_model(atlas, model));
+  }
+  return models;
+}
+
+inline void tell_changed_polygons(const std::vector<Written_model>& models, const SMP::Atlas_report& report,
+                                  Notes& notes)
+{
+  std::vector<bool> is_divided;
+  for(const Written_model& model : models) {
+    is_divided.insert(is_divided.end(), model.is_divided.begin(), model.is_divided.end());
+  }
+  if(const std::string text = polygons_text(report.number_of_mended_polygons, is_divided); !text.empty()) {
+    notes.add(text);
+  }
+}
+
+inline void write_model_or_baked(const Command_line& command, const Model& model, const Mesh& mesh,
+                                 const Corner_origins& origins, const Atlas& atlas,
+                                 const Baked_surface& baked, Output_files& files)
+{
+#ifdef ABF_WITH_PNG
+  if(!command.atlas.bake_from.empty()) {
+    write_baked_model(command, model, mesh, origins, baked, texture_of(model, mesh, origins, atlas), files);
+    return;
+  }
+#else
+  (void)baked;
+#endif
+  if(!command.output.empty()) {
+    Model_texture texture = texture_of(model, mesh, origins, atlas);
+    texture.is_second_set = command.atlas.uv_set == 1;
+    if(!texture.is_second_set) {
+      keep_left_out_texture(face_choice_of(command.atlas), model, texture);
+    }
+    write_model(files.open(command.output), command.output, model, texture);
+  }
+}
+
+inline void write_surface(const Written_model& written, const Baked_surface& baked, Output_files& files)
+{
+  const auto& [command, input, atlas, is_divided] = written;
+  if(std::find(is_divided.begin(), is_divided.end(), true) == is_divided.end()) {
+    write_model_or_baked(command, input.model, input.mesh, input.origins, atlas, baked, files);
+    return;
+  }
+  Model model = input.model;
+  Corner_origins origins = input.origins;
+  divide_polygons(model, input.mesh, origins, is_divided);
+  write_model_or_baked(command, model, input.mesh, origins, atlas, baked, files);
+}
+
+// In the plane of the pictures, where texels are squares
+inline std::vector<CGAL::Bbox_2> pages_of(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
+                                          const SMP::Atlas_report& report)
+{
+  if(options.is_in_world_units() && report.number_of_pages <= 1) {
+    return {box_of(mesh, atlas)};
+  }
+  const double width = options.is_in_world_units() ? 1 / report.scale : 1;
+  return page_boxes(report.number_of_pages, width, width * options.height / options.resolution);
+}
+
+inline void draw(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+                 const Atlas_record& record, Output_files& files)
+{
+  Textured_surface surface = textured_atlas(input.mesh, atlas);
+  if(!command.atlas.is_in_world_units()) {
+    make_texels_squares(command.atlas.resolution, command.atlas.height, surface);
+  }
+  const std::vector<CGAL::Bbox_2> pages = pages_of(command.atlas, input.mesh, atlas, record.report);
+  const std::string up = up_axis(command, surface);
+  if(!command.svg.empty()) {
+    write_atlas_svg(files.open(command.svg), surface, pages,
+                    "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
+  }
+#ifdef ABF_WITH_PNG
+  if(!command.picture.empty()) {
+    files.open(command.picture).write(atlas_picture(surface, Upright::of(up), pages));
+  }
+#endif
+#ifdef ABF_WITH_THREE
+  if(!command.report.empty()) {
+    files.open(command.report)
+        .write(report_page(contents_of_atlas(input, record, std::move(surface), up, pages),
+                           command.options.threads));
+  }
+#endif
+}
+
+// Writes the requested files under temporary names.
+inline void write_files(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+                        const Baked_surface& baked, const std::vector<Written_model>& models,
+                        Atlas_record& record, Output_files& files)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  if(record.report.has_atlas()) {
+    for(const Written_model& model : models) {
+      write_surface(model, baked, files);
+    }
+    if(!command.svg.empty() || !command.picture.empty() || !command.report.empty()) {
+      draw(command, input, atlas, record, files);
+    }
+    for(const Written_model& model : models) {
+      if(!model.command.seams_to.empty()) {
+        files.open(model.command.seams_to).write(seams_text(model.input.mesh, model.atlas));
+      }
+    }
+#ifdef ABF_WITH_PNG
+    if(!command.chart_image.empty()) {
+      write_chart_images(command, input.mesh, atlas, record.report, files);
+    }
+#endif
+  }
+  record.write_seconds = timer.time();
+  record.peak_memory_mb = peak_memory_mb();
+  if(!command.json.empty()) {
+    files.open(command.json).write(report_json(record));
+  }
+  record.written = files.names();
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_WRITE_ATLAS_H
