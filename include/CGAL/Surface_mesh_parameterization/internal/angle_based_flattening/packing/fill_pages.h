@@ -112,8 +112,9 @@ private:
 // With a given scale, the fewest pages of several rules; of these, those with the least on the last page
 inline Filled_pages fill_pages(const Charts_to_pack& charts)
 {
-  const std::size_t few_pages = 4, most_rules = 16, least_rules = 4;
-  const bool are_few = charts.number_of_pages() <= few_pages;
+  const std::size_t most_rules = 16, least_rules = 4;
+  const double few_tries = 4000; // of a chart on a page
+  const bool are_few = charts.number_of_charts() * charts.number_of_pages() <= few_tries;
   const std::vector<int>& cells = charts.texels_of_cells();
   int cell = are_few ? cells.back() : cells[(std::min)(cells.size() - 1, std::size_t(1))];
   std::vector<std::vector<char>> is_allowed;
