@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(cheapest_creases)
   for(const double cheapest : {0., 0.3, 0.475, 1.}) {
     Weights result;
     const auto map = boost::make_assoc_property_map(result);
-    BOOST_TEST(bool(SMP::compute_crease_weights(tube, map, CGAL::parameters::default_values(), cheapest)));
+    BOOST_TEST(bool(SMP::compute_crease_weights(tube, map, cheapest)));
     for(Edge e : tube.edges())
       BOOST_TEST(factor(tube, result, e) == 1 - (1 - cheapest) / 0.7 * (1 - factor(tube, usual, e)),
                  boost::test_tools::tolerance(1e-9));
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(cheapest_creases)
   for(const double cheapest : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     Weights result;
     const auto map = boost::make_assoc_property_map(result);
-    const auto report = SMP::compute_crease_weights(tube, map, CGAL::parameters::default_values(), cheapest);
+    const auto report = SMP::compute_crease_weights(tube, map, cheapest);
     BOOST_TEST((report.status == SMP::Diagnosis::WRONG_OPTION));
     BOOST_TEST(report.message.find("cheapest") != std::string::npos);
     BOOST_TEST(result.empty());
@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(points_of_another_map)
     const auto map = boost::make_assoc_property_map(result);
     const auto np = CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(doubled));
     kind == VISIBILITY ? SMP::compute_visibility_weights(mesh, map, np)
-                       : SMP::compute_crease_weights(mesh, map, np);
+                       : SMP::compute_crease_weights(mesh, map, 0.3, np);
     for(const auto& [e, weight] : weights(mesh, kind))
       BOOST_TEST(result.at(e) == 2 * weight, boost::test_tools::tolerance(1e-12));
   }

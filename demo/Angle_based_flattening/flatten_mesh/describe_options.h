@@ -136,8 +136,7 @@ inline po::options_description atlas_options(Command_line& command)
   po::options_description_easy_init add = options.add_options();
   add("one-atlas", po::bool_switch(&atlas.is_shared),
       "all inputs share one atlas, with the same texel density. --output and --seams-to contain a '%' and "
-      "are "
-      "written for each input; all other files are written once, for the whole");
+      "are written for each input; all other files are written once, for the whole");
   add("for", name_option(atlas.purpose),
       "what the atlas is for, which sets the next three options, --stretch-bound, --area-weight and "
       "--equal-seams, unless they are given. texture: many and even texels, with charts that are as "

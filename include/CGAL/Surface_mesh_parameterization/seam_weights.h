@@ -113,10 +113,10 @@ Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, E
 /// computes edge weights that draw seams to creases.
 ///
 /// The weight of an edge of length \f$l\f$ is \f$l\,(p + (1 - p)\,c^2)\f$, where \f$p\f$ is `cheapest`. Here, \f$c\f$
-/// is the cosine of the angle between the normals of the two faces, or 0 if the cosine is negative. The weight of an edge
-/// in a flat region is its length; by default, a bend by 30 degrees gives 0.83 times the length, and a bend by 90 degrees
-/// or more gives 0.3 times the length. Convex and concave creases count the same. The weight of border edges and of edges of degenerate faces is
-/// their length. A rounded crease consists of small bends, and hardly counts.
+/// is the cosine of the angle between the normals of the two faces, or 0 if the cosine is negative. The weight of an
+/// edge in a flat region is its length; by default, a bend by 30 degrees gives 0.83 times the length, and a bend by 90
+/// degrees or more gives 0.3 times the length. Convex and concave creases count the same. The weight of border edges
+/// and of edges of degenerate faces is their length. A rounded crease consists of small bends, and hardly counts.
 ///
 /// Time and memory are linear. Other parameters, requirements and the report are those of
 /// `compute_visibility_weights()`.
@@ -126,8 +126,8 @@ Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, E
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
-                                                 const NamedParameters& np = parameters::default_values(),
-                                                 double cheapest = 0.3)
+                                                 double cheapest = 0.3,
+                                                 const NamedParameters& np = parameters::default_values())
 {
   if(!(cheapest >= 0 && cheapest <= 1)) {
     Mesh_report<TriangleMesh> report;

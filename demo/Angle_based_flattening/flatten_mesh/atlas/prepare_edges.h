@@ -72,11 +72,9 @@ inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edg
 inline void weigh_edges(const std::string& way, const Mesh& mesh,
                         const Mesh::Property_map<Edge, double>& weight)
 {
-  namespace np = CGAL::parameters;
   const double cheapest = way == "near-creases" ? 0.475 : 0.3;
-  const auto report = way == "hidden"
-                          ? SMP::compute_visibility_weights(mesh, weight)
-                          : SMP::compute_crease_weights(mesh, weight, np::default_values(), cheapest);
+  const auto report = way == "hidden" ? SMP::compute_visibility_weights(mesh, weight)
+                                      : SMP::compute_crease_weights(mesh, weight, cheapest);
   if(!report) {
     throw Input_error("cannot weigh edges for --seams " + way + ": " + report.message);
   }
