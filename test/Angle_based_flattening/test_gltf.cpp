@@ -135,6 +135,19 @@ const std::vector<float> row_of_points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0,
 
 BOOST_FIXTURE_TEST_SUITE(reading, Files)
 
+BOOST_AUTO_TEST_CASE(files_of_the_input_are_not_overwritten)
+{
+  const Gltf gltf = ball_with_nodes("{\"mesh\":0}");
+  write("data.svg", gltf.bytes);
+  write("ball.gltf", gltf.text("data.svg"));
+  BOOST_TEST(flatten("ball.gltf", "flat.obj", "--svg '" + file("data.svg") + "'") == 2);
+  BOOST_TEST(content("data.svg") == gltf.bytes);
+  BOOST_TEST(!fs::exists(file("flat.obj")));
+  BOOST_TEST(content("stderr").find("data.svg' would overwrite a file that the input refers to") !=
+             std::string::npos);
+  BOOST_TEST(flatten("ball.gltf", "flat.obj", "--svg '" + file("other.svg") + "'") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_same_in_all_kinds_of_files)
 {
   const Gltf gltf = ball_with_nodes("{\"mesh\":0}");

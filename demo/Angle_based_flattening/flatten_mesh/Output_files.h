@@ -14,6 +14,7 @@
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/file_names.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -27,8 +28,19 @@ namespace flatten_mesh {
 class Output_files
 {
 public:
+  // No output may have the name of one of these.
+  void keep(const std::vector<std::string>& files)
+  {
+    m_kept.insert(m_kept.end(), files.begin(), files.end());
+  }
+
   Output_file& open(const std::string& name)
   {
+    const auto is_kept = [&name](const std::string& file) { return is_same_file(file, name); };
+    if(name != standard_output && std::any_of(m_kept.begin(), m_kept.end(), is_kept)) {
+      throw Output_error("'" + name +
+                         "' would overwrite a file that the input refers to: choose another name");
+    }
     m_files.push_back(std::make_unique<Output_file>(name));
     m_names.push_back(name == standard_output ? "standard output" : name);
     return *m_files.back();
@@ -65,6 +77,7 @@ private:
 
   std::vector<std::unique_ptr<Output_file>> m_files;
   std::vector<std::string> m_names;
+  std::vector<std::string> m_kept;
 };
 
 // Throws unless everything can be written that is asked for.

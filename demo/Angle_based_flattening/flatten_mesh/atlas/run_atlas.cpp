@@ -175,6 +175,7 @@ Atlas_record record_of(const Command_line& command, const Atlas_input& input)
 // What the record says of several models
 void list_models(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
 {
+  std::size_t first_chart = 0;
   for(const Joined_model& model : input.joined) {
     const Mesh& mesh = model.input.mesh;
     std::set<int> charts;
@@ -183,8 +184,8 @@ void list_models(const Atlas_input& input, const Atlas& atlas, Atlas_record& rec
     }
     charts.erase(-1);
     record.models.push_back({model.command.input, record.report.has_atlas() ? model.command.output : "",
-                             number_of_vertices(mesh), mesh.number_of_faces(),
-                             charts.empty() ? 0 : static_cast<std::size_t>(*charts.begin()), charts.size()});
+                             number_of_vertices(mesh), mesh.number_of_faces(), first_chart, charts.size()});
+    first_chart += charts.size();
   }
 }
 
@@ -248,6 +249,10 @@ Exit_status run_atlas(const Command_line& command)
   record.notes = notes.texts();
   progress.stage("writing");
   Output_files files;
+  files.keep(input.model.files_beside);
+  for(const Joined_model& model : input.joined) {
+    files.keep(model.input.model.files_beside);
+  }
   write_files(command, input, atlas, baked, models, record, files);
   progress.end();
   tell_skipped_parts(command, record.skipped);

@@ -69,7 +69,8 @@ struct Model
   std::vector<Point_color> material_colors; // of each name; empty: material files tell
   Model_in_gltf gltf;
 
-  std::string file;       // its name
+  std::string file;                      // its name
+  std::vector<std::string> files_beside; // that it refers to, and that were read with it
   bool is_welded = false; // from a file without indices, such as STL: the reader merged equal points
 
   std::size_t number_of_polygons() const { return first_corners.size() - 1; }

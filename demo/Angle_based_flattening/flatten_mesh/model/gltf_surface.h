@@ -45,6 +45,7 @@ struct Gltf_surface
   std::vector<std::string> remarks; // what is left out
   std::string scene_parts;   // what the surface alone does not have, such as "nodes and textures", or empty
   std::size_t instances = 0; // further places of meshes
+  std::vector<std::string> files_beside; // that the file refers to
 };
 
 // Reads the content of a binary or textual glTF file. `file` is its name: other files that it refers to are beside it.

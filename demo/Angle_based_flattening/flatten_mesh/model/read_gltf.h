@@ -35,6 +35,7 @@ public:
   Gltf_model(const Gltf_surface& surface, Model& model) : m_surface(surface), m_model(model)
   {
     m_model.gltf.file = surface.file;
+    m_model.files_beside = surface.files_beside;
     std::unordered_set<std::string> names;
     for(const Glb_material& material : surface.materials) {
       m_model.material_names.push_back(new_name(material.name, names));

@@ -20,6 +20,7 @@ namespace flatten_mesh {
 struct Gltf_file
 {
   std::string name;
+  std::vector<std::string> files_beside;         // that it refers to
   tinygltf::Model model;                         // without the bytes of buffers and pictures
   std::vector<std::vector<unsigned char>> bytes; // of each buffer
   std::vector<std::pair<int, int>> primitives;   // those of `Gltf_surface`: the mesh, and the number in it

@@ -180,6 +180,7 @@ Gltf_surface gltf_surface(const std::string_view content, const bool is_binary, 
   }
   Gltf_surface_reader(*file, surface).read();
   surface.file = file;
+  surface.files_beside = file->files_beside;
   return surface;
 }
 

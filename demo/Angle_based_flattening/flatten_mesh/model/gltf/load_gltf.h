@@ -34,17 +34,22 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Files are looked for in the folder of the model only, and devices, which may have no end, are none.
-inline bool is_file_beside(const std::string& name, void* const folder)
+struct Files_beside
 {
+  std::string folder;
+  std::vector<std::string> read;
+};
+
+// Files are looked for in the folder of the model only, and devices, which may have no end, are none.
+inline bool is_file_beside(const std::string& name, void* const files)
+{
+  const std::string& folder = static_cast<const Files_beside*>(files)->folder;
   std::error_code ignored;
-  return name.compare(0, static_cast<const std::string*>(folder)->size(),
-                      *static_cast<const std::string*>(folder)) == 0 &&
-         std::filesystem::is_regular_file(name, ignored);
+  return name.compare(0, folder.size(), folder) == 0 && std::filesystem::is_regular_file(name, ignored);
 }
 
 inline bool read_file_beside(std::vector<unsigned char>* const bytes, std::string* const error,
-                             const std::string& name, void*)
+                             const std::string& name, void* const files)
 {
   std::ifstream file(name, std::ios::binary);
   if(!file) {
@@ -52,6 +57,7 @@ inline bool read_file_beside(std::vector<unsigned char>* const bytes, std::strin
     return false;
   }
   bytes->assign(std::istreambuf_iterator<char>(file), {});
+  static_cast<Files_beside*>(files)->read.push_back(name);
   return true;
 }
 
@@ -111,7 +117,7 @@ inline std::string gltf_problem(const std::string& text)
 }
 
 inline tinygltf::Model parse_gltf(const std::string_view content, const bool is_binary,
-                                  const std::string& name)
+                                  const std::string& name, std::vector<std::string>& files_beside)
 {
   const auto length = static_cast<unsigned>(content.size());
   if(content.size() > (std::numeric_limits<unsigned>::max)()) {
@@ -126,20 +132,21 @@ inline tinygltf::Model parse_gltf(const std::string_view content, const bool is_
   } else {
     check_depth(content, name);
   }
-  std::string folder = std::filesystem::absolute(name).parent_path().string();
+  Files_beside files{std::filesystem::absolute(name).parent_path().string(), {}};
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks({&is_file_beside, [](const std::string& path, void*) { return path; },
-                         &read_file_beside, &tinygltf::WriteWholeFile, &folder});
+                         &read_file_beside, &tinygltf::WriteWholeFile, &files});
   loader.SetImageLoader(&keep_picture, nullptr);
   tinygltf::Model model;
   std::string error, warning; // about pictures, which are checked afterwards
   bool is_loaded = false;
   try {
-    is_loaded = is_binary
-                    ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                                  reinterpret_cast<const unsigned char*>(content.data()),
-                                                  length, folder)
-                    : loader.LoadASCIIFromString(&model, &error, &warning, content.data(), length, folder);
+    is_loaded =
+        is_binary
+            ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(content.data()), length,
+                                          files.folder)
+            : loader.LoadASCIIFromString(&model, &error, &warning, content.data(), length, files.folder);
   } catch(const std::exception& exception) {
     error = exception.what();
   }
@@ -149,6 +156,7 @@ inline tinygltf::Model parse_gltf(const std::string_view content, const bool is_
   if(model.asset.version.compare(0, 2, "2.") != 0) {
     refuse_gltf(name, "it is glTF of version '" + model.asset.version + "', and 2.0 is read");
   }
+  files_beside = std::move(files.read);
   return model;
 }
 
@@ -160,7 +168,7 @@ inline Gltf_file load_gltf(const std::string_view content, const bool is_binary,
 {
   Gltf_file file;
   file.name = name;
-  file.model = internal::parse_gltf(content, is_binary, name);
+  file.model = internal::parse_gltf(content, is_binary, name, file.files_beside);
   for(tinygltf::Buffer& buffer : file.model.buffers) {
     file.bytes.push_back(std::move(buffer.data));
   }
