@@ -626,7 +626,9 @@ BOOST_AUTO_TEST_CASE(given_charts_are_packed_anew)
   for(const auto& chart : report.get_child("charts")) {
     BOOST_TEST(chart.second.get<std::string>("method") == "given");
   }
-  check_refused(input, "--repack", {"no texture coordinates"});
+  check_refused(input, "--repack", {"no texture coordinates", "block.off"});
+  flatten(input, "--repack --repair-charts --for few-charts");
+  check_atlas(block.faces);
 
   std::string mirrored, line;
   for(std::istringstream lines(first); std::getline(lines, line);) {

@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(shapes_are_kept)
       const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::KEEP));
       Wishes wishes;
       wishes.resolution = 256;
-      wishes.stretch_bound = std::numeric_limits<double>::infinity();
+      wishes.stretch_bound = 2;
       check_atlas(after, wishes);
       BOOST_TEST(after.is_seam == before.is_seam, boost::test_tools::per_element());
       BOOST_TEST_REQUIRE(after.report.charts.size() == charts.number_of_charts);
@@ -181,6 +181,38 @@ BOOST_AUTO_TEST_CASE(shapes_are_kept)
     }
 }
 
+// On pages that are twice as wide as high, shapes are those in texels.
+BOOST_AUTO_TEST_CASE(shapes_are_kept_on_rectangles)
+{
+  Charted_mesh charts = Charted_mesh::random(5);
+  Atlas_options options = options_of(Atlas_options::KEEP);
+  options.height = 128;
+  const auto in_texels = [](Atlas_run run) {
+    for(Point_2& p : run.uv)
+      p = Point_2(p.x(), p.y() / 2);
+    return run;
+  };
+  const Atlas_run before = in_texels(as_given(charts)), after = in_texels(charts.pack(options));
+  BOOST_TEST_REQUIRE(after.report.has_atlas(), after.report.message);
+  for(int c = 0; c < static_cast<int>(charts.number_of_charts); ++c)
+    BOOST_TEST(change_of_shape(before, after, c) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(bad_stretch_is_told)
+{
+  Charted_mesh charts = Charted_mesh::random(5);
+  const int wrong = charts.largest_chart();
+  charts.transform(wrong, [](const Point_2& p) { return Point_2(10 * p.x(), p.y()); });
+  const Atlas_run run = charts.pack(options_of(Atlas_options::KEEP));
+  BOOST_TEST(run.report.status == Diagnosis::STRETCH_BOUND_MISSED);
+  for(std::size_t c = 0; c < run.report.charts.size(); ++c) {
+    BOOST_TEST(run.report.charts[c].is_good == (run.report.charts[c].skewed_share < 0.5));
+    BOOST_TEST((run.report.charts[c].method == Atlas_report::GIVEN));
+  }
+  BOOST_TEST(std::count_if(run.report.charts.begin(), run.report.charts.end(),
+                           [](const Atlas_report::Chart& chart) { return !chart.is_good; }) == 1);
+}
+
 BOOST_AUTO_TEST_CASE(not_packed_they_have_their_size_in_space)
 {
   Charted_mesh charts = Charted_mesh::random(9);
@@ -188,7 +220,7 @@ BOOST_AUTO_TEST_CASE(not_packed_they_have_their_size_in_space)
   options.pack_into_square = false;
   Wishes wishes;
   wishes.packs = false;
-  wishes.stretch_bound = std::numeric_limits<double>::infinity();
+  wishes.stretch_bound = 2;
   check_atlas(charts.pack(options), wishes);
 }
 

@@ -94,11 +94,11 @@ struct Atlas_options : Seam_options, Packing_options
   };
 
   /// What becomes of coordinates that `uv` has already. Edges whose two sides have different ones are seams, and each
-  /// connected part between them is a chart.
+  /// connected part between them is a chart. Their page has the same ratio of its sides as that of the new coordinates.
   enum Given_charts
   {
     REPLACE, ///< They are ignored.
-    KEEP,    ///< Charts keep their shapes, and are packed anew. All have to be injective.
+    KEEP, ///< Charts keep their shapes, and are packed anew. All have to be injective. The stretch bound is 2.
     REPAIR ///< The same, but charts that are flipped, overlap themselves or have no coordinates are flattened anew.
   };
 

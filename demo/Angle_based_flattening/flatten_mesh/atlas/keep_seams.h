@@ -79,13 +79,15 @@ inline void keep_seams(const Atlas_options& options, Atlas_input& input, const E
   }
 }
 
-// Marks the seams of the coordinates in the file, and calls `set(h, uv)` for each corner. Without coordinates, these are
-// no numbers.
+// Marks the seams of the coordinates in the file, and calls `set(h, uv)` for each corner. Where there are none, these are
+// no numbers. Throws an `Input_error` if there are none at all, unless they are optional.
 template <class Set>
-void take_texture(Atlas_input& input, const Edge_marks& seams, const Set& set)
+void take_texture(const bool is_optional, Atlas_input& input, const Edge_marks& seams, const Set& set)
 {
   const Model& model = input.model;
-  internal::keep_seams_of_texture("--repack", input, seams);
+  if(!(model.texture.empty() && is_optional)) {
+    internal::keep_seams_of_texture("--repack", input, seams);
+  }
   const double none = std::numeric_limits<double>::quiet_NaN();
   for(const Halfedge h : input.mesh.halfedges()) {
     if(!input.mesh.is_border(h)) {

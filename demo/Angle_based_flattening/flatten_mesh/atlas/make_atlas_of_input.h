@@ -62,7 +62,7 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
     options.given_charts = atlas.repairs_charts ? SMP::Atlas_options::REPAIR : SMP::Atlas_options::KEEP;
   }
   if(atlas.keeps_all_charts()) {
-    options.stretch_bound = std::numeric_limits<double>::infinity();
+    options.stretch_bound = 2;
   }
   if(command.asks_for_stretch) {
     options.stretch_bound = command.stretch_bound;
@@ -180,7 +180,7 @@ inline Seam_way prepare_model(Joined_model& model, const Atlas& whole,
   const Edge_marks is_seam = seam_marks(mesh);
   keep_seams(model.command.atlas, model.input, is_seam);
   if(model.command.atlas.repacks) {
-    take_texture(model.input, is_seam,
+    take_texture(model.command.atlas.repairs_charts, model.input, is_seam,
                  [&](const Halfedge h, const Kernel::Point_2& p) { whole.uv[in_common_mesh(model, h)] = p; });
   }
   Seam_way way = prepare_edges(model.command.atlas, mesh, is_seam);
@@ -211,6 +211,21 @@ inline Seam_way prepare_joined_models(Atlas_input& input, const Atlas& atlas)
   return way_in_common(ways);
 }
 
+inline SMP::Atlas_report make_atlas_of_model(const Command_line& command, Atlas_input& input,
+                                             const Atlas& atlas, Seam_way& way, Atlas_progress& progress)
+{
+  keep_seams(command.atlas, input, atlas.seams);
+  if(command.atlas.repacks) {
+    take_texture(command.atlas.repairs_charts, input, atlas.seams,
+                 [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
+  }
+  if(command.asks_for_component) {
+    return make_atlas_of_component(command, input.mesh, atlas, way, progress);
+  }
+  way = prepare_edges(command.atlas, input.mesh, atlas.seams);
+  return call_make_atlas(command, input.mesh, atlas, way, progress);
+}
+
 } // namespace internal
 
 // Makes charts of the mesh or of the component that is asked for, and says where seams run.
@@ -221,16 +236,11 @@ inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_
     way = internal::prepare_joined_models(input, atlas);
     return internal::call_make_atlas(command, input.mesh, atlas, way, progress);
   }
-  keep_seams(command.atlas, input, atlas.seams);
-  if(command.atlas.repacks) {
-    take_texture(input, atlas.seams,
-                 [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
+  try {
+    return internal::make_atlas_of_model(command, input, atlas, way, progress);
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
   }
-  if(command.asks_for_component) {
-    return internal::make_atlas_of_component(command, input.mesh, atlas, way, progress);
-  }
-  way = internal::prepare_edges(command.atlas, input.mesh, atlas.seams);
-  return internal::call_make_atlas(command, input.mesh, atlas, way, progress);
 }
 
 } // namespace flatten_mesh

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/pack_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/make_polygons_convex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
@@ -29,7 +30,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -53,7 +53,7 @@ public:
       for(int t = 0; t < part.chart.number_of_triangles(); ++t)
         area += surface_area(part.chart, t) * part.chart.scale * part.chart.scale;
     if(options.given_charts == Atlas_options::KEEP)
-      m_options.stretch_bound = std::numeric_limits<double>::infinity();
+      m_options.stretch_bound = most_stretch_of_given_charts;
     if(options.pack_into_square && options.texels_per_unit == 0 && std::isfinite(options.stretch_bound))
       m_options.longest_chart = largest_aspect * std::sqrt(area);
   }
@@ -71,6 +71,9 @@ public:
   }
 
 private:
+  // Nothing is done about it, but larger stretch is reported.
+  static constexpr double most_stretch_of_given_charts = 2;
+
   // A chart that is longer than this times the square root of the total area would leave most of the page empty.
   static constexpr double largest_aspect = 4;
 
@@ -103,7 +106,7 @@ private:
     const auto make = [&](int i) {
       Part_progress part_progress(progress, static_cast<std::size_t>(i));
       if(keeps_charts())
-        m_atlas.parts[i] = given_part(m_parts[i]);
+        m_atlas.parts[i] = given_part(m_parts[i], m_options.pack_into_square ? aspect_ratio(m_options) : 1);
       if(m_options.given_charts != Atlas_options::KEEP && !(keeps_charts() && m_atlas.parts[i].succeeded()))
         m_atlas.parts[i] =
             Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();

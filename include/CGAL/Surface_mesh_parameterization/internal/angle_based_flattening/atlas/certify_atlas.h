@@ -86,8 +86,9 @@ inline std::string defect_text(const Part_atlas& part, const Map_defect& defect)
          vertex;
 }
 
-// A part with the map that it has, as one chart. Fails if this map is not injective.
-inline Part_atlas given_part(const Surface_part& part)
+// A part with the map that it has, as one chart, on a page whose sides have this ratio. Fails if the map is not
+// injective.
+inline Part_atlas given_part(const Surface_part& part, double page_aspect)
 {
   Part_atlas atlas;
   std::vector<int> all(part.chart.number_of_triangles());
@@ -112,6 +113,8 @@ inline Part_atlas given_part(const Surface_part& part)
   atlas.status = defect.status;
   if(!atlas.succeeded())
     atlas.message = defect_text(atlas, defect);
+  for(Chart::Point_2& p : atlas.uv) // where texels are squares
+    p = Chart::Point_2(p.x(), p.y() / page_aspect);
   return atlas;
 }
 
