@@ -46,7 +46,10 @@ inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Ed
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
-  return {"creases", angle, count_seams() == given, report.is_hard_surface()};
+  if(given > 0) { // seams may be on all creases already
+    return {"creases", angle, false, std::nullopt};
+  }
+  return {"creases", angle, count_seams() == 0, report.is_hard_surface()};
 }
 
 // Finds out what `--seams` means for a mesh, and marks seams along creases if they are asked for.
