@@ -635,6 +635,7 @@ BOOST_AUTO_TEST_CASE(given_charts_are_packed_anew)
     mirrored += line.rfind("vt ", 0) == 0 ? "vt -" + line.substr(3) + '\n' : line + '\n';
   }
   const std::string wrong = write("mirrored.obj", mirrored);
+  remove_outputs();
   flatten(wrong, "--repack");
   BOOST_TEST(status == 2);
   BOOST_TEST(json().get<std::string>("status") == "FLIPPED_TRIANGLES");
