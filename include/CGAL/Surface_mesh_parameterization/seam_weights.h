@@ -118,11 +118,13 @@ Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, E
 /// degrees or more gives 0.3 times the length. Convex and concave creases count the same. The weight of border edges
 /// and of edges of degenerate faces is their length. A rounded crease consists of small bends, and hardly counts.
 ///
-/// Time and memory are linear. Other parameters, requirements and the report are those of
-/// `compute_visibility_weights()`.
+/// Time and memory are linear. Requirements and the report are those of `compute_visibility_weights()`.
 ///
+/// \param mesh a triangle mesh.
+/// \param weights receives the weights.
 /// \param cheapest the least weight per length, from 0 to 1: the larger, the shorter are seams, and the fewer are on
 ///   creases.
+/// \param np named parameters, as those of `compute_visibility_weights()`.
 template <typename TriangleMesh, typename EdgeWeightMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
