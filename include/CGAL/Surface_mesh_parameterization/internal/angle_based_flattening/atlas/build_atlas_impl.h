@@ -103,15 +103,7 @@ private:
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return work[i] > work[j]; });
     m_atlas.parts.resize(m_parts.size());
-    const auto make = [&](int i) {
-      Part_progress part_progress(progress, static_cast<std::size_t>(i));
-      if(keeps_charts())
-        m_atlas.parts[i] = given_part(m_parts[i], m_options.pack_into_square ? aspect_ratio(m_options) : 1);
-      if(m_options.given_charts != Atlas_options::KEEP && !(keeps_charts() && m_atlas.parts[i].succeeded()))
-        m_atlas.parts[i] =
-            Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, part_progress).run();
-      part_progress.set_stage(1, 1);
-    };
+    const auto make = [&](int i) { make_part(i, Part_progress(progress, static_cast<std::size_t>(i))); };
     const int n = static_cast<int>(order.size());
     if(m_solvers->is_independent)
       parallel_for(n, [&](int k) { make(order[k]); });
@@ -123,6 +115,17 @@ private:
     if(m_options.isometric_charts)
       Isometric_charts(m_parts, m_options, m_solvers, progress, m_atlas.parts).run();
     parallel_for(static_cast<int>(m_parts.size()), [&](int i) { fit_pages(i); });
+  }
+
+  void make_part(std::size_t i, Part_progress progress)
+  {
+    Part_atlas& part = m_atlas.parts[i];
+    if(keeps_charts())
+      part = given_part(m_parts[i], m_options.pack_into_square ? aspect_ratio(m_options) : 1);
+    const bool is_given = keeps_charts() && part.succeeded();
+    if(!is_given && m_options.given_charts != Atlas_options::KEEP)
+      part = Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, progress).run();
+    progress.set_stage(1, 1);
   }
 
   void fit_pages(std::size_t i)

@@ -32,7 +32,6 @@
 #include <deque>
 #include <iterator>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,9 +46,6 @@ class Mesh_atlas_builder
   typedef Mesh_in_atlas<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap, NamedParameters> Read_mesh;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
   typedef Mesh_report<TriangleMesh, Atlas_report> Report;
-  static constexpr bool has_readable_uv =
-      std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
-                          boost::readable_property_map_tag>::value;
 
 public:
   Mesh_atlas_builder(const Atlas_options& options, const NamedParameters& np) : m_options(options), m_np(np)
@@ -64,7 +60,7 @@ public:
   {
     Report report;
     report.message = wrong_option(m_options);
-    if(report.message.empty() && keeps_charts() && !has_readable_uv)
+    if(report.message.empty() && keeps_charts() && !Read_mesh::has_readable_uv)
       report.message = "charts can be kept only if the map of coordinates can be read";
     if(!report.message.empty()) {
       report.status = Diagnosis::WRONG_OPTION;

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/mesh_components.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
@@ -22,16 +23,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,22 +51,14 @@ class Mesh_in_atlas
   typedef Mesh_report<TriangleMesh, Atlas_report> Report;
   static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
   static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
-  static constexpr bool has_readable_uv =
-      std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
-                          boost::readable_property_map_tag>::value;
   static constexpr bool has_polygons =
       !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
-  // A component that cannot be flattened, because of one of its faces
-  struct Bad_component
-  {
-    std::size_t component;
-    Diagnosis status;
-    std::string message;
-    face_descriptor face; // that is wrong
-  };
-
 public:
+  static constexpr bool has_readable_uv =
+      std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
+                          boost::readable_property_map_tag>::value;
+
   struct Listed_part
   {
     typename Report::Skipped part; // with a diagnosis if it is skipped
@@ -82,23 +72,22 @@ public:
         m_keeps_charts(keeps_charts && has_readable_uv), m_np(np),
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                               get_const_property_map(CGAL::vertex_point, mesh))),
-        m_reader(mesh, m_points)
+        m_reader(mesh, m_points), m_components(mesh, m_points)
   {}
 
   // Reads the faces that can be flattened. Returns whether there are not too many.
   bool read_faces(Report& report)
   {
-    find_components();
-    if(m_bad.size() == m_number_of_components)
+    m_components.find([this](edge_descriptor e) { return is_given_seam(e); });
+    if(m_components.are_all_bad())
       return true;
     Reading reading;
     return m_reader.read_unscaled([this](edge_descriptor e) { return is_given_seam(e); },
-                                  [this](face_descriptor f) { return m_is_bad[get(m_component, f)]; },
-                                  reading) ||
+                                  [this](face_descriptor f) { return m_components.is_bad(f); }, reading) ||
            refuse(reading, Diagnosis::TOO_LARGE, report);
   }
 
-  bool has_faces() const { return m_number_of_components > 0; }
+  bool has_faces() const { return m_components.number() > 0; }
   double largest_coordinate() const { return m_reader.largest_coordinate(); }
   double scale() const { return m_reader.scale(); }
   const std::vector<Surface_part>& parts() const { return m_reader.parts(); }
@@ -144,16 +133,11 @@ public:
   std::vector<Listed_part> listed_parts() const
   {
     std::vector<Listed_part> parts;
-    std::vector<std::size_t> size(m_number_of_components, 0), first(m_number_of_components, 0);
-    for(face_descriptor f : faces(m_mesh))
-      if(size[get(m_component, f)]++ == 0)
-        first[get(m_component, f)] = get(m_rank, f);
-    for(const Bad_component& bad : m_bad)
-      parts.push_back(
-          {{0, first[bad.component], size[bad.component], bad.status, bad.message}, false, bad.face});
+    for(const auto& bad : m_components.bad_components())
+      parts.push_back({{0, bad.first_face, bad.number_of_faces, bad.status, bad.message}, false, bad.face});
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
-      parts.push_back({{0, get(m_rank, m_reader.face_of(part.first_triangle)),
+      parts.push_back({{0, m_components.rank(m_reader.face_of(part.first_triangle)),
                         static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas[i].status,
                         m_atlas[i].message},
                        true,
@@ -263,53 +247,6 @@ private:
            get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
   }
 
-  // Finds the components, opened along the given seams, that are no triangulated surfaces in space.
-  void find_components()
-  {
-    m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
-    m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
-    m_number_of_components = Polygon_mesh_processing::connected_components(
-        m_mesh, m_component,
-        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(
-            [this](edge_descriptor e) { return is_given_seam(e); })));
-    m_is_bad.assign(m_number_of_components, false);
-    std::size_t rank = 0;
-    for(face_descriptor f : faces(m_mesh)) {
-      put(m_rank, f, rank++);
-      const std::size_t component = get(m_component, f);
-      const Diagnosis diagnosis = m_is_bad[component] ? Diagnosis::NOTHING_WRONG : defect(f);
-      if(diagnosis == Diagnosis::NOTHING_WRONG)
-        continue;
-      m_is_bad[component] = true;
-      m_bad.push_back({component, diagnosis, message(f, diagnosis), f});
-    }
-  }
-
-  Diagnosis defect(face_descriptor f) const
-  {
-    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
-      return Diagnosis::NOT_TRIANGULATED;
-    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const auto& p = get(m_points, target(h, m_mesh));
-      if(!(CGAL::is_finite(CGAL::to_double(p.x())) && CGAL::is_finite(CGAL::to_double(p.y())) &&
-           CGAL::is_finite(CGAL::to_double(p.z()))))
-        return Diagnosis::NON_FINITE_POINT;
-    }
-    return Diagnosis::NOTHING_WRONG;
-  }
-
-  std::string message(face_descriptor f, Diagnosis diagnosis) const
-  {
-    const auto& p = get(m_points, target(halfedge(f, m_mesh), m_mesh));
-    std::ostringstream text;
-    text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
-         << ", " << CGAL::to_double(p.z()) << ") "
-         << (diagnosis == Diagnosis::NOT_TRIANGULATED
-                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
-                 : "has a vertex whose coordinates are not all finite");
-    return text.str();
-  }
-
   bool read_weights([[maybe_unused]] std::vector<double>& weight, [[maybe_unused]] Report& report) const
   {
     if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value) {
@@ -321,7 +258,7 @@ private:
           if(!(weight.back() >= 0 && CGAL::is_finite(weight.back()))) {
             report.status = Diagnosis::WRONG_WEIGHT;
             report.offending_faces = {f};
-            report.message = "face " + std::to_string(get(m_rank, f)) + " has the weight " +
+            report.message = "face " + std::to_string(m_components.rank(f)) + " has the weight " +
                              std::to_string(weight.back()) + ", and weights must be finite and not negative";
             return false;
           }
@@ -372,12 +309,7 @@ private:
   const NamedParameters& m_np;
   Vertex_point_map m_points;
   Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
-  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
-      m_component,
-      m_rank; // of each face
-  std::size_t m_number_of_components = 0;
-  std::vector<char> m_is_bad; // of each component
-  std::vector<Bad_component> m_bad;
+  Mesh_components<TriangleMesh, Vertex_point_map> m_components;
   std::vector<Part_atlas> m_atlas;        // of each part
   std::vector<std::size_t> m_first_chart; // of each part
 };

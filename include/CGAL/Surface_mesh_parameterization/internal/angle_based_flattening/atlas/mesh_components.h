@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The components of a mesh, opened along seams, and which of them are no triangulated surfaces in space.
+// `mesh_in_atlas.h` leaves these out, and reports them.
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_COMPONENTS_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_COMPONENTS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+template <typename TriangleMesh, typename VertexPointMap>
+class Mesh_components
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+
+  struct Component
+  {
+    std::size_t first_face = 0; // its position in the sequence of faces
+    std::size_t number_of_faces = 0;
+    Diagnosis status = Diagnosis::NOTHING_WRONG; // or what is wrong with one of its faces
+    std::string message;
+    face_descriptor face = Graph_traits::null_face(); // that is wrong
+  };
+
+public:
+  Mesh_components(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
+
+  // Opened along the edges with `is_cut(e)`
+  template <typename IsCut>
+  void find(const IsCut& is_cut)
+  {
+    m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_components.resize(Polygon_mesh_processing::connected_components(
+        m_mesh, m_component,
+        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(is_cut))));
+    std::size_t rank = 0;
+    for(face_descriptor f : faces(m_mesh)) {
+      put(m_rank, f, rank);
+      Component& component = m_components[get(m_component, f)];
+      if(component.number_of_faces++ == 0)
+        component.first_face = rank;
+      if(component.status == Diagnosis::NOTHING_WRONG)
+        inspect(f, component);
+      ++rank;
+    }
+  }
+
+  std::size_t number() const { return m_components.size(); }
+
+  bool are_all_bad() const { return std::all_of(m_components.begin(), m_components.end(), is_wrong); }
+  bool is_bad(face_descriptor f) const { return is_wrong(m_components[get(m_component, f)]); }
+
+  std::vector<Component> bad_components() const
+  {
+    std::vector<Component> bad;
+    std::copy_if(m_components.begin(), m_components.end(), std::back_inserter(bad), is_wrong);
+    return bad;
+  }
+
+  // The position in the sequence of faces
+  std::size_t rank(face_descriptor f) const { return get(m_rank, f); }
+
+private:
+  static bool is_wrong(const Component& component) { return component.status != Diagnosis::NOTHING_WRONG; }
+
+  void inspect(face_descriptor f, Component& component) const
+  {
+    component.status = defect(f);
+    if(is_wrong(component)) {
+      component.message = message(f, component.status);
+      component.face = f;
+    }
+  }
+
+  Diagnosis defect(face_descriptor f) const
+  {
+    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
+      return Diagnosis::NOT_TRIANGULATED;
+    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const auto& p = get(m_points, target(h, m_mesh));
+      if(!(CGAL::is_finite(CGAL::to_double(p.x())) && CGAL::is_finite(CGAL::to_double(p.y())) &&
+           CGAL::is_finite(CGAL::to_double(p.z()))))
+        return Diagnosis::NON_FINITE_POINT;
+    }
+    return Diagnosis::NOTHING_WRONG;
+  }
+
+  std::string message(face_descriptor f, Diagnosis diagnosis) const
+  {
+    const auto& p = get(m_points, target(halfedge(f, m_mesh), m_mesh));
+    std::ostringstream text;
+    text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
+         << ", " << CGAL::to_double(p.z()) << ") "
+         << (diagnosis == Diagnosis::NOT_TRIANGULATED
+                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
+                 : "has a vertex whose coordinates are not all finite");
+    return text.str();
+  }
+
+  const TriangleMesh& m_mesh;
+  VertexPointMap m_points;
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
+      m_component,
+      m_rank; // of each face
+  std::vector<Component> m_components;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_MESH_COMPONENTS_H
