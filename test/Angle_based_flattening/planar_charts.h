@@ -66,6 +66,20 @@ struct Planar_charts
   }
 };
 
+inline ABF::Packing pack(const Planar_charts& charts,
+                         const CGAL::Surface_mesh_parameterization::Packing_options& options)
+{
+  return ABF::pack(charts.corners, charts.chart, charts.area, charts.number, options);
+}
+
+inline std::vector<Planar_point> placed_corners(const Planar_charts& charts, const ABF::Packing& packing)
+{
+  std::vector<Planar_point> result;
+  for(std::size_t c = 0; c < charts.corners.size(); ++c)
+    result.push_back(packing.placement[charts.chart[c / 3]](charts.corners[c]));
+  return result;
+}
+
 inline void add_disc(Planar_charts& charts, double radius, int sides)
 {
   const auto at = [&](int i) {

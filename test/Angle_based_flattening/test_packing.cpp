@@ -54,19 +54,6 @@ Packing_options options(int resolution, int gutter)
   return result;
 }
 
-Packing pack(const Planar_charts& charts, const Packing_options& options)
-{
-  return ABF::pack(charts.corners, charts.chart, charts.area, charts.number, options);
-}
-
-std::vector<Planar_point> placed_corners(const Planar_charts& charts, const Packing& packing)
-{
-  std::vector<Planar_point> result;
-  for(std::size_t c = 0; c < charts.corners.size(); ++c)
-    result.push_back(packing.placement[charts.chart[c / 3]](charts.corners[c]));
-  return result;
-}
-
 double sum_of_areas(const std::vector<Planar_point>& corners)
 {
   double sum = 0;

@@ -47,19 +47,6 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 namespace {
 
-Packing pack(const Planar_charts& charts, const Packing_options& options)
-{
-  return ABF::pack(charts.corners, charts.chart, charts.area, charts.number, options);
-}
-
-std::vector<Planar_point> placed_corners(const Planar_charts& charts, const Packing& packing)
-{
-  std::vector<Planar_point> result;
-  for(std::size_t c = 0; c < charts.corners.size(); ++c)
-    result.push_back(packing.placement[charts.chart[c / 3]](charts.corners[c]));
-  return result;
-}
-
 // The texels along the length 1 of the surface, so that all charts together would fill that many pages
 double texels_for(const Planar_charts& charts, const Packing_options& options, double pages)
 {

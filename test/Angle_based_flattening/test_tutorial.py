@@ -148,7 +148,7 @@ def inputs(words):
 
 
 def output_files(words):
-    """The names of the files that a command writes; `%` stands for the name of each input. Of several pages, the first."""
+    """The names of the files that a command writes; `%` stands for each input. Of several pages, the first."""
     names = []
     for name in tutorial.outputs(words):
         name = name.replace("<UDIM>", "1001")
