@@ -79,8 +79,8 @@ inline void keep_seams(const Atlas_options& options, Atlas_input& input, const E
   }
 }
 
-// Marks the seams of the coordinates in the file, and calls `set(h, uv)` for each corner. Where there are none, these are
-// no numbers. Throws an `Input_error` if there are none at all, unless they are optional.
+// Marks the seams of the coordinates in the file, and calls `set(h, uv)` for each corner, with no numbers where there are
+// none. Throws an `Input_error` if there are none at all, unless they are optional.
 template <class Set>
 void take_texture(const bool is_optional, Atlas_input& input, const Edge_marks& seams, const Set& set)
 {

@@ -64,8 +64,8 @@ struct Gltf_triangles
 };
 
 // The file again, binary, with other triangles. Their texture coordinates are the first ones, or the second ones. Those
-// that were there before come after them, and textures keep to them. Throws an `Output_error` if it is too large for the
-// format.
+// that were there before come after them, and textures keep to them. Throws an `Output_error` if it is too large for
+// the format.
 std::string gltf_with_texture(const Gltf_file& file, const std::vector<Gltf_triangles>& triangles,
                               bool is_second_set, const std::string& output);
 
