@@ -16,6 +16,7 @@ MODELS = ["cow", "homer", "camel", "elephant", "fandisk", "anchor_dense", "turbi
 COLUMNS = [("charts", "charts", ",.0f"), ("covered share", "share", ".3f"), ("of rectangles", "rectangle_share", ".3f"),
            ("ratio", "ratio", ".2f"), ("attempts", "attempts", ".0f"), ("seconds", "seconds", "seconds"),
            ("rectangles", "rectangle_seconds", "seconds")]
+PAGES = [("charts", "charts", ",.0f"), ("pages", "pages", ",.0f"), ("covered share", "share", ".3f"), ("seconds", "seconds", "seconds")]
 LEAST = {"elephant": 0.49, "armadillo": 0.60}
 
 
@@ -36,6 +37,17 @@ def measure_all(measure: run.Measure, files: list[Path], title: str, options: ar
     mean = math.exp(statistics.fmean(map(math.log, ratios))) if ratios else math.nan
     return (f"\n## {title}\n\n{table}\nCharts cover {mean:.2f} times the share that rectangles do, in the geometric mean.\n" +
             (str(targets) if targets.rows else ""))
+
+
+def measure_pages(measure: run.Measure, files: list[Path], options: argparse.Namespace) -> str:
+    table = Table(["surface", "triangles", "regions", "without gaps"], PAGES, 1)
+    for file in files:
+        for regions, pages in ((300, 5), (1000, 50), (3000, 200)):
+            m = measure.one("packing", file, "--regions", regions, "--pages", pages, "--gutter", 4, threads=options.threads)
+            run.tell(file.stem, m)
+            table.add([file.stem, f"{m['triangles']:,.0f}" if "triangles" in m else "", f"{regions:,}", f"{pages} pages"], m)
+    return ("\n## Several pages, gutter 4\n\nThe number of texels per unit of length is such that the charts would fill so many pages without gaps. "
+            f"Covered share: of all pages.\n\n{table}")
 
 
 def main() -> None:
@@ -62,6 +74,7 @@ def main() -> None:
         report.add(measure_all(measure, files if number < 1000 else large, f"Cut into {number} regions", options, regions=number))
     if options.demo:
         report.add(measure_all(measure, files, "Cut into 300 regions, 4096 texels, gutter 8", options, regions=300, resolution=4096, gutter=8))
+    report.add(measure_pages(measure, large, options))
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
       "measure seams cones|farthest|peaks|random FILE [--bound X] [--terminals N] [--method METHOD]\n"
       "measure overlaps FILE [--bound X]\n"
       "measure atlas FILE [--bound X] [--for PURPOSE] [--check] [--output FILE]\n"
-      "measure packing FILE [--regions N] [--resolution N] [--gutter N]\n"
+      "measure packing FILE [--regions N] [--resolution N] [--gutter N] [--pages N]\n"
       "measure cones FILE [--cones N] [--repeat N]\n"
       "measure rectangle FILE [--repeat N]\n"
       "measure solve SOLVER FILE full|block\n"
@@ -65,6 +65,7 @@ int main(int argc, char* argv[])
       "check", po::bool_switch(&atlas_choice.checks), "look for flips, overlaps and shared texels")(
       "method", po::value(&seam_options.method), "what flattens the surface that is cut open")(
       "regions", po::value(&packing_choice.regions), "number of regions that a surface is cut into")(
+      "pages", po::value(&packing_choice.pages), "number of pages that charts would fill without gaps")(
       "resolution", po::value(&packing_choice.resolution),
       "texels along a side of the unit square")("cones", po::value(&control_choice.cones), "number of cones")(
       "repeat", po::value(&control_choice.repeat),

@@ -154,12 +154,14 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   SMP::Packing_options options;
   options.resolution = choice.resolution;
   options.gutter = choice.gutter;
+  options.texels_per_unit = choice.resolution * std::sqrt(choice.pages / area);
   m.add("seconds", seconds_of([&] { report = SMP::pack_charts(mesh, chart, uv, options); }));
   if(!report)
     return m.fail(report.message);
   m.add("triangles", mesh.number_of_faces());
   m.add("charts", report.number_of_charts);
   m.add("share", report.covered_share);
+  m.add("pages", report.number_of_pages);
   m.add("attempts", report.number_of_attempts);
   m.add("ratio", report.covered_share * choice.resolution * choice.resolution / area / scale / scale);
 }

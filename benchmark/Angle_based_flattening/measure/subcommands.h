@@ -70,6 +70,7 @@ struct Packing_choice
   int regions = 0; // into which a surface is cut; 0 for seams that flatten it well
   int resolution = 1024;
   int gutter = 2;
+  double pages = 0; // that charts would fill without gaps; 0 for one page, at the largest scale
 };
 
 // Cuts and flattens a surface, splits its charts where they overlap, and packs them, also by their rectangles.
