@@ -42,7 +42,7 @@ def measure_all(measure: run.Measure, files: list[Path], title: str, options: ar
 def measure_pages(measure: run.Measure, files: list[Path], options: argparse.Namespace) -> str:
     table = Table(["surface", "triangles", "regions", "without gaps"], PAGES, 1)
     for file in files:
-        for regions, pages in ((300, 5), (1000, 50), (3000, 200)):
+        for regions, pages in ((300, 5), (1000, 50), (3000, 50)):
             m = measure.one("packing", file, "--regions", regions, "--pages", pages, "--gutter", 4, threads=options.threads)
             run.tell(file.stem, m)
             table.add([file.stem, f"{m['triangles']:,.0f}" if "triangles" in m else "", f"{regions:,}", f"{pages} pages"], m)
