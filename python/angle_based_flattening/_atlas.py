@@ -79,20 +79,17 @@ def _seams(seams: str) -> str:
 def _checked(options: dict[str, Any]) -> dict[str, Any]:
     """Those of the options that are given, in the types of the compiled part."""
     bounds = {
-        "stretch_bound": (1, math.inf), "area_weight": (0, 1), "seam_price": (0, math.inf),
-        "texels_per_unit": (0, math.inf), "resolution": (1, 32768), "height": (1, 32768), "gutter": (0, 1024),
+        "stretch_bound": (1.0, math.inf), "area_weight": (0.0, 1.0), "seam_price": (0.0, math.inf),
+        "texels_per_unit": (0.0, math.inf), "resolution": (1, 32768), "height": (1, 32768), "gutter": (0, 1024),
         "block": (1, 1024), "number_of_rotations": (1, 1024), "threads": (0, 1024)}
     result = {name: value for name, value in options.items() if value is not None}
     for name, (least, most) in bounds.items():
         if name in result:
-            check = _options.integer if isinstance(least, int) and name not in (
-                "stretch_bound", "area_weight", "seam_price", "texels_per_unit") else _options.number
+            check = _options.integer if isinstance(least, int) else _options.number
             result[name] = check(name, result[name], least, most)
     for name in ("separate_overlaps", "isometric_charts", "equal_seam_lengths", "weld", "repair", "pack_into_square"):
-        if name in result and not isinstance(result[name], (bool, np.bool_)):
-            raise TypeError(f"{name} is a {type(result[name]).__name__}, and must be True or False")
         if name in result:
-            result[name] = bool(result[name])
+            result[name] = _options.switch(name, result[name])
     return result
 
 

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
+import numpy as np
+
 from . import _core
 
 Progress = Callable[[str, float], Any]
@@ -39,6 +41,13 @@ def integer(name: str, value: Any, least: int, most: int) -> int:
     if value < least or value > most:
         raise ValueError(f"{name} is {value}, and must be from {least} to {most}")
     return value
+
+
+def switch(name: str, value: Any) -> bool:
+    """True or False, also as numpy has them."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is a {type(value).__name__}, and must be True or False")
+    return bool(value)
 
 
 def watch(progress: Progress | None, timeout: float | None) -> _core.Watch:

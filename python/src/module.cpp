@@ -51,6 +51,7 @@ PYBIND11_MODULE(_core, module)
   using namespace abf_python;
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // prints nothing
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  module.attr("__version__") = ABF_VERSION;
   py::register_exception_translator(&translate);
   py::class_<Watch>(module, "Watch").def(py::init([](const py::object& progress, const double timeout) {
     return Watch{progress, timeout};
