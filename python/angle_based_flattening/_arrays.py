@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._errors import MeshError
+
 INTEGERS = (np.int32, np.uint32, np.int64, np.uint64)
 
 
@@ -63,6 +65,12 @@ def polygons(faces, mesh: str = "") -> tuple[np.ndarray | None, np.ndarray]:
 def number_of_faces(offsets: np.ndarray | None, indices: np.ndarray) -> int:
     """Of faces as `polygons()` returns them."""
     return len(indices) if offsets is None else len(offsets) - 1
+
+
+def check_not_empty(offsets: np.ndarray | None, indices: np.ndarray, mesh: str = "") -> None:
+    """Raises a `MeshError` if there are no faces."""
+    if number_of_faces(offsets, indices) == 0:
+        raise MeshError("EMPTY_MESH", f"{mesh or 'the mesh'} has no faces")
 
 
 def flags(values: ArrayLike, what: str, count: int) -> np.ndarray:

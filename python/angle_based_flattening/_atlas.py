@@ -52,6 +52,7 @@ def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, mesh: str):
     """A mesh as the compiled part takes it."""
     vertices = _arrays.numbers(vertices, _arrays.name_of("vertices", mesh), 3)
     offsets, indices = _arrays.polygons(faces, mesh)
+    _arrays.check_not_empty(offsets, indices, mesh)
     if marked_seams is not None:
         marked_seams = _arrays.integers(marked_seams, _arrays.name_of("marked_seams", mesh), 2)
     if uv is not None:

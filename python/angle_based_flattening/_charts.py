@@ -64,6 +64,7 @@ def given_mesh(vertices: ArrayLike, faces, marked_seams: ArrayLike | None = None
     """A mesh as the compiled part takes it, and the indices of its faces."""
     vertices = _arrays.numbers(vertices, _arrays.name_of("vertices", mesh), 3)
     offsets, indices = _arrays.polygons(faces, mesh)
+    _arrays.check_not_empty(offsets, indices, mesh)
     if marked_seams is not None:
         marked_seams = _arrays.integers(marked_seams, "marked_seams", 2)
     return _core.GivenMesh(vertices, offsets, indices, marked_seams, uv, None), indices

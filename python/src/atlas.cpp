@@ -10,8 +10,8 @@
 #include "interruptible.h"
 #include "marked_edges.h"
 #include "models.h"
+#include "surfaces.h"
 
-#include "flatten_mesh/Failure.h"
 #include "flatten_mesh/atlas/Recorded_atlas.h"
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
@@ -174,10 +174,14 @@ Result result_of(Atlas_input& input, Recorded_atlas& made, const Notes& notes)
 {
   made.record.notes = notes.texts();
   made.record.peak_memory_mb = peak_memory_mb();
+  if(made.record.report.status == SMP::Diagnosis::WRONG_OPTION) {
+    throw py::value_error(made.record.report.message);
+  }
   if(!made.record.report.has_atlas()) {
     const std::string message =
         made.record.skipped.empty() ? made.record.report.message : made.record.skipped.front().message;
-    throw Mesh_failure(status_name(made.record), message, offending_faces(input, made.record));
+    throw Mesh_failure(status_name(made.record), message, offending_faces(input, made.record),
+                       input.joined.empty() ? non_finite_vertices(input.model) : std::vector<std::int64_t>());
   }
   Result result{{}, report_json(made.record)};
   if(input.joined.empty()) {
@@ -193,7 +197,7 @@ Result result_of(Atlas_input& input, Recorded_atlas& made, const Notes& notes)
 Result make_atlases(const Command_line& command, std::vector<Model>&& models,
                     const std::vector<Vertex_pairs>& seams, Progress_state& state)
 {
-  try {
+  return with_failures([&] {
     Atlas_watcher watcher(state);
     Notes notes(command);
     Atlas_input input = input_of(std::move(models), command, notes);
@@ -205,16 +209,7 @@ Result make_atlases(const Command_line& command, std::vector<Model>&& models,
     }
     Recorded_atlas made = make_recorded_atlas(command, input, notes, watcher);
     return result_of(input, made, notes);
-  } catch(const py::value_error&) {
-    throw;
-  } catch(const Mesh_failure&) {
-    throw;
-  } catch(const std::bad_alloc&) {
-    throw;
-  } catch(...) {
-    const Failure failure = current_failure();
-    throw Mesh_failure(failure.name, failure.message);
-  }
+  });
 }
 
 py::tuple atlas(const std::vector<Given_mesh>& meshes, const bool is_shared, const py::dict& options,
