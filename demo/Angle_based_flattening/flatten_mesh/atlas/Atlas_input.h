@@ -73,6 +73,7 @@ inline std::size_t face_in_file(const Atlas_input& input, const Face f)
 
 #ifndef FLATTEN_MESH_COMPILED
 #include "flatten_mesh/atlas/Atlas_input_impl.h"
+#include "flatten_mesh/atlas/read_atlas_input_impl.h"
 #endif
 
 #endif // FLATTEN_MESH_ATLAS_INPUT_H

@@ -9,15 +9,11 @@
 #include "flatten_mesh/compiled.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/set_aside.h"
-#include "flatten_mesh/check_uv_set.h"
-#include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/build_mesh_impl.h"
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/model/duplicate_polygons.h"
-#include "flatten_mesh/model/read_model.h"
 #include "flatten_mesh/model/separate_soup.h"
 #include "flatten_mesh/model/weld_soup.h"
-#include "flatten_mesh/weld_option.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -94,19 +90,6 @@ FLATTEN_MESH_INLINE Atlas_input atlas_input_of(Model model, const bool repair, N
   input.model = std::move(model);
   internal::build_atlas_input(repair, welding, choice, notes, input);
   return input;
-}
-
-FLATTEN_MESH_INLINE Atlas_input read_atlas_input(const Command_line& command, Notes& notes)
-{
-  Model model =
-      read_model(command.input, Degenerate_faces::KEPT, notes, command.format, gltf_options_of(command));
-  check_first_set(command, model);
-  try {
-    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command),
-                          face_choice_of(command.atlas));
-  } catch(const Input_error& error) {
-    throw Input_error(command.title + ": " + error.what());
-  }
 }
 
 } // namespace flatten_mesh

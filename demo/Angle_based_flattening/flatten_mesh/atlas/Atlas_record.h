@@ -10,9 +10,11 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/Exit_status.h"
+#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Skipped_part.h"
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +24,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using Report_on_atlas = SMP::Mesh_report<Mesh, SMP::Atlas_report>;
 
 // The data of the reports on an atlas, for people and for programs
 struct Atlas_record
@@ -45,7 +49,7 @@ struct Atlas_record
   std::size_t components = 0;
   std::size_t left_out = 0; // faces that were not to be flattened
   Seam_way seam_way;
-  SMP::Atlas_report report;
+  Report_on_atlas report;
   std::vector<Skipped_part> skipped; // also those that were set aside before
   std::vector<double> share_of_area; // of each chart
   double read_seconds = 0;

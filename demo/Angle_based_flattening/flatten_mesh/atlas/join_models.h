@@ -35,15 +35,17 @@ inline Face in_common_mesh(const Joined_model& model, const Face f)
   return Face(static_cast<Mesh::size_type>(model.first_face + f.idx()));
 }
 
+} // namespace internal
+
 // Appends a model. Models that touch stay apart.
-inline void join(Joined_model&& model, Atlas_input& whole)
+inline void join_model(Joined_model&& model, Atlas_input& whole)
 {
   model.first_face = whole.mesh.number_of_faces();
   model.first_halfedge = whole.mesh.number_of_halfedges();
   whole.mesh += model.input.mesh;
   const Edge_marks is_diagonal = diagonals(model.input.mesh), is_diagonal_of_whole = diagonals(whole.mesh);
   for(const Edge e : model.input.mesh.edges()) {
-    is_diagonal_of_whole[in_common_mesh(model, e)] = is_diagonal[e];
+    is_diagonal_of_whole[internal::in_common_mesh(model, e)] = is_diagonal[e];
   }
   for(Skipped_part part : model.input.set_aside) {
     part.model = whole.joined.size();
@@ -52,8 +54,6 @@ inline void join(Joined_model&& model, Atlas_input& whole)
   whole.left_out += model.input.left_out;
   whole.joined.push_back(std::move(model));
 }
-
-} // namespace internal
 
 // Reads all inputs as one. Throws an `Input_error` if one of the files cannot be read, or is wrong as a whole.
 inline Atlas_input read_joined_models(const Command_line& command, Notes& notes)
@@ -64,7 +64,7 @@ inline Atlas_input read_joined_models(const Command_line& command, Notes& notes)
     Joined_model model;
     model.input = read_atlas_input(each, notes);
     model.command = std::move(each);
-    internal::join(std::move(model), whole);
+    join_model(std::move(model), whole);
   }
   notes.set_subject("");
   return whole;

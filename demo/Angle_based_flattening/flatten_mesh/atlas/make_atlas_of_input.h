@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/atlas/Atlas_progress.h"
+#include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/crease_option.h"
@@ -20,6 +20,7 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/make_atlas.h>
 #include <CGAL/property_map.h>
 
@@ -84,8 +85,8 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
 namespace internal {
 
 // No seam divides a polygon of the input. Edges are prepared.
-inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                         const Seam_way& way, Atlas_progress& progress)
+inline Report_on_atlas call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                       const Seam_way& way, SMP::Atlas_visitor& visitor)
 {
   namespace np = CGAL::parameters;
   const Edge_marks is_diagonal = diagonals(mesh);
@@ -94,11 +95,11 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
   auto polygon = mesh.add_property_map<Face, std::size_t>().first;
   CGAL::Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
   SMP::Atlas_options options = options_of_atlas(command);
-  options.visitor = &progress;
-  const auto make = [&](const auto& parameters) -> SMP::Atlas_report {
+  options.visitor = &visitor;
+  const auto make = [&](const auto& parameters) -> Report_on_atlas {
     return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
-  SMP::Atlas_report report;
+  Report_on_atlas report;
   if(has_weights(way)) {
     auto weight = edge_weights(mesh);
     report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
@@ -135,9 +136,9 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
   return {cut_open(mesh, component.faces, component.vertices, uncut), component.faces};
 }
 
-// The faces of the report are those of the whole mesh.
-inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                                 Seam_way& way, Atlas_progress& progress)
+// The elements of the report are those of the whole mesh.
+inline Report_on_atlas make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                               Seam_way& way, SMP::Atlas_visitor& visitor)
 {
   Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
   Mesh& part = component.part.mesh;
@@ -148,7 +149,7 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
   way = prepare_edges(command.atlas, part, atlas_of_part.seams);
-  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, way, progress);
+  Report_on_atlas report = call_make_atlas(command, part, atlas_of_part, way, visitor);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -161,6 +162,15 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
   }
   for(SMP::Atlas_report::Skipped& skipped : report.skipped) {
     skipped.first_face = component.faces[skipped.first_face].idx();
+  }
+  for(Face& f : report.offending_faces) {
+    f = component.faces[f.idx()];
+  }
+  for(Vertex& v : report.offending_vertices) {
+    v = component.part.origins[v.idx()];
+  }
+  for(Edge& e : report.offending_edges) {
+    e = component.part.edge_origins[e.idx()];
   }
   return report;
 }
@@ -211,8 +221,8 @@ inline Seam_way prepare_joined_models(Atlas_input& input, const Atlas& atlas)
   return way_in_common(ways);
 }
 
-inline SMP::Atlas_report make_atlas_of_model(const Command_line& command, Atlas_input& input,
-                                             const Atlas& atlas, Seam_way& way, Atlas_progress& progress)
+inline Report_on_atlas make_atlas_of_model(const Command_line& command, Atlas_input& input,
+                                           const Atlas& atlas, Seam_way& way, SMP::Atlas_visitor& visitor)
 {
   keep_seams(command.atlas, input, atlas.seams);
   if(command.atlas.repacks) {
@@ -220,24 +230,24 @@ inline SMP::Atlas_report make_atlas_of_model(const Command_line& command, Atlas_
                  [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
   }
   if(command.asks_for_component) {
-    return make_atlas_of_component(command, input.mesh, atlas, way, progress);
+    return make_atlas_of_component(command, input.mesh, atlas, way, visitor);
   }
   way = prepare_edges(command.atlas, input.mesh, atlas.seams);
-  return call_make_atlas(command, input.mesh, atlas, way, progress);
+  return call_make_atlas(command, input.mesh, atlas, way, visitor);
 }
 
 } // namespace internal
 
 // Makes charts of the mesh or of the component that is asked for, and says where seams run.
-inline SMP::Atlas_report make_atlas_of_input(const Command_line& command, Atlas_input& input,
-                                             const Atlas& atlas, Seam_way& way, Atlas_progress& progress)
+inline Report_on_atlas make_atlas_of_input(const Command_line& command, Atlas_input& input,
+                                           const Atlas& atlas, Seam_way& way, SMP::Atlas_visitor& visitor)
 {
   if(!input.joined.empty()) {
     way = internal::prepare_joined_models(input, atlas);
-    return internal::call_make_atlas(command, input.mesh, atlas, way, progress);
+    return internal::call_make_atlas(command, input.mesh, atlas, way, visitor);
   }
   try {
-    return internal::make_atlas_of_model(command, input, atlas, way, progress);
+    return internal::make_atlas_of_model(command, input, atlas, way, visitor);
   } catch(const Input_error& error) {
     throw Input_error(command.title + ": " + error.what());
   }

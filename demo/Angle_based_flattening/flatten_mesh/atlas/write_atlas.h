@@ -12,6 +12,7 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
+#include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/atlas/write_atlas_svg.h"
 #include "flatten_mesh/bake/bake_textures.h"
@@ -57,20 +58,6 @@ inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
   std::ostringstream text;
   SMP::write_seam_selection(text, mesh, atlas.seams);
   return text.str();
-}
-
-// `no_index` without chart
-inline Index chart_number(const Atlas& atlas, const Face f)
-{
-  return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
-}
-
-inline Model_texture texture_of(const Model& model, const Mesh& mesh, const Corner_origins& origins,
-                                const Atlas& atlas)
-{
-  const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
-  const auto chart = [&atlas](const Face f) { return chart_number(atlas, f); };
-  return model_texture(model, mesh, origins, uv, chart);
 }
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flatten_mesh/atlas/Recorded_atlas.h"
+
+#include "flatten_mesh/atlas/join_models.h"
+#include "flatten_mesh/atlas/make_atlas_of_input.h"
+#include "flatten_mesh/atlas/place_charts.h"
+#include "flatten_mesh/texts.h"
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace {
+
+// The number of faces of the file that a part without chart consists of
+std::size_t count_faces(const Atlas_input& input, const Atlas& atlas, const Face first)
+{
+  const Mesh& mesh = input.mesh;
+  std::set<std::size_t> faces;
+  std::set<Face> triangles = {first};
+  for(std::vector<Face> stack = {first}; !stack.empty();) {
+    const Face f = stack.back();
+    stack.pop_back();
+    faces.insert(face_in_file(input, f));
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Face next = mesh.face(mesh.opposite(h));
+      if(next != Mesh::null_face() && !atlas.seams[mesh.edge(h)] && triangles.insert(next).second) {
+        stack.push_back(next);
+      }
+    }
+  }
+  return faces.size();
+}
+
+void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
+{
+  record.skipped = input.set_aside;
+  for(const SMP::Atlas_report::Skipped& part : record.report.skipped) {
+    const Face first(static_cast<Mesh::size_type>(part.first_face));
+    record.skipped.push_back({face_in_file(input, first), count_faces(input, atlas, first),
+                              to_string(part.status), part.message, model_of_face(input, first.idx())});
+  }
+  std::stable_sort(record.skipped.begin(), record.skipped.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.model, a.first_face) < std::pair(b.model, b.first_face);
+  });
+}
+
+void measure_charts(Atlas_record& record)
+{
+  double area = 0;
+  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+    area += chart.area;
+  }
+  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+    record.share_of_area.push_back(chart.area / area);
+  }
+}
+
+void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
+                  const SMP::Atlas_report& report)
+{
+  if(!options.is_in_world_units()) {
+    return;
+  }
+  if(options.is_packed) {
+    scale_charts(mesh, atlas, 1 / report.scale, options.height / report.scale / options.resolution);
+  } else {
+    place_in_rows(mesh, atlas, report.charts.size());
+  }
+  check_orientation(mesh, atlas);
+}
+
+// Says so if there was no crease to lay seams along.
+void look_at_creases(const Atlas_record& record, Notes& notes)
+{
+  if(record.seam_way.lacks_creases) {
+    notes.add("--seams creases: no creases divide the surface where faces differ by more than " +
+              format_number("%.4g degrees", *record.seam_way.crease_angle * 180 / CGAL_PI) +
+              ", so all seams are chosen to be short");
+  }
+}
+
+// Says so if charts stretch more than was asked for.
+void look_at_stretch(const Atlas_record& record, Notes& notes)
+{
+  std::size_t missed = 0;
+  double worst = 1;
+  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+    missed += !chart.bound_reached;
+    worst = (std::max)(worst, chart.scale_stretch);
+  }
+  if(missed > 0) {
+    notes.add("the scale stretch of " + count_text(missed, "chart") + ", at most " +
+              format_number("%.4g", worst) + ", misses the bound of " +
+              format_number("%.4g", record.stretch_bound) + " by more than 3 %");
+  }
+}
+
+// Of those that faces use
+std::size_t number_of_vertices(const Mesh& mesh)
+{
+  const auto vertices = mesh.vertices();
+  return static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(),
+                                                [&mesh](const Vertex v) { return !mesh.is_isolated(v); }));
+}
+
+Atlas_record record_of(const Command_line& command, const Atlas_input& input)
+{
+  Atlas_record record;
+  record.input = name_of_input(command);
+  record.options = command.atlas;
+  record.stretch_bound = options_of_atlas(command).stretch_bound;
+  record.vertices = number_of_vertices(input.mesh);
+  record.triangles = input.mesh.number_of_faces();
+  record.left_out = input.left_out;
+  return record;
+}
+
+// What the record says of several models
+void list_models(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
+{
+  std::size_t first_chart = 0;
+  for(const Joined_model& model : input.joined) {
+    const Mesh& mesh = model.input.mesh;
+    std::set<int> charts;
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      charts.insert(atlas.chart[Face(static_cast<Mesh::size_type>(model.first_face + f))]);
+    }
+    charts.erase(-1);
+    record.models.push_back({model.command.input, record.report.has_atlas() ? model.command.output : "",
+                             number_of_vertices(mesh), mesh.number_of_faces(), first_chart, charts.size()});
+    first_chart += charts.size();
+  }
+}
+
+void make_charts(const Command_line& command, Atlas_input& input, const Atlas& atlas, Atlas_record& record,
+                 SMP::Atlas_visitor& visitor)
+{
+  if(input.mesh.is_empty()) {
+    record.report.status = SMP::Diagnosis::NOTHING_FLATTENED;
+    record.report.message = "no part of the surface can be flattened";
+    return;
+  }
+  record.components = components_by_size(input.mesh).size();
+  record.report = make_atlas_of_input(command, input, atlas, record.seam_way, visitor);
+  if(record.report.has_atlas()) {
+    place_charts(command.atlas, input.mesh, atlas, record.report);
+  }
+}
+
+} // namespace
+
+Recorded_atlas make_recorded_atlas(const Command_line& command, Atlas_input& input, Notes& notes,
+                                   SMP::Atlas_visitor& visitor)
+{
+  Recorded_atlas made{empty_atlas(input.mesh), record_of(command, input)};
+  make_charts(command, input, made.atlas, made.record, visitor);
+  list_skipped_parts(input, made.atlas, made.record);
+  list_models(input, made.atlas, made.record);
+  measure_charts(made.record);
+  look_at_creases(made.record, notes);
+  look_at_stretch(made.record, notes);
+  return made;
+}
+
+} // namespace flatten_mesh

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_TEXTURE_OF_ATLAS_H
+#define FLATTEN_MESH_TEXTURE_OF_ATLAS_H
+
+#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Model_texture.h"
+
+namespace flatten_mesh {
+
+// `no_index` without chart
+inline Index chart_number(const Atlas& atlas, const Face f)
+{
+  return atlas.chart[f] < 0 ? no_index : static_cast<Index>(atlas.chart[f]);
+}
+
+inline Model_texture texture_of(const Model& model, const Mesh& mesh, const Corner_origins& origins,
+                                const Atlas& atlas)
+{
+  const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
+  const auto chart = [&atlas](const Face f) { return chart_number(atlas, f); };
+  return model_texture(model, mesh, origins, uv, chart);
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_TEXTURE_OF_ATLAS_H

@@ -1,0 +1,197 @@
+"""Texture atlases of any surface."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _core, _options
+
+SEAMS = ("auto", "length", "near-creases", "creases", "hidden")
+
+
+@dataclass(frozen=True)
+class Atlas:
+    """The charts of a mesh.
+
+    Attributes:
+        uv: (c, 2) float64, the texture coordinates of each corner, in the order of the faces; NaN in faces without
+            chart. Exact predicates certified that no triangle is flipped and none overlaps another.
+        face_chart: (m,) int32, the number of the chart of each face; -1 for faces without chart. Charts of several
+            meshes are numbered through.
+        seams: (k, 2) int64, the edges where charts are cut open, as vertices.
+        report: what ``flatten_mesh --json`` writes. It counts faces from 1, as OBJ files do.
+    """
+
+    uv: np.ndarray
+    face_chart: np.ndarray
+    seams: np.ndarray
+    report: dict[str, Any]
+    _indices: np.ndarray = field(repr=False)
+    _offsets: np.ndarray | None = field(repr=False)
+
+    def unshared(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Vertices that have one coordinate each, as graphics cards want them.
+
+        Returns:
+            ``vmapping`` (k,) uint32, the vertex of the mesh that each new vertex is; ``indices`` (m, 3) uint32, the
+            faces in new vertices, or (c,) for the corners of polygons; ``uvs`` (k, 2) float32. Rounding to float32
+            can flip triangles smaller than a millionth of the page; `uv` is not rounded.
+        """
+        vmapping, indices, uvs = _core.unshared(self._indices, self.uv)
+        return vmapping, indices.reshape(self._indices.shape), uvs
+
+
+def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, mesh: str):
+    """A mesh as the compiled part takes it."""
+    vertices = _arrays.numbers(vertices, _arrays.name_of("vertices", mesh), 3)
+    offsets, indices = _arrays.polygons(faces, mesh)
+    _arrays.check_not_empty(offsets, indices, mesh)
+    if marked_seams is not None:
+        marked_seams = _arrays.integers(marked_seams, _arrays.name_of("marked_seams", mesh), 2)
+    if uv is not None:
+        uv = _arrays.numbers(uv, _arrays.name_of("uv", mesh), 2)
+        if len(uv) != indices.size:
+            raise ValueError(f"{_arrays.name_of('uv', mesh)} has {len(uv)} rows, and must have one for each of the "
+                             f"{indices.size} corners")
+    if ignored_faces is not None:
+        ignored_faces = _arrays.flags(ignored_faces, _arrays.name_of("ignored_faces", mesh),
+                                      _arrays.number_of_faces(offsets, indices))
+    return _core.GivenMesh(vertices, offsets, indices, marked_seams, uv, ignored_faces), offsets, indices
+
+
+def _seams(seams: str) -> str:
+    name, colon, degrees = seams.partition(":")
+    if colon and name == "creases":
+        try:
+            _options.number("the angle of seams", float(degrees), 0, 180, open_below=True)
+        except ValueError:
+            raise ValueError(f"seams is {seams!r}, and its angle must be above 0 and below 180 degrees") from None
+        return seams
+    return _options.choice("seams", seams, SEAMS + ("creases:DEGREES",))
+
+
+def _checked(options: dict[str, Any]) -> dict[str, Any]:
+    """Those of the options that are given, in the types of the compiled part."""
+    bounds = {
+        "stretch_bound": (1.0, math.inf), "area_weight": (0.0, 1.0), "seam_price": (0.0, math.inf),
+        "texels_per_unit": (0.0, math.inf), "resolution": (1, 32768), "height": (1, 32768), "gutter": (0, 1024),
+        "block": (1, 1024), "number_of_rotations": (1, 1024), "threads": (0, 1024)}
+    result = {name: value for name, value in options.items() if value is not None}
+    for name, (least, most) in bounds.items():
+        if name in result:
+            check = _options.integer if isinstance(least, int) else _options.number
+            result[name] = check(name, result[name], least, most)
+    for name in ("separate_overlaps", "isometric_charts", "equal_seam_lengths", "weld", "repair", "pack_into_square"):
+        if name in result:
+            result[name] = _options.switch(name, result[name])
+    return result
+
+
+def _per_mesh(values, what: str, count: int) -> list:
+    if values is None:
+        return [None] * count
+    if not isinstance(values, (list, tuple)) or len(values) != count:
+        raise ValueError(f"{what} must be a list with an entry for each of the {count} meshes")
+    return list(values)
+
+
+def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence[ArrayLike], *,
+          purpose: str = "texture", seams: str = "auto", marked_seams: ArrayLike | None = None,
+          uv: ArrayLike | None = None, given_charts: str = "replace", ignored_faces: ArrayLike | None = None,
+          weld: bool = True, repair: bool = True, stretch_bound: float | None = None,
+          area_weight: float | None = None, seam_price: float | None = None, separate_overlaps: bool | None = None,
+          isometric_charts: bool | None = None, equal_seam_lengths: bool | None = None, resolution: int = 1024,
+          height: int | None = None, gutter: int | None = None, block: int = 1, texels_per_unit: float = 0,
+          number_of_rotations: int = 32, pack_into_square: bool = True, threads: int = 0,
+          timeout: float | None = None, progress: _options.Progress | None = None) -> Atlas | list[Atlas]:
+    """Cuts any surface open, flattens it, and packs the charts, as ``flatten_mesh`` does.
+
+    Args:
+        vertices: (n, 3) float32 or float64, the points; read in place. For several meshes that share the atlas, a
+            list of such arrays; then all other arguments that belong to a mesh are lists, too.
+        faces: (m, 3) of any type of integers, or a tuple of two arrays (offsets, indices) for polygons: face ``i`` has
+            the vertices ``indices[offsets[i]:offsets[i + 1]]``.
+        purpose: ``"texture"``, ``"few-charts"`` or ``"conformal"``; it sets the defaults of the options below.
+        seams: where seams run: ``"auto"``, ``"length"``, ``"near-creases"``, ``"creases"``, ``"creases:DEGREES"`` or
+            ``"hidden"``.
+        marked_seams: (k, 2) integers, edges that are seams in any case.
+        uv: (c, 2), coordinates of each corner that the mesh has already.
+        given_charts: with ``"keep"``, the charts of `uv` keep their shapes and are packed anew; with ``"repair"``,
+            those that are not injective are flattened anew.
+        ignored_faces: (m,) bool, faces that get no chart. They keep the coordinates in `uv`.
+        weld: whether vertices at the same place are joined first.
+        repair: whether faces that do not form a manifold are separated, turned or left out.
+        stretch_bound: the largest stretch of a chart, above 1; with infinity, the surface is only cut to disks.
+        area_weight: how much injective maps preserve areas, from 0 to 1.
+        seam_price: what seams cost; with infinity, no chart is cut for texels.
+        separate_overlaps: whether a map of ABF++ that overlaps itself is split.
+        isometric_charts: whether maps are as isometric as possible.
+        equal_seam_lengths: whether both sides of seams have equal lengths.
+        resolution: texels along the horizontal sides of a page, from 1 to 32768.
+        height: texels along its vertical sides; by default, as `resolution`.
+        gutter: free texels between charts, from 0 to 1024; by default, a 256th of the shorter side.
+        block: texels along the sides of a block of compressed textures.
+        texels_per_unit: texels per unit of length; the charts then take as many pages as they need. 0: one page.
+        number_of_rotations: directions that are tried for large charts, from 1 to 1024.
+        pack_into_square: with ``False``, charts keep their size and lie side by side.
+        threads: how many threads work at once; 0 for one on each processor. It never changes the result.
+        timeout: seconds after which a `TimeoutError` is raised.
+        progress: is called with the name of a stage and its share, from 0 to 1, twenty times a second, in the thread
+            of the caller. If it returns ``False``, `Cancelled` is raised.
+
+    Returns:
+        The atlas, or a list of atlases, one for each mesh. Parts that have no chart are in
+        ``report["skipped"]``.
+
+    Raises:
+        ValueError: an option or an array is wrong; the message names it.
+        MeshError: no face has a chart; or, with ``given_charts="keep"``, a chart is not injective.
+        TimeoutError, Cancelled, MemoryError: see above.
+    """
+    options = {
+        "purpose": _options.choice("purpose", purpose, ("texture", "few-charts", "conformal")),
+        "seams": _seams(seams),
+        "given_charts": _options.choice("given_charts", given_charts, ("replace", "keep", "repair"))}
+    options |= _checked(dict(
+        weld=weld, repair=repair, stretch_bound=stretch_bound, area_weight=area_weight, seam_price=seam_price,
+        separate_overlaps=separate_overlaps, isometric_charts=isometric_charts,
+        equal_seam_lengths=equal_seam_lengths, resolution=resolution, height=height, gutter=gutter, block=block,
+        texels_per_unit=texels_per_unit, number_of_rotations=number_of_rotations, pack_into_square=pack_into_square,
+        threads=threads))
+    is_shared = isinstance(vertices, (list, tuple)) and len(vertices) > 0 and np.ndim(vertices[0]) == 2
+    meshes = list(vertices) if is_shared else [vertices]
+    if is_shared:
+        faces = _per_mesh(faces, "faces", len(meshes))
+        marked_seams = _per_mesh(marked_seams, "marked_seams", len(meshes))
+        uv = _per_mesh(uv, "uv", len(meshes))
+        ignored_faces = _per_mesh(ignored_faces, "ignored_faces", len(meshes))
+    else:
+        faces, marked_seams, uv, ignored_faces = [faces], [marked_seams], [uv], [ignored_faces]
+    if given_charts == "keep" and any(each is None for each in uv):
+        raise ValueError('given_charts is "keep", and uv is not given')
+    given = [_given_mesh(*each, f"mesh {i}" if is_shared else "")
+             for i, each in enumerate(zip(meshes, faces, marked_seams, uv, ignored_faces))]
+    results, text = _core.atlas([each[0] for each in given], is_shared, options, _options.watch(progress, timeout))
+    report = json.loads(text)
+    atlases = [Atlas(*result, report, indices, offsets)
+               for result, (_, offsets, indices) in zip(results, given)]
+    return atlases if is_shared else atlases[0]
+
+
+def parametrize(vertices: ArrayLike, faces: ArrayLike, **options) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Makes an atlas and returns `Atlas.unshared()`: what ``xatlas.parametrize()`` returns.
+
+    Args:
+        vertices, faces, options: as of `atlas()`, for one mesh.
+    """
+    result = atlas(vertices, faces, **options)
+    if isinstance(result, list):
+        raise ValueError("parametrize() takes one mesh; atlas() takes several")
+    return result.unshared()

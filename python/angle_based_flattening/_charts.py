@@ -1,0 +1,285 @@
+"""Single charts: disks, and how good their maps are."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _core, _options
+
+_COMMON = {
+    "barrier": (0.0, math.inf), "area_weight": (0.0, 1.0), "clearance": (0.0, 1.0), "pin_weight": (0.0, math.inf),
+    "threads": (0, 1024)}
+_OF_METHOD = {
+    "direct": {"tolerance": (1e-14, math.inf), "energy_tolerance": (0.0, math.inf), "max_iterations": (1, 10**6)},
+    "hierarchical": {
+        "simplification_rate": (0.0, 1.0), "coarse_triangles": (0, 2**31 - 1), "extreme_angle": (0.0, math.pi / 3),
+        "sweeps": (0, 1000), "angle_sweeps": (0, 1000), "max_retries": (0, 1000)}}
+_WORDS = {
+    "direct": {"step": ("newton", "sequential-linearly-constrained"), "linear_solver": ("iterative", "direct"),
+               "layout": ("automatic", "exact", "least-squares")},
+    "hierarchical": {}}
+_SWITCHES = {"direct": ("fallbacks", "warm_start"), "hierarchical": ("polish",)}
+
+
+@dataclass(frozen=True)
+class Flattening:
+    """The map of a disk.
+
+    Attributes:
+        uv: (n, 2) float64, the coordinates of each vertex; NaN for vertices that are not in the chart.
+        report: how the map was made.
+    """
+
+    uv: np.ndarray
+    report: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """Whether a map is injective, by exact predicates. It is true if the map is.
+
+    Attributes:
+        is_injective: whether no two points of the surface have the same image, and no triangle is flipped.
+        flipped: the faces that are not positively oriented.
+        overlapping: the faces that overlap others of their chart.
+    """
+
+    is_injective: bool
+    flipped: np.ndarray
+    overlapping: np.ndarray
+
+    def __bool__(self) -> bool:
+        return self.is_injective
+
+
+def given_mesh(vertices: ArrayLike, faces, marked_seams: ArrayLike | None = None, uv: np.ndarray | None = None,
+               mesh: str = ""):
+    """A mesh as the compiled part takes it, and the indices of its faces."""
+    vertices = _arrays.numbers(vertices, _arrays.name_of("vertices", mesh), 3)
+    offsets, indices = _arrays.polygons(faces, mesh)
+    _arrays.check_not_empty(offsets, indices, mesh)
+    if marked_seams is not None:
+        marked_seams = _arrays.integers(marked_seams, "marked_seams", 2)
+    return _core.GivenMesh(vertices, offsets, indices, marked_seams, uv, None), indices
+
+
+def corner_coordinates(uv: ArrayLike, vertices: ArrayLike, faces) -> np.ndarray:
+    """Coordinates of each corner, of those of each vertex or corner."""
+    uv = _arrays.numbers(uv, "uv", 2)
+    indices = _arrays.polygons(faces)[1].reshape(-1)
+    if len(uv) == len(indices):
+        return uv
+    if len(uv) != len(vertices):
+        raise ValueError(f"uv has {len(uv)} rows, and must have one for each of the {len(vertices)} vertices or of "
+                         f"the {len(indices)} corners")
+    if indices.size > 0 and (indices.min() < 0 or indices.max() >= len(uv)):
+        return np.zeros((len(indices), 2))  # the compiled part names the wrong index
+    return uv[indices]
+
+
+def _checked(method: str, options: dict[str, Any]) -> dict[str, Any]:
+    """The options of a method. Unknown ones are a `TypeError`, as for any function."""
+    result = {}
+    for name, value in options.items():
+        bounds = _COMMON.get(name) or _OF_METHOD[method].get(name)
+        if bounds is not None:
+            check = _options.integer if isinstance(bounds[0], int) else _options.number
+            result[name] = check(name, value, *bounds)
+        elif name == "holes":
+            result[name] = _options.choice(name, value, ("solve", "fill", "refuse"))
+        elif name in _WORDS[method]:
+            result[name] = _options.choice(name, value, _WORDS[method][name])
+        elif name in _SWITCHES[method] or name == "injective":
+            result[name] = _options.switch(name, value)
+        else:
+            raise TypeError(f"{name!r} is not an option of the {method} method")
+    return result
+
+
+def _rows_of_vertices(given, what: str, columns: int) -> list:
+    if given is None:
+        return []
+    vertices, values = given
+    vertices = _arrays.integers(vertices, f"the vertices of {what}", None)
+    values = np.asarray(values, dtype=np.float64)
+    shape = (len(vertices),) if columns == 1 else (len(vertices), columns)
+    if values.shape != shape:
+        raise ValueError(f"the values of {what} have the shape {values.shape}, and must have the shape {shape}")
+    if not np.isfinite(values).all():
+        raise ValueError(f"the values of {what} must be finite")
+    if vertices.size > 0 and vertices.min() < 0:
+        raise ValueError(f"the vertices of {what} must be at least 0")
+    return list(zip(vertices.tolist(), values.tolist()))
+
+
+class Flattener:
+    """Flattens a mesh, and flattens it again when its vertices have moved.
+
+    A call after the first one reuses what depends on the faces only. Each thread needs a `Flattener` of its own.
+
+    Args:
+        faces: (m, 3) integers, or a tuple (offsets, indices), as of `atlas()`.
+        method: ``"direct"``, or ``"hierarchical"`` for large meshes.
+        boundary: ``"free"``, or ``"rectangle"``: the border becomes a rectangle (direct method).
+        corners: four vertices of the border, the corners of the rectangle.
+        aspect_ratio: the ratio of the sides of the rectangle, if its corners are to be chosen.
+        angles: a pair (vertices, radians): the sums of planar angles at some vertices (direct method).
+        pins: a pair (vertices, positions (k, 2)) of vertices with given places (direct method).
+        options: the members of the C++ structs ``Flattening_options``, ``ABF_plus_plus_options`` and
+            ``Hierarchical_options``, with the same names and bounds: ``injective``, ``area_weight``, ``holes``, ...
+    """
+
+    def __init__(self, faces, *, method: str = "direct", boundary: str = "free",
+                 corners: ArrayLike | None = None, aspect_ratio: float | None = None,
+                 angles: tuple[ArrayLike, ArrayLike] | None = None,
+                 pins: tuple[ArrayLike, ArrayLike] | None = None, **options):
+        _options.choice("method", method, ("direct", "hierarchical"))
+        _options.choice("boundary", boundary, ("free", "rectangle"))
+        checked = _checked(method, options)
+        if method == "hierarchical" and (boundary != "free" or angles is not None or pins is not None):
+            raise ValueError('boundary, angles and pins need method="direct"')
+        if boundary == "rectangle" and (corners is None) == (aspect_ratio is None):
+            raise ValueError("a rectangle needs either corners or aspect_ratio")
+        if boundary == "free" and (corners is not None or aspect_ratio is not None):
+            raise ValueError('corners and aspect_ratio need boundary="rectangle"')
+        if boundary == "rectangle" and angles is not None:
+            raise ValueError('angles need boundary="free": a rectangle has its own')
+        if corners is not None:
+            corners = _arrays.integers(corners, "corners", None)
+            if len(corners) != 4 or corners.min() < 0:
+                raise ValueError(f"corners are {corners.tolist()}, and must be four vertices")
+        ratio = 0.0 if aspect_ratio is None else _options.number("aspect_ratio", aspect_ratio, 0, open_below=True)
+        given, _ = given_mesh(np.zeros((0, 3)), faces)
+        self._flattener = _core.Flattener(
+            given, method == "hierarchical", checked,
+            _core.Prescriptions([] if corners is None else corners.tolist(), ratio,
+                                _rows_of_vertices(angles, "angles", 1), _rows_of_vertices(pins, "pins", 2)))
+
+    def solve(self, vertices: ArrayLike, *, timeout: float | None = None,
+              progress: _options.Progress | None = None) -> Flattening:
+        """Flattens the mesh with these vertices.
+
+        Args:
+            vertices: (n, 3) float32 or float64, as many in each call.
+            timeout, progress: as of `atlas()`.
+
+        Raises:
+            MeshError: the mesh is not a disk, or no valid map was found.
+        """
+        uv, text = self._flattener.solve(_arrays.numbers(vertices, "vertices", 3), _options.watch(progress, timeout))
+        return Flattening(uv, json.loads(text))
+
+
+def flatten(vertices: ArrayLike, faces, *, timeout: float | None = None, progress: _options.Progress | None = None,
+            **options) -> Flattening:
+    """Flattens a disk with ABF++. If the surface has several components, the one with the longest border is mapped.
+
+    Args:
+        vertices: (n, 3) float32 or float64.
+        faces: (m, 3) integers, or a tuple (offsets, indices), as of `atlas()`.
+        timeout, progress: as of `atlas()`.
+        options: those of `Flattener`.
+
+    Raises:
+        ValueError: an option or an array is wrong; the message names it.
+        MeshError: the surface is closed, not a manifold, or not a disk; or no valid map was found.
+    """
+    return Flattener(faces, **options).solve(vertices, timeout=timeout, progress=progress)
+
+
+def hierarchical(vertices: ArrayLike, faces, **options) -> Flattening:
+    """Flattens a disk with hierarchical ABF++: `flatten()` with ``method="hierarchical"``."""
+    return flatten(vertices, faces, method="hierarchical", **options)
+
+
+def lscm(vertices: ArrayLike, faces, *, timeout: float | None = None) -> Flattening:
+    """Flattens a disk with CGAL's least squares conformal maps, for comparison. Triangles may be flipped."""
+    given, _ = given_mesh(vertices, faces)
+    uv, text = _core.lscm(given, _options.watch(None, timeout))
+    return Flattening(uv, json.loads(text))
+
+
+def measure(vertices: ArrayLike, faces, uv: ArrayLike, *, timeout: float | None = None) -> dict[str, Any]:
+    """The distortion of a map, of one chart or of many.
+
+    Args:
+        vertices, faces: as of `flatten()`.
+        uv: (n, 2), the coordinates of each vertex, or (c, 2), of each corner.
+
+    Returns:
+        The members of the C++ struct ``Flattening_measures``; angles are in radians. Infinity is ``None``.
+    """
+    uv = corner_coordinates(uv, vertices, faces)
+    given, _ = given_mesh(vertices, faces, uv=uv)
+    return json.loads(_core.measure(given, _options.watch(None, timeout)))
+
+
+def certify(vertices: ArrayLike, faces, uv: ArrayLike, *, timeout: float | None = None) -> Certificate:
+    """Checks with exact predicates whether a map is injective; see `measure()` for the arguments."""
+    uv = corner_coordinates(uv, vertices, faces)
+    given, _ = given_mesh(vertices, faces, uv=uv)
+    is_injective, flipped, overlapping = _core.certify(given, _options.watch(None, timeout))
+    return Certificate(is_injective, np.asarray(flipped, np.int64), np.asarray(overlapping, np.int64))
+
+
+@dataclass(frozen=True)
+class Packing:
+    """Packed charts.
+
+    Attributes:
+        uv: for each chart, (k, 2) float64, the new coordinates of its vertices.
+        report: pages, the page of each chart, the share that charts cover, texels per unit.
+    """
+
+    uv: list[np.ndarray]
+    report: dict[str, Any]
+
+
+def pack(charts: Sequence[tuple], *, resolution: int = 1024, height: int | None = None, gutter: int | None = None,
+         block: int = 1, texels_per_unit: float = 0, number_of_rotations: int = 32,
+         timeout: float | None = None) -> Packing:
+    """Packs charts into a page, or into as many as they take, at one density of texels.
+
+    Args:
+        charts: tuples (faces (m, 3), uv (k, 2)), or (faces, uv, vertices (k, 3)): with vertices, a chart gets as many
+            texels as its area on the surface asks for, otherwise in the plane.
+        resolution, height, gutter, block, texels_per_unit, number_of_rotations: as of `atlas()`.
+
+    Raises:
+        MeshError: there is no chart, a chart has no area, or the pages cannot hold it.
+    """
+    options = {"resolution": _options.integer("resolution", resolution, 1, 32768),
+               "block": _options.integer("block", block, 1, 1024),
+               "texels_per_unit": _options.number("texels_per_unit", texels_per_unit, 0),
+               "number_of_rotations": _options.integer("number_of_rotations", number_of_rotations, 1, 1024)}
+    if height is not None:
+        options["height"] = _options.integer("height", height, 1, 32768)
+    if gutter is not None:
+        options["gutter"] = _options.integer("gutter", gutter, 0, 1024)
+    all_faces, all_uv, all_vertices, first_faces, first_vertices = [], [], [], [], [0]
+    for i, chart in enumerate(charts):
+        faces = _arrays.integers(chart[0], f"faces of chart {i}", 3).astype(np.int64)
+        uv = _arrays.numbers(chart[1], f"uv of chart {i}", 2).astype(np.float64)
+        vertices = (_arrays.numbers(chart[2], f"vertices of chart {i}", 3) if len(chart) > 2
+                    else np.column_stack([uv, np.zeros(len(uv))]))
+        if len(vertices) != len(uv):
+            raise ValueError(f"chart {i} has {len(uv)} coordinates, and {len(vertices)} vertices")
+        if faces.size > 0 and (faces.min() < 0 or faces.max() >= len(uv)):
+            raise ValueError(f"faces of chart {i} have an index outside of its {len(uv)} vertices")
+        first_faces.append(sum(map(len, all_faces)))
+        all_faces.append(faces + first_vertices[-1])
+        all_uv.append(uv[faces.reshape(-1)])
+        all_vertices.append(vertices)
+        first_vertices.append(first_vertices[-1] + len(uv))
+    if not all_faces:
+        raise ValueError("charts is empty")
+    given, _ = given_mesh(np.concatenate(all_vertices), np.concatenate(all_faces), uv=np.concatenate(all_uv))
+    uv, text = _core.pack(given, first_faces, options, _options.watch(None, timeout))
+    return Packing([uv[a:b] for a, b in zip(first_vertices, first_vertices[1:])], json.loads(text))

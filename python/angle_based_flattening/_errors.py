@@ -1,0 +1,28 @@
+"""The exceptions of the package."""
+
+import numpy as np
+
+
+class MeshError(ValueError):
+    """The mesh, or a map of it, is not what the function needs, or no map was found.
+
+    Attributes:
+        status: the name of the diagnosis, such as ``"NO_BORDER"``; the C++ reference explains each.
+        message: a sentence that says what is wrong, and where. It counts faces and vertices from 1, as OBJ files do.
+        faces: the faces that the diagnosis is about, from 0; an empty array if it is about none.
+        vertices: the vertices that it is about, from 0; an empty array if it is about none.
+    """
+
+    def __init__(self, status, message, faces=(), vertices=()):
+        super().__init__(status, message, faces, vertices)
+        self.status = status
+        self.message = message
+        self.faces = np.asarray(faces, dtype=np.int64)
+        self.vertices = np.asarray(vertices, dtype=np.int64)
+
+    def __str__(self):
+        return f"{self.status}: {self.message}"
+
+
+class Cancelled(Exception):
+    """A ``progress`` function returned ``False``."""

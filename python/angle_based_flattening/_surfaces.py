@@ -1,0 +1,141 @@
+"""Surfaces of any topology: seams, cones, and textures of fine surfaces."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _core, _options
+from ._charts import corner_coordinates, given_mesh
+
+
+@dataclass(frozen=True)
+class Seams:
+    """Seams that cut a surface to disks.
+
+    Attributes:
+        edges: (k, 2) int64, the edges, as vertices.
+        report: the number of disks, the length of the seams, the predicted stretch.
+    """
+
+    edges: np.ndarray
+    report: dict[str, Any]
+
+
+def seams(vertices: ArrayLike, faces, *, stretch_bound: float = 1.1, maximum_number_of_terminals: int = 100,
+          along: str = "length", marked_seams: ArrayLike | None = None, timeout: float | None = None) -> Seams:
+    """Chooses seams that cut a surface to disks with little stretch, as the C++ function ``select_seams()`` does.
+
+    Args:
+        vertices, faces: as of `atlas()`.
+        stretch_bound: the largest predicted stretch of a disk, at least 1; with infinity, the surface is only cut.
+        maximum_number_of_terminals: of each part, vertices that seams lead to because of their scale.
+        along: what makes an edge cheap: ``"length"``, ``"creases"`` or ``"hidden"``.
+        marked_seams: (k, 2) integers, edges that are seams in any case.
+    """
+    given, _ = given_mesh(vertices, faces, marked_seams)
+    edges, text = _core.seams(given, _options.choice("along", along, ("length", "creases", "hidden")),
+                              _options.number("stretch_bound", stretch_bound, 1),
+                              _options.integer("maximum_number_of_terminals", maximum_number_of_terminals, 0, 10**6),
+                              _options.watch(None, timeout))
+    return Seams(edges, json.loads(text))
+
+
+@dataclass(frozen=True)
+class Cones:
+    """Cones of a surface, and a map with them if one is wanted.
+
+    Attributes:
+        vertices: (k,) int64, the cones, in the order in which they were chosen.
+        angles: (k,) float64, the sum of the planar angles around each, in radians.
+        predicted_stretch: the stretch that the scale predicts for a map with these cones.
+        uv: (c, 2) float64, the coordinates of each corner; None without a map.
+        seams: (k, 2) int64, the edges of seams through the cones; None without a map.
+    """
+
+    vertices: np.ndarray
+    angles: np.ndarray
+    predicted_stretch: float
+    uv: np.ndarray | None
+    seams: np.ndarray | None
+
+
+def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0, flatten: bool = False,
+          threads: int = 0, timeout: float | None = None, progress: _options.Progress | None = None) -> Cones:
+    """Chooses cones of a connected surface, and flattens it with seams through them on demand.
+
+    Args:
+        vertices, faces: as of `atlas()`.
+        number: how many cones, at most 1000.
+        angle_multiple: if not 0, angles are multiples of this angle, in radians; 2 pi must be a multiple of it.
+        flatten: whether a map is made. Both sides of its seams differ by a rotation and a translation.
+        threads, timeout, progress: as of `atlas()`.
+    """
+    given, _ = given_mesh(vertices, faces)
+    found, stretch, uv, edges = _core.cones(
+        given, _options.integer("number", number, 0, 1000),
+        _options.number("angle_multiple", angle_multiple, 0, 2 * math.pi), _options.switch("flatten", flatten),
+        _options.integer("threads", threads, 0, 1024), _options.watch(progress, timeout))
+    return Cones(np.array([v for v, _ in found], np.int64), np.array([angle for _, angle in found], np.float64),
+                 stretch, uv if flatten else None, edges if flatten else None)
+
+
+@dataclass(frozen=True)
+class Baked:
+    """Textures of a simple surface that show a fine one. The first row is at the top, at v = 1.
+
+    Attributes:
+        normals: (h, w, 3) float32, vectors of length 1, in tangent space as in glTF unless asked otherwise.
+        displacements: (h, w) float32, the distance to the fine surface along the normal.
+        colors: (h, w, 3) float32 from 0 to 1; None if the fine surface has no colours.
+        texels: (h, w) uint8, where values come from: 0 nowhere, 1 gutter, 2 front face, 3 back face, 4 closest point.
+        report: how many texels there are of each kind, and distances.
+    """
+
+    normals: np.ndarray
+    displacements: np.ndarray
+    colors: np.ndarray | None
+    texels: np.ndarray
+    report: dict[str, Any]
+
+
+def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fine_faces, *,
+         fine_colors: ArrayLike | None = None, resolution: int = 1024, height: int | None = None, gutter: int = 2,
+         ray_length: float | None = None, normals_in_object_space: bool = False, threads: int = 0) -> Baked:
+    """Bakes the normals, the distance and the colours of a fine surface into textures of a simple one.
+
+    Args:
+        vertices, faces: the simple surface, as of `atlas()`.
+        uv: its coordinates in the unit square, of each vertex or corner; faces with NaN are left out.
+        fine_vertices, fine_faces: the fine surface, in the same place.
+        fine_colors: (n, 3) uint8, a colour of each vertex of the fine surface.
+        resolution, height: texels along the sides of the texture, from 1 to 16384.
+        gutter: texels around charts that are filled, from 0 to 1024.
+        ray_length: of rays to each side; by default, a twentieth of the diagonal of the simple surface.
+        normals_in_object_space: whether normals are in the coordinates of the surface.
+        threads: as of `atlas()`.
+    """
+    given, _ = given_mesh(vertices, faces, uv=corner_coordinates(uv, vertices, faces))
+    fine, _ = given_mesh(fine_vertices, fine_faces, mesh="the fine mesh")
+    colors = []
+    if fine_colors is not None:
+        array = np.asarray(fine_colors)
+        if array.dtype != np.uint8 or array.shape != (len(fine_vertices), 3):
+            raise ValueError(f"fine_colors is an array of {array.dtype} with the shape {array.shape}, and must be one "
+                             f"of uint8 with the shape ({len(fine_vertices)}, 3)")
+        colors = array.tolist()
+    options = {
+        "resolution": _options.integer("resolution", resolution, 1, 16384),
+        "height": None if height is None else _options.integer("height", height, 1, 16384),
+        "gutter": _options.integer("gutter", gutter, 0, 1024),
+        "ray_length": None if ray_length is None else _options.number("ray_length", ray_length, 0, open_below=True),
+        "normals_in_object_space": _options.switch("normals_in_object_space", normals_in_object_space),
+        "threads": _options.integer("threads", threads, 0, 1024)}
+    normals, displacements, found_colors, texels, text = _core.bake(given, fine, colors, options,
+                                                                    _options.watch(None, None))
+    return Baked(normals, displacements, found_colors, texels, json.loads(text))

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Atlases, made as the program `flatten_mesh` makes them
+
+#include "bindings.h"
+#include "failures.h"
+#include "interruptible.h"
+#include "marked_edges.h"
+#include "models.h"
+#include "surfaces.h"
+
+#include "flatten_mesh/atlas/Recorded_atlas.h"
+#include "flatten_mesh/atlas/join_models.h"
+#include "flatten_mesh/atlas/report_atlas_json.h"
+#include "flatten_mesh/atlas/texture_of_atlas.h"
+#include "flatten_mesh/face_options.h"
+#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/weld_option.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abf_python {
+
+using namespace flatten_mesh;
+
+namespace {
+
+std::string on_or_off(const std::optional<bool>& is_on)
+{
+  return is_on ? (*is_on ? "on" : "off") : "";
+}
+
+// The command that asks the program for the same. Values are checked where the atlas is made.
+Command_line command_of(const py::dict& options)
+{
+  const auto take = [&options](const char* const name, auto& value) {
+    if(options.contains(name)) {
+      value = options[name].cast<std::decay_t<decltype(value)>>();
+    }
+  };
+  const auto take_switch = [&options](const char* const name, std::string& value) {
+    if(options.contains(name)) {
+      value = on_or_off(options[name].cast<bool>());
+    }
+  };
+  Command_line command;
+  Atlas_options& atlas = command.atlas;
+  command.quiet = true;
+  take("purpose", atlas.purpose);
+  take("seams", atlas.seams);
+  take_switch("separate_overlaps", atlas.separates);
+  take_switch("isometric_charts", atlas.isometric);
+  take_switch("equal_seam_lengths", command.equal_seams);
+  take_switch("weld", command.weld);
+  command.weld = command.weld == "on" ? "" : command.weld;
+  take_switch("repair", command.repair);
+  take("seam_price", atlas.seam_price);
+  take("stretch_bound", command.stretch_bound);
+  command.asks_for_stretch = options.contains("stretch_bound");
+  take("area_weight", command.options.area_weight);
+  command.asks_for_area_weight = options.contains("area_weight");
+  take("resolution", atlas.resolution);
+  atlas.height = atlas.resolution;
+  take("height", atlas.height);
+  take("block", atlas.block);
+  take("texels_per_unit", atlas.texels_per_unit);
+  SMP::Packing_options packing;
+  packing.resolution = atlas.resolution;
+  packing.height = atlas.height;
+  atlas.gutter = packing.number_of_gutter_texels();
+  take("gutter", atlas.gutter);
+  take("number_of_rotations", atlas.rotations);
+  take("pack_into_square", atlas.is_packed);
+  atlas.units = atlas.is_packed ? "square" : "world";
+  take("threads", command.options.threads);
+  std::string given = "replace";
+  take("given_charts", given);
+  atlas.repacks = given != "replace";
+  atlas.repairs_charts = given == "repair";
+  atlas.ignored = ignored_material;
+  return command;
+}
+
+// An input of which the models are known, in order; without a part of it if there is one only
+Atlas_input input_of(std::vector<Model>&& models, const Command_line& command, Notes& notes)
+{
+  const auto read = [&](Model& model) {
+    return atlas_input_of(std::move(model), command.repair == "on", notes, welding_of(command),
+                          face_choice_of(command.atlas));
+  };
+  if(!command.atlas.is_shared) {
+    return read(models.front());
+  }
+  Atlas_input whole;
+  for(Model& model : models) {
+    Joined_model joined;
+    joined.command = command;
+    joined.command.title = model.file;
+    notes.set_subject(model.file);
+    joined.input = read(model);
+    join_model(std::move(joined), whole);
+  }
+  notes.set_subject("");
+  return whole;
+}
+
+// The edges of seams, as vertices of the model
+std::vector<std::pair<Index, Index>> seams_of(const Atlas_input& input, const Edge_marks& seams)
+{
+  std::vector<std::pair<Index, Index>> pairs;
+  for(const Edge e : input.mesh.edges()) {
+    for(const Halfedge h : {input.mesh.halfedge(e, 0), input.mesh.halfedge(e, 1)}) {
+      if(seams[e] && !input.mesh.is_border(h)) {
+        pairs.push_back(vertices_in_model(input, h));
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+// The atlas of one mesh
+struct Mesh_atlas
+{
+  std::vector<Kernel::Point_2> uv; // of each corner
+  std::vector<std::int32_t> charts;
+  std::vector<std::pair<Index, Index>> seams;
+};
+
+Mesh_atlas atlas_of(const Atlas_input& input, const Atlas& atlas)
+{
+  Model_texture texture = texture_of(input.model, input.mesh, input.origins, atlas);
+  keep_left_out_texture({{}, {ignored_material}}, input.model, texture);
+  Mesh_atlas result{std::move(texture.uv), {}, seams_of(input, atlas.seams)};
+  for(const Index chart : texture.charts) {
+    result.charts.push_back(chart == no_index ? -1 : static_cast<std::int32_t>(chart));
+  }
+  return result;
+}
+
+// The faces that a failure is about, of one model
+std::vector<std::int64_t> offending_faces(const Atlas_input& input, const Atlas_record& record)
+{
+  std::vector<std::int64_t> faces;
+  for(const Skipped_part& part : record.skipped) {
+    faces.push_back(static_cast<std::int64_t>(part.first_face));
+  }
+  for(const Face f : record.report.offending_faces) {
+    faces.push_back(static_cast<std::int64_t>(face_in_file(input, f)));
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+struct Result
+{
+  std::vector<Mesh_atlas> atlases;
+  std::string json;
+};
+
+Result result_of(Atlas_input& input, Recorded_atlas& made, const Notes& notes)
+{
+  made.record.notes = notes.texts();
+  made.record.peak_memory_mb = peak_memory_mb();
+  if(made.record.report.status == SMP::Diagnosis::WRONG_OPTION) {
+    throw py::value_error(made.record.report.message);
+  }
+  if(!made.record.report.has_atlas()) {
+    const std::string message =
+        made.record.skipped.empty() ? made.record.report.message : made.record.skipped.front().message;
+    throw Mesh_failure(status_name(made.record), message, offending_faces(input, made.record),
+                       input.joined.empty() ? non_finite_vertices(input.model) : std::vector<std::int64_t>());
+  }
+  Result result{{}, report_json(made.record)};
+  if(input.joined.empty()) {
+    result.atlases.push_back(atlas_of(input, made.atlas));
+  }
+  for(Joined_model& model : input.joined) {
+    result.atlases.push_back(atlas_of(model.input, atlas_of_model(made.atlas, model)));
+  }
+  return result;
+}
+
+// All that needs no interpreter
+Result make_atlases(const Command_line& command, std::vector<Model>&& models,
+                    const std::vector<Vertex_pairs>& seams, Progress_state& state)
+{
+  return with_failures([&] {
+    Atlas_watcher watcher(state);
+    Notes notes(command);
+    Atlas_input input = input_of(std::move(models), command, notes);
+    if(input.joined.empty()) {
+      mark_edges(seams.front(), "", input);
+    }
+    for(std::size_t i = 0; i < input.joined.size(); ++i) {
+      mark_edges(seams[i], input.joined[i].command.title, input.joined[i].input);
+    }
+    Recorded_atlas made = make_recorded_atlas(command, input, notes, watcher);
+    return result_of(input, made, notes);
+  });
+}
+
+py::tuple atlas(const std::vector<Given_mesh>& meshes, const bool is_shared, const py::dict& options,
+                const Watch& watch)
+{
+  Command_line command = command_of(options);
+  command.atlas.is_shared = is_shared;
+  command.title = is_shared ? std::to_string(meshes.size()) + " meshes" : "mesh";
+  std::vector<Model> models;
+  std::vector<Vertex_pairs> seams;
+  for(std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::string name = is_shared ? "mesh " + std::to_string(i) : "";
+    models.push_back(model_of(meshes[i], name));
+    seams.push_back(pairs_of(meshes[i].marked_seams, models.back().points.size(), name));
+  }
+  Result result = run_interruptibly(
+      watch, [&](Progress_state& state) { return make_atlases(command, std::move(models), seams, state); });
+  py::list atlases;
+  for(Mesh_atlas& each : result.atlases) {
+    const auto faces = static_cast<py::ssize_t>(each.charts.size());
+    atlases.append(py::make_tuple(array_of_points(each.uv), array_of(std::move(each.charts), {faces}),
+                                  array_of_pairs(each.seams)));
+  }
+  return py::make_tuple(atlases, result.json);
+}
+
+} // namespace
+
+void bind_atlas(py::module_& module)
+{
+  py::class_<Given_mesh>(module, "GivenMesh")
+      .def(py::init<py::array, py::object, py::array, py::object, py::object, py::object>());
+  module.def("atlas", &atlas);
+}
+
+} // namespace abf_python

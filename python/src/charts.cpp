@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Single charts: disks that ABF++ or LSCM flattens
+
+#include "bindings.h"
+#include "surfaces.h"
+
+#include "flatten_mesh/json.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abf_python {
+
+namespace {
+
+using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh>;
+using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>;
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+
+// Takes options by their names.
+class Option_taker
+{
+public:
+  explicit Option_taker(const py::dict& options) : m_options(options) {}
+
+  template <class Value>
+  void operator()(const char* const name, Value& value) const
+  {
+    if(m_options.contains(name)) {
+      value = m_options[name].cast<Value>();
+    }
+  }
+
+  // A word for each value of an enumeration, in their order
+  template <class Value>
+  void operator()(const char* const name, Value& value, const std::vector<std::string>& words) const
+  {
+    if(m_options.contains(name)) {
+      const auto word = std::find(words.begin(), words.end(), m_options[name].cast<std::string>());
+      value = static_cast<Value>(word - words.begin()); // the Python side has checked it
+    }
+  }
+
+private:
+  const py::dict& m_options;
+};
+
+void take_common(const Option_taker& take, SMP::Flattening_options& options)
+{
+  take("barrier", options.barrier);
+  take("threads", options.threads);
+  take("holes", options.holes, {"solve", "fill", "refuse"});
+  take("injective", options.injective);
+  take("area_weight", options.area_weight);
+  take("clearance", options.clearance);
+  take("pin_weight", options.pin_weight);
+}
+
+SMP::ABF_plus_plus_options direct_options(const py::dict& given)
+{
+  const Option_taker take(given);
+  SMP::ABF_plus_plus_options options;
+  take_common(take, options);
+  take("tolerance", options.tolerance);
+  take("energy_tolerance", options.energy_tolerance);
+  take("max_iterations", options.max_iterations);
+  take("fallbacks", options.fallbacks);
+  take("warm_start", options.warm_start);
+  take("step", options.step, {"newton", "sequential-linearly-constrained"});
+  take("linear_solver", options.linear_solver, {"iterative", "direct"});
+  take("layout", options.layout, {"automatic", "exact", "least-squares"});
+  return options;
+}
+
+SMP::Hierarchical_options hierarchical_options(const py::dict& given)
+{
+  const Option_taker take(given);
+  SMP::Hierarchical_options options;
+  take_common(take, options);
+  take("simplification_rate", options.simplification_rate);
+  take("coarse_triangles", options.coarse_triangles);
+  take("extreme_angle", options.extreme_angle);
+  take("sweeps", options.sweeps);
+  take("angle_sweeps", options.angle_sweeps);
+  take("max_retries", options.max_retries);
+  take("polish", options.polish);
+  return options;
+}
+
+flatten_mesh::internal::Json_object common_json(const SMP::Flattening_report& report,
+                                                const std::string& method)
+{
+  using namespace flatten_mesh::internal;
+  Json_object json;
+  json.add("method", json_text(method));
+  json.add("vertices", json_number(report.vertices));
+  json.add("triangles", json_number(report.triangles));
+  json.add("borders", json_number(report.borders));
+  json.add("border_is_simple", json_bool(report.border_is_simple));
+  json.add("flipped_triangles", json_number(report.flipped_triangles));
+  json.add("injective", json_bool(report.injective));
+  json.add("smallest_angle", json_number(report.smallest_angle));
+  json.add("contact", json_number(report.contact));
+  json.add("largest_pin_distance", json_number(report.largest_pin_distance));
+  json.add("seconds", json_number(report.seconds.total()));
+  return json;
+}
+
+std::string json_of(const SMP::ABF_plus_plus_report& report)
+{
+  using namespace flatten_mesh::internal;
+  static const char* const strategies[] = {
+      "FROM_LAST_ANGLES",           "FROM_TARGET_ANGLES",    "RAISED_BARRIER",
+      "FROM_SOFT_PATCHES",          "SOFT_PATCHES",          "STIFF_PATCHES",
+      "FROM_PROGRESSIVE_EMBEDDING", "PROGRESSIVE_EMBEDDING", "INJECTIVE_DESCENT"};
+  Json_object json = common_json(report, "direct");
+  json.add("strategy", json_text(strategies[report.strategy]));
+  json.add("converged", json_bool(report.converged));
+  json.add("iterations", json_number(report.iterations));
+  json.add("energy", json_number(report.energy));
+  json.add("constraint_residual", json_number(report.constraint_residual));
+  json.add("side_deviation", json_number(report.side_deviation));
+  return json.text();
+}
+
+std::string json_of(const SMP::Hierarchical_report& report)
+{
+  using namespace flatten_mesh::internal;
+  Json_object json = common_json(report, "hierarchical");
+  json.add("levels", json_number(report.levels));
+  json.add("coarse_triangles", json_number(report.coarse_triangles));
+  json.add("relaxed_angles", json_bool(report.relaxed_angles));
+  json.add("polished", json_bool(report.polished));
+  return json.text();
+}
+
+struct Flattening
+{
+  std::vector<Kernel::Point_2> uv; // of each vertex; NaN outside of the chart
+  std::string json;
+};
+
+UV_map empty_coordinates(Mesh& mesh)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv", Kernel::Point_2(none, none)).first;
+}
+
+// What a chart should look like
+struct Prescriptions
+{
+  std::vector<Index> corners; // of a rectangle: none or four
+  double aspect_ratio = 0;    // if not 0, corners for this ratio are chosen
+  std::vector<std::pair<Index, double>> angles;
+  std::vector<std::pair<Index, std::array<double, 2>>> pins;
+};
+
+// Vertices that do not exist, and no number but one of an existing one
+Vertex checked(const Index v, const Mesh& mesh, const char* const what)
+{
+  return Vertex(index_below(v, mesh.number_of_vertices(), what, "vertices"));
+}
+
+void prescribe(const Prescriptions& wanted, const Surface& surface, Direct& direct)
+{
+  const Mesh& mesh = surface.mesh;
+  const auto take = [&](const auto& rectangle) {
+    check_report(surface, rectangle);
+    direct.set_angle_sums(rectangle.angles);
+  };
+  if(wanted.aspect_ratio > 0) {
+    take(SMP::rectangle_angles(mesh, CGAL::Polygon_mesh_processing::longest_border(mesh).first,
+                               wanted.aspect_ratio));
+  } else if(!wanted.corners.empty()) {
+    std::array<Vertex, 4> corners;
+    for(std::size_t i = 0; i < 4; ++i) {
+      corners[i] = checked(wanted.corners[i], mesh, "a corner");
+    }
+    take(SMP::rectangle_angles(mesh, corners));
+  }
+  if(!wanted.angles.empty()) {
+    SMP::Vertex_angles<Mesh> angles;
+    for(const auto& [v, angle] : wanted.angles) {
+      angles.set(checked(v, mesh, "a vertex with a given angle"), angle);
+    }
+    direct.set_angle_sums(angles);
+  }
+}
+
+void pin(const Prescriptions& wanted, Mesh& mesh, Direct& direct)
+{
+  if(!wanted.pins.empty()) {
+    const auto pins = mesh.add_property_map<Vertex, std::optional<Kernel::Point_2>>("v:pin").first;
+    for(const auto& [v, p] : wanted.pins) {
+      pins[checked(v, mesh, "a pin")] = Kernel::Point_2(p[0], p[1]);
+    }
+    direct.set_pins(pins);
+  }
+}
+
+// Flattens a mesh, and again when its vertices have moved.
+class Flattener
+{
+public:
+  Flattener(Given_mesh mesh, const bool is_hierarchical, const py::dict& options, Prescriptions prescriptions)
+      : m_given(std::move(mesh)), m_prescriptions(std::move(prescriptions)),
+        m_hierarchical(is_hierarchical
+                           ? std::make_optional<Hierarchical>(watched(hierarchical_options(options)))
+                           : std::nullopt),
+        m_direct(watched(direct_options(options)))
+  {}
+
+  Flattening solve(const py::array& vertices, const Watch& watch)
+  {
+    const std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
+    if(!lock) {
+      throw std::runtime_error("this Flattener is at work in another thread; give each thread its own");
+    }
+    if(!m_surface) {
+      m_given.vertices = vertices;
+      build(model_of(m_given, ""));
+    } else {
+      move_vertices(read_points<Kernel::Point_3, 3>(vertices));
+    }
+    return run_interruptibly(watch, [this](Progress_state& state) {
+      return with_failures(
+          [&] { return m_hierarchical ? solve(*m_hierarchical, state) : solve(m_direct, state); });
+    });
+  }
+
+private:
+  template <class Options>
+  Options watched(Options options)
+  {
+    options.visitor = &m_watcher;
+    return options;
+  }
+
+  void build(Model&& model)
+  {
+    Surface surface = surface_of(std::move(model));
+    prescribe(m_prescriptions, surface, m_direct);
+    pin(m_prescriptions, surface.mesh, m_direct);
+    m_surface = std::make_unique<Surface>(std::move(surface));
+  }
+
+  void move_vertices(std::vector<Kernel::Point_3>&& points)
+  {
+    Mesh& mesh = m_surface->mesh;
+    if(points.size() != mesh.number_of_vertices()) {
+      throw py::value_error("there are " + std::to_string(points.size()) + " vertices, and were " +
+                            std::to_string(mesh.number_of_vertices()) + " before");
+    }
+    for(const Vertex v : mesh.vertices()) {
+      mesh.point(v) = points[v.idx()];
+    }
+  }
+
+  template <class Parameterizer>
+  Flattening solve(Parameterizer& parameterizer, Progress_state& state)
+  {
+    Mesh& mesh = m_surface->mesh;
+    const UV_map uv = empty_coordinates(mesh);
+    m_watcher.follow(state);
+    const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+    if(border == Mesh::null_halfedge()) {
+      throw Mesh_failure("NO_BORDER",
+                         "the surface is closed: it has no border; cut it open first, or call atlas()");
+    }
+    SMP::parameterize(mesh, parameterizer, border, uv);
+    check_report(*m_surface, parameterizer.report());
+    Flattening result{{}, json_of(parameterizer.report())};
+    for(const Vertex v : mesh.vertices()) {
+      result.uv.push_back(uv[v]);
+    }
+    return result;
+  }
+
+  Flattening_watcher m_watcher;
+  Given_mesh m_given;
+  Prescriptions m_prescriptions;
+  std::optional<Hierarchical> m_hierarchical;
+  Direct m_direct;
+  std::unique_ptr<Surface> m_surface;
+  std::mutex m_mutex;
+};
+
+Flattening lscm(const Given_mesh& given, const Watch& watch)
+{
+  Model model = model_of(given, "");
+  return run_interruptibly(watch, [&](Progress_state&) {
+    return with_failures([&] {
+      Surface surface = surface_of(std::move(model));
+      Mesh& mesh = surface.mesh;
+      const UV_map uv = empty_coordinates(mesh);
+      const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+      if(border == Mesh::null_halfedge()) {
+        throw Mesh_failure("NO_BORDER", "the surface is closed: it has no border; cut it open first");
+      }
+      const SMP::Error_code error = SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv);
+      if(error != SMP::OK) {
+        throw Mesh_failure("LSCM_FAILED", SMP::get_error_message(error));
+      }
+      Flattening result{{}, "{\"method\": \"lscm\"}"};
+      for(const Vertex v : mesh.vertices()) {
+        result.uv.push_back(uv[v]);
+      }
+      return result;
+    });
+  });
+}
+
+py::tuple tuple_of(const Flattening& flattening)
+{
+  return py::make_tuple(array_of_points(flattening.uv), flattening.json);
+}
+
+} // namespace
+
+void bind_charts(py::module_& module)
+{
+  py::class_<Prescriptions>(module, "Prescriptions")
+      .def(py::init([](std::vector<Index> corners, const double aspect_ratio,
+                       std::vector<std::pair<Index, double>> angles,
+                       std::vector<std::pair<Index, std::array<double, 2>>> pins) {
+        return Prescriptions{std::move(corners), aspect_ratio, std::move(angles), std::move(pins)};
+      }));
+  py::class_<Flattener>(module, "Flattener")
+      .def(py::init<Given_mesh, bool, py::dict, Prescriptions>())
+      .def("solve", [](Flattener& flattener, const py::array& vertices, const Watch& watch) {
+        return tuple_of(flattener.solve(vertices, watch));
+      });
+  module.def("lscm",
+             [](const Given_mesh& given, const Watch& watch) { return tuple_of(lscm(given, watch)); });
+}
+
+} // namespace abf_python

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef ABF_PYTHON_FAILURES_H
+#define ABF_PYTHON_FAILURES_H
+
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abf_python {
+
+// Becomes a `MeshError` in Python.
+struct Mesh_failure : std::exception
+{
+  std::string status; // the name of a `Diagnosis`
+  std::string message;
+  std::vector<std::int64_t> faces, vertices; // those that it is about, from 0
+
+  Mesh_failure(std::string status, std::string message, std::vector<std::int64_t> faces = {},
+               std::vector<std::int64_t> vertices = {})
+      : status(std::move(status)), message(std::move(message)), faces(std::move(faces)),
+        vertices(std::move(vertices))
+  {}
+
+  const char* what() const noexcept override { return message.c_str(); }
+};
+
+// The computation ended because the caller wanted so.
+struct Cancelled : std::exception
+{
+  const char* what() const noexcept override { return "the computation was cancelled"; }
+};
+
+// The computation ended because the time was over.
+struct Timed_out : std::exception
+{
+  const char* what() const noexcept override { return "the computation took longer than the timeout"; }
+};
+
+} // namespace abf_python
+
+#endif // ABF_PYTHON_FAILURES_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is known of a map: its distortion, its certificate, its place on pages
+
+#include "bindings.h"
+#include "surfaces.h"
+
+#include "flatten_mesh/json.h"
+#include "flatten_mesh/report_measures.h"
+
+#include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+
+#include <pybind11/stl.h>
+
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace abf_python {
+
+namespace {
+
+using flatten_mesh::internal::json_bool;
+using flatten_mesh::internal::json_number;
+
+std::string measures_json(const SMP::Flattening_measures& measures)
+{
+  flatten_mesh::internal::Json_object json;
+  flatten_mesh::internal::add_measures(json, &measures);
+  json.add("flipped_triangles", json_number(measures.flipped_triangles));
+  json.add("border_is_simple", json_bool(measures.border_is_simple));
+  return json.text();
+}
+
+std::string measure(const Given_mesh& given, const Watch& watch)
+{
+  Model model = model_of(given, "");
+  return run_interruptibly(watch, [&](Progress_state&) {
+    return with_failures([&] {
+      Surface surface = surface_of(std::move(model));
+      const auto report = SMP::measure_flattening(surface.mesh, corner_map(surface));
+      check_report(surface, report);
+      return measures_json(report);
+    });
+  });
+}
+
+struct Certificate
+{
+  bool is_injective = false;
+  std::vector<std::int64_t> flipped, overlapping;
+};
+
+Certificate certify(const Given_mesh& given, const Watch& watch)
+{
+  Model model = model_of(given, "");
+  return run_interruptibly(watch, [&](Progress_state&) {
+    return with_failures([&] {
+      Surface surface = surface_of(std::move(model));
+      const auto uv = corner_map(surface);
+      Certificate certificate;
+      certificate.is_injective = SMP::is_injective(surface.mesh, uv);
+      if(!certificate.is_injective) {
+        std::vector<Face> faces;
+        SMP::flipped_faces(surface.mesh, uv, std::back_inserter(faces));
+        certificate.flipped = faces_in_model(surface, faces);
+        faces.clear();
+        SMP::overlapping_faces(surface.mesh, uv, std::back_inserter(faces));
+        certificate.overlapping = faces_in_model(surface, faces);
+      }
+      return certificate;
+    });
+  });
+}
+
+SMP::Packing_options packing_options(const py::dict& options)
+{
+  SMP::Packing_options packing;
+  const auto take = [&options](const char* const name, auto& value) {
+    if(options.contains(name)) {
+      value = options[name].cast<std::decay_t<decltype(value)>>();
+    }
+  };
+  take("resolution", packing.resolution);
+  take("height", packing.height);
+  take("gutter", packing.gutter);
+  take("block", packing.block);
+  take("texels_per_unit", packing.texels_per_unit);
+  take("number_of_rotations", packing.number_of_rotations);
+  return packing;
+}
+
+std::string packing_json(const SMP::Packing_report& report)
+{
+  flatten_mesh::internal::Json_object json;
+  json.add("pages", json_number(report.number_of_pages));
+  json.add("page_of_chart",
+           flatten_mesh::internal::json_array(report.page_of_chart, [&](const std::size_t i) {
+             return json_number(report.page_of_chart[i]);
+           }));
+  json.add("covered_share", json_number(report.covered_share));
+  json.add("texels_per_unit", json_number(report.texels_per_length));
+  return json.text();
+}
+
+struct Packing
+{
+  std::vector<Kernel::Point_2> uv; // of each vertex; NaN where no face is
+  std::string json;
+};
+
+// The vertices of several charts, each with its own ones: those of chart i begin at `first_faces[i]`, likewise.
+Packing pack(const Given_mesh& given, const std::vector<std::size_t>& first_faces,
+             const py::dict& given_options, const Watch& watch)
+{
+  Model model = model_of(given, "");
+  const SMP::Packing_options options = packing_options(given_options);
+  return run_interruptibly(watch, [&](Progress_state&) {
+    return with_failures([&] {
+      Surface surface = surface_of(std::move(model));
+      Mesh& mesh = surface.mesh;
+      const auto chart = mesh.add_property_map<Face, int>("f:chart").first;
+      for(const Face f : mesh.faces()) {
+        const auto after =
+            std::upper_bound(first_faces.begin(), first_faces.end(), flatten_mesh::face_in_file(surface, f));
+        chart[f] = static_cast<int>(after - first_faces.begin()) - 1;
+      }
+      const auto uv = corner_map(surface);
+      const auto report = SMP::pack_charts(mesh, chart, uv, options);
+      check_report(surface, report);
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      Packing packing{std::vector<Kernel::Point_2>(mesh.number_of_vertices(), Kernel::Point_2(none, none)),
+                      packing_json(report)};
+      for(const Halfedge h : mesh.halfedges()) {
+        if(!mesh.is_border(h)) {
+          packing.uv[mesh.target(h).idx()] = uv[h];
+        }
+      }
+      return packing;
+    });
+  });
+}
+
+// A new vertex for each vertex and each of its coordinates, in the order of the corners
+py::tuple unshared(const py::array& indices, const py::array& given_uv)
+{
+  const std::vector<Index> vertices =
+      read_indices(indices, std::numeric_limits<Index>::max(), "indices", "vertices");
+  const std::vector<Kernel::Point_2> uv = read_points<Kernel::Point_2, 2>(given_uv);
+  constexpr Index none = flatten_mesh::no_index;
+  std::vector<Index> last_of_vertex, previous, new_indices; // new vertices of one vertex are linked
+  std::vector<Index> mapping;
+  std::vector<float> coordinates;
+  const auto is_same = [&](const Index made, const Kernel::Point_2& p) {
+    const float u = static_cast<float>(p.x()), v = static_cast<float>(p.y());
+    const float x = coordinates[2 * made], y = coordinates[2 * made + 1];
+    return (x == u && y == v) || (std::isnan(x) && std::isnan(u));
+  };
+  for(std::size_t c = 0; c < vertices.size(); ++c) {
+    const Index v = vertices[c];
+    if(v >= last_of_vertex.size()) {
+      last_of_vertex.resize(v + 1, none);
+    }
+    Index made = last_of_vertex[v];
+    while(made != none && !is_same(made, uv[c])) {
+      made = previous[made];
+    }
+    if(made == none) {
+      made = static_cast<Index>(mapping.size());
+      mapping.push_back(v);
+      coordinates.push_back(static_cast<float>(uv[c].x()));
+      coordinates.push_back(static_cast<float>(uv[c].y()));
+      previous.push_back(last_of_vertex[v]);
+      last_of_vertex[v] = made;
+    }
+    new_indices.push_back(made);
+  }
+  const auto number = static_cast<py::ssize_t>(mapping.size()),
+             corners = static_cast<py::ssize_t>(new_indices.size());
+  return py::make_tuple(array_of(std::move(mapping), {number}), array_of(std::move(new_indices), {corners}),
+                        array_of(std::move(coordinates), {number, 2}));
+}
+
+} // namespace
+
+void bind_maps(py::module_& module)
+{
+  module.def("measure", &measure);
+  module.def("certify", [](const Given_mesh& given, const Watch& watch) {
+    const Certificate certificate = certify(given, watch);
+    return py::make_tuple(certificate.is_injective, certificate.flipped, certificate.overlapping);
+  });
+  module.def("pack", [](const Given_mesh& given, const std::vector<std::size_t>& first_faces,
+                        const py::dict& options, const Watch& watch) {
+    const Packing packing = pack(given, first_faces, options, watch);
+    return py::make_tuple(array_of_points(packing.uv), packing.json);
+  });
+  module.def("unshared", &unshared);
+}
+
+} // namespace abf_python

@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surfaces of any topology: seams, cones, and textures of fine surfaces
+
+#include "bindings.h"
+#include "surfaces.h"
+
+#include "flatten_mesh/json.h"
+
+#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
+#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
+#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
+#include <CGAL/Surface_mesh_parameterization/select_cones.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abf_python {
+
+namespace {
+
+using namespace flatten_mesh::internal;
+using Weights = Mesh::Property_map<Edge, double>;
+
+struct Seams
+{
+  Vertex_pairs pairs;
+  std::string json;
+};
+
+std::string json_of(const SMP::Seam_report& report)
+{
+  Json_object json;
+  json.add("components", json_number(report.number_of_components));
+  json.add("disks", json_number(report.number_of_disks));
+  json.add("terminals", json_number(report.number_of_terminals));
+  json.add("length", json_number(report.seam_length));
+  json.add("relative_length", json_number(report.relative_seam_length));
+  json.add("predicted_stretch", json_number(report.predicted_stretch));
+  json.add("bound_reached", json_bool(report.bound_reached));
+  return json.text();
+}
+
+std::optional<Weights> weights_of(Surface& surface, const std::string& way)
+{
+  if(way == "length") {
+    return std::nullopt;
+  }
+  const Weights weights = surface.mesh.add_property_map<Edge, double>("e:weight", 0).first;
+  check_report(surface, way == "hidden" ? SMP::compute_visibility_weights(surface.mesh, weights)
+                                        : SMP::compute_crease_weights(surface.mesh, weights));
+  return weights;
+}
+
+Seams seams(const Given_mesh& given, const std::string& way, const double stretch_bound,
+            const int maximum_number_of_terminals, const Watch& watch)
+{
+  Model model = model_of(given, "");
+  const Vertex_pairs marked = pairs_of(given.marked_seams, model.points.size(), "");
+  SMP::Seam_options options;
+  options.stretch_bound = stretch_bound;
+  options.maximum_number_of_terminals = maximum_number_of_terminals;
+  return run_interruptibly(watch, [&](Progress_state&) {
+    return with_failures([&] {
+      namespace np = CGAL::parameters;
+      Surface surface = surface_of(std::move(model));
+      mark_edges(marked, "", surface);
+      const auto is_seam = flatten_mesh::seam_marks(surface.mesh),
+                 is_diagonal = flatten_mesh::diagonals(surface.mesh);
+      const std::optional<Weights> weights = weights_of(surface, way);
+      const SMP::Mesh_report<Mesh, SMP::Seam_report> report =
+          weights
+              ? SMP::select_seams(surface.mesh, is_seam, options,
+                                  np::edge_weight_map(*weights).edge_is_constrained_map(is_diagonal))
+              : SMP::select_seams(surface.mesh, is_seam, options, np::edge_is_constrained_map(is_diagonal));
+      check_report(surface, report);
+      return Seams{marked_pairs(surface.mesh, is_seam), json_of(report)};
+    });
+  });
+}
+
+using Cones = std::vector<std::pair<std::int64_t, double>>; // vertices and angles
+
+Cones cones_of(const SMP::Cone_selection<Mesh>& selection)
+{
+  Cones cones;
+  for(const auto& [v, angle] : selection.cones) {
+    cones.emplace_back(v.idx(), angle);
+  }
+  return cones;
+}
+
+struct Cone_map
+{
+  Cones cones;
+  double predicted_stretch = 1;
+  std::vector<Kernel::Point_2> uv; // of each corner; empty if only cones are wanted
+  Vertex_pairs seams;
+};
+
+Cone_map cones(const Given_mesh& given, const std::size_t number, const double angle_multiple,
+               const bool is_flattened, const int threads, const Watch& watch)
+{
+  Model model = model_of(given, "");
+  return run_interruptibly(watch, [&](Progress_state& state) {
+    return with_failures([&] {
+      Surface surface = surface_of(std::move(model));
+      Mesh& mesh = surface.mesh;
+      SMP::Cone_options options;
+      options.angle_multiple = angle_multiple;
+      options.parameterizer.threads = threads;
+      Flattening_watcher watcher;
+      watcher.follow(state);
+      options.parameterizer.visitor = &watcher;
+      if(!is_flattened) {
+        const auto selection = SMP::select_cones(mesh, number, options);
+        check_report(surface, selection);
+        return Cone_map{cones_of(selection), selection.predicted_stretch, {}, {}};
+      }
+      const auto uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+      const auto is_seam = flatten_mesh::seam_marks(mesh);
+      const auto flattening = SMP::flatten_with_cones(mesh, number, is_seam, uv, options);
+      check_report(surface, flattening);
+      return Cone_map{cones_of(flattening.cones), flattening.cones.predicted_stretch, corners_of(surface, uv),
+                      marked_pairs(mesh, is_seam)};
+    });
+  });
+}
+
+using Fine_surface = SMP::Baked_surface<Mesh, Mesh>;
+
+std::string json_of(const SMP::Baking_report& report)
+{
+  Json_object json;
+  json.add("chart_texels", json_number(report.number_of_chart_texels));
+  json.add("gutter_texels", json_number(report.number_of_gutter_texels));
+  json.add("back_faces", json_number(report.number_of_back_faces));
+  json.add("missed_rays", json_number(report.number_of_missed_rays));
+  json.add("ray_length", json_number(report.ray_length));
+  json.add("largest_distance", json_number(report.largest_distance));
+  json.add("mean_distance", json_number(report.mean_distance));
+  return json.text();
+}
+
+Mesh::Property_map<Vertex, CGAL::IO::Color> colors_of(const std::vector<std::array<std::uint8_t, 3>>& given,
+                                                      Mesh& mesh)
+{
+  const auto colors = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
+  for(const Vertex v : mesh.vertices()) {
+    colors[v] = CGAL::IO::Color(given[v.idx()][0], given[v.idx()][1], given[v.idx()][2]);
+  }
+  return colors;
+}
+
+SMP::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
+                         const std::vector<std::array<std::uint8_t, 3>>& given_colors,
+                         const SMP::Baking_options& options, const Watch& watch)
+{
+  Model model = model_of(given, ""), fine_model = model_of(given_fine, "the fine mesh");
+  return run_interruptibly(watch, [&](Progress_state&) {
+    return with_failures([&]() -> SMP::Baked_textures {
+      namespace np = CGAL::parameters;
+      Surface surface = surface_of(std::move(model)), fine = surface_of(std::move(fine_model));
+      const auto uv = corner_map(surface);
+      const auto chart = surface.mesh.add_property_map<Face, int>("f:chart", 0).first;
+      for(const Face f : surface.mesh.faces()) {
+        const Kernel::Point_2& p = uv[surface.mesh.halfedge(f)];
+        chart[f] = std::isfinite(p.x()) && std::isfinite(p.y()) ? 0 : -1;
+      }
+      const auto charts = np::face_patch_map(chart);
+      const Fine_surface baked =
+          given_colors.empty() ? SMP::bake_surface(surface.mesh, uv, fine.mesh, options, charts)
+                               : SMP::bake_surface(surface.mesh, uv, fine.mesh, options, charts,
+                                                   np::vertex_color_map(colors_of(given_colors, fine.mesh)));
+      check_report(surface, baked);
+      return baked;
+    });
+  });
+}
+
+py::tuple tuple_of(SMP::Baked_textures&& textures)
+{
+  const std::string json = json_of(textures);
+  const py::ssize_t rows = textures.height, columns = textures.resolution;
+  const py::object colors = textures.colors.empty()
+                                ? py::object(py::none())
+                                : py::object(array_of(std::move(textures.colors), {rows, columns, 3}));
+  return py::make_tuple(array_of(std::move(textures.normals), {rows, columns, 3}),
+                        array_of(std::move(textures.displacements), {rows, columns}), colors,
+                        array_of(std::move(textures.texels), {rows, columns}), json);
+}
+
+} // namespace
+
+void bind_surfaces(py::module_& module)
+{
+  module.def("seams", [](const Given_mesh& given, const std::string& way, const double stretch_bound,
+                         const int maximum_number_of_terminals, const Watch& watch) {
+    const Seams found = seams(given, way, stretch_bound, maximum_number_of_terminals, watch);
+    return py::make_tuple(array_of_pairs(found.pairs), found.json);
+  });
+  module.def("cones", [](const Given_mesh& given, const std::size_t number, const double angle_multiple,
+                         const bool is_flattened, const int threads, const Watch& watch) {
+    const Cone_map map = cones(given, number, angle_multiple, is_flattened, threads, watch);
+    return py::make_tuple(map.cones, map.predicted_stretch, array_of_points(map.uv),
+                          array_of_pairs(map.seams));
+  });
+  module.def("bake", [](const Given_mesh& given, const Given_mesh& fine,
+                        const std::vector<std::array<std::uint8_t, 3>>& colors, const py::dict& values,
+                        const Watch& watch) {
+    SMP::Baking_options options;
+    options.resolution = values["resolution"].cast<int>();
+    options.height = values["height"].cast<std::optional<int>>();
+    options.gutter = values["gutter"].cast<int>();
+    options.ray_length = values["ray_length"].cast<std::optional<double>>();
+    options.normals_in_object_space = values["normals_in_object_space"].cast<bool>();
+    options.threads = values["threads"].cast<int>();
+    return tuple_of(bake(given, fine, colors, options, watch));
+  });
+}
+
+} // namespace abf_python
