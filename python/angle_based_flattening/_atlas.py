@@ -94,6 +94,32 @@ def _checked(options: dict[str, Any]) -> dict[str, Any]:
     return result
 
 
+_DEFAULTS = {"purpose": "texture", "seams": "auto", "resolution": 1024, "block": 1, "texels_per_unit": 0,
+             "number_of_rotations": 32}
+_OF_PAGES = ("resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price")
+_OF_SEAMS = ("seams", "marked_seams", "seam_price")
+_OF_MAPS = ("purpose", "separate_overlaps", "isometric_charts", "stretch_bound", "area_weight", "equal_seam_lengths")
+
+
+def _check_together(options: dict[str, Any]) -> None:
+    """Raises an error for an option that would have no effect with another one."""
+
+    def exclude(names, other, reason):
+        for name in names:
+            if name in options and options[name] != _DEFAULTS.get(name):
+                raise ValueError(f"{name} is given, and goes without {other}: {reason}")
+
+    if not options["pack_into_square"]:
+        exclude(_OF_PAGES, "pack_into_square=False", "it says how charts are packed")
+    if options["given_charts"] != "replace":
+        exclude(_OF_SEAMS, f'given_charts="{options["given_charts"]}"', "charts that are given are kept")
+    if options["given_charts"] == "keep":
+        exclude(_OF_MAPS, 'given_charts="keep"', "charts that are given are kept")
+    most = min(options["resolution"], options.get("height", options["resolution"])) // 4
+    if options.get("gutter", 0) > most:
+        raise ValueError(f"gutter is {options['gutter']}, and must be from 0 to {most}, a quarter of the shorter side")
+
+
 def _per_mesh(values, what: str, count: int) -> list:
     if values is None:
         return [None] * count
@@ -136,7 +162,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         equal_seam_lengths: whether both sides of seams have equal lengths.
         resolution: texels along the horizontal sides of a page, from 1 to 32768.
         height: texels along its vertical sides; by default, as `resolution`.
-        gutter: free texels between charts, from 0 to 1024; by default, a 256th of the shorter side.
+        gutter: free texels between charts, at most a quarter of the shorter side; by default, a 256th of it.
         block: texels along the sides of a block of compressed textures.
         texels_per_unit: texels per unit of length; the charts then take as many pages as they need. 0: one page.
         number_of_rotations: directions that are tried for large charts, from 1 to 1024.
@@ -165,6 +191,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         equal_seam_lengths=equal_seam_lengths, resolution=resolution, height=height, gutter=gutter, block=block,
         texels_per_unit=texels_per_unit, number_of_rotations=number_of_rotations, pack_into_square=pack_into_square,
         threads=threads))
+    _check_together(options if marked_seams is None else options | {"marked_seams": True})
     is_shared = isinstance(vertices, (list, tuple)) and len(vertices) > 0 and np.ndim(vertices[0]) == 2
     meshes = list(vertices) if is_shared else [vertices]
     if is_shared:
