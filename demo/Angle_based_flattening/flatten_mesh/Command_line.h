@@ -6,6 +6,8 @@
 #ifndef FLATTEN_MESH_COMMAND_LINE_H
 #define FLATTEN_MESH_COMMAND_LINE_H
 
+#include "flatten_mesh/batch/Batch_options.h"
+
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -69,6 +71,7 @@ struct Command_line
   std::string seams_to;
   bool is_plain = false;
   Atlas_options atlas;
+  Batch_options batch;
   int component = 0;
   bool asks_for_component = false; // whether it is given
   double stretch_bound = 1.1;      // with --plain; an atlas has its own default

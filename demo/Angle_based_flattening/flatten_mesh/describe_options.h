@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_DESCRIBE_OPTIONS_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/batch/describe_batch_options.h"
 #include "flatten_mesh/model/formats.h"
 #include "flatten_mesh/texts.h"
 
@@ -44,7 +45,7 @@ inline po::options_description file_options(Command_line& command)
   add("input", po::value(&command.inputs)->value_name("FILE"),
       ("the surface: ." + formats_text(", .", " or .") +
        "; '-' is standard input. The word '--input' may be left out. Several files are flattened one "
-       "after the other")
+       "after the other; see --jobs")
           .c_str());
   add("format", po::value(&command.format)->value_name("NAME"),
       ("of standard input and pipes: " + formats_text(", ", " or ")).c_str());
@@ -312,6 +313,7 @@ inline po::options_description all_options(Command_line& command)
   po::options_description options;
   options.add(file_options(command)).add(surface_options(command)).add(atlas_options(command));
   options.add(plain_options(command)).add(method_options(command)).add(other_options(command));
+  options.add(describe_batch_options(command.batch));
   return options;
 }
 

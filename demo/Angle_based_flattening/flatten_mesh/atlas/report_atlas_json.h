@@ -7,6 +7,8 @@
 #define FLATTEN_MESH_REPORT_ATLAS_JSON_H
 
 #include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/batch/Batch_options.h"
+#include "flatten_mesh/batch/add_run.h"
 #include "flatten_mesh/json.h"
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_skipped.h"
@@ -116,7 +118,7 @@ inline std::vector<std::string> names_of_models(const Atlas_record& record)
 } // namespace internal
 
 // The report for programs. Without an atlas, `atlas` is `null`. Faces are counted from 1, charts and parts from 0.
-inline std::string report_json(const Atlas_record& record)
+inline std::string report_json(const Atlas_record& record, const Batch_options& batch)
 {
   using internal::json_number;
   using internal::json_text;
@@ -127,6 +129,7 @@ inline std::string report_json(const Atlas_record& record)
   json.add("message", json_text(message));
   json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
+  internal::add_run(json, exit_status(record), batch.recorded);
   if(!record.models.empty()) {
     json.add("models", internal::models_json(record));
   }
