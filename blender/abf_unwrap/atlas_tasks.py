@@ -129,7 +129,7 @@ def message_of(atlases: list[Any], verb: str) -> str:
     return ", ".join(figures) + "".join(f". {note}" for note in report.get("notes") or [])
 
 
-def unwrap(meshes: list[MeshArrays], packing: Packing, progress: Progress) -> TaskResult:
+def unwrap(meshes: list[MeshArrays], purpose: str, packing: Packing, progress: Progress) -> TaskResult:
     """Unwraps along the marked seams, and cuts further only what cannot be unwrapped otherwise. Islands with two pinned
     vertices or more stay where these are; the others are packed."""
     pinned = [flatten_pinned_islands(mesh, k, part_of(progress, k, 2 * len(meshes))) for k, mesh in enumerate(meshes)]
@@ -143,6 +143,7 @@ def unwrap(meshes: list[MeshArrays], packing: Packing, progress: Progress) -> Ta
             part_of(progress, 1, 2) if has_pins else progress,
             with_seams=True,
             with_uv=False,
+            purpose=purpose,
             stretch_bound=math.inf,
             seam_price=math.inf,
             **packing.keywords(),

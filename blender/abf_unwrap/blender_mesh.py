@@ -70,14 +70,16 @@ def read_mesh(found: bpy.types.Object, only_selected: bool) -> MeshArrays:
 
 
 def is_same_mesh(found: Optional[bpy.types.Object], arrays: MeshArrays) -> bool:
-    """Whether the object still has the mesh that was read."""
-    return (
-        found is not None
-        and found.type == "MESH"
-        and len(found.data.vertices) == len(arrays.vertices)
-        and len(found.data.edges) == len(arrays.edges)
-        and len(found.data.polygons) == arrays.number_of_faces
-        and np.array_equal(values(found.data.loops, "vertex_index", np.int32), arrays.corner_vertices)
+    """Whether the object still has a mesh as large as the one that was read. More cannot change while an operator runs but
+    by a script."""
+    if found is None or found.type != "MESH":
+        return False
+    mesh = found.data
+    return (len(mesh.vertices), len(mesh.edges), len(mesh.loops), len(mesh.polygons)) == (
+        len(arrays.vertices),
+        len(arrays.edges),
+        len(arrays.corner_vertices),
+        arrays.number_of_faces,
     )
 
 
@@ -94,9 +96,10 @@ def writable_layer(mesh: bpy.types.Mesh, makes_new: bool) -> bpy.types.MeshUVLoo
 
 def write_result(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer, result: MeshResult) -> None:
     """Writes the coordinates that are not NaN, and the seams if there are any."""
-    has_new = ~np.isnan(result.uv[:, 0])
-    uv = values(layer.data, "uv", np.float32, 2)
-    uv[has_new] = result.uv[has_new]
+    uv = result.uv.astype(np.float32)
+    stays = np.isnan(uv[:, 0])
+    if stays.any():
+        uv[stays] = values(layer.data, "uv", np.float32, 2)[stays]
     layer.data.foreach_set("uv", uv.ravel())
     if result.seams is not None:
         mesh.edges.foreach_set("use_seam", result.seams)

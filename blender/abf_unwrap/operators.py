@@ -14,22 +14,8 @@ from .session import Task
 from .task_operator import PackingOptions, TaskOperator
 
 
-class UV_OT_abf_unwrap(PackingOptions, TaskOperator, bpy.types.Operator):
-    """Unwrap the selected faces along their seams, without flips and overlaps, and pack the islands"""
-
-    bl_idname = "uv.abf_unwrap"
-    bl_label = "Unwrap (ABF++)"
-
-    def task(self) -> Task:
-        packing = self.packing()
-        return lambda meshes, progress: atlas_tasks.unwrap(meshes, packing, progress)
-
-
-class UV_OT_abf_auto_seams(PackingOptions, TaskOperator, bpy.types.Operator):
-    """Mark seams on the selected faces, unwrap along them, and pack the islands"""
-
-    bl_idname = "uv.abf_auto_seams"
-    bl_label = "Auto Seams and Unwrap"
+class PurposeOption:
+    """What the map is for, which decides between angles and areas"""
 
     purpose: EnumProperty(
         name="For",
@@ -39,6 +25,25 @@ class UV_OT_abf_auto_seams(PackingOptions, TaskOperator, bpy.types.Operator):
             ("conformal", "Angles", "Angles are kept, whatever becomes of areas"),
         ],
     )
+
+
+class UV_OT_abf_unwrap(PurposeOption, PackingOptions, TaskOperator, bpy.types.Operator):
+    """Unwrap the selected faces along their seams, without flips and overlaps, and pack the islands"""
+
+    bl_idname = "uv.abf_unwrap"
+    bl_label = "Unwrap (ABF++)"
+
+    def task(self) -> Task:
+        purpose, packing = self.purpose, self.packing()
+        return lambda meshes, progress: atlas_tasks.unwrap(meshes, purpose, packing, progress)
+
+
+class UV_OT_abf_auto_seams(PurposeOption, PackingOptions, TaskOperator, bpy.types.Operator):
+    """Mark seams on the selected faces, unwrap along them, and pack the islands"""
+
+    bl_idname = "uv.abf_auto_seams"
+    bl_label = "Auto Seams and Unwrap"
+
     seams: EnumProperty(
         name="Seams",
         items=[
