@@ -50,7 +50,7 @@ inline void check_name(const std::string& option, const std::string& name,
 
 inline void check_files(Command_line& command)
 {
-  if(command.inputs.empty()) {
+  if(command.inputs.empty() && command.batch.shard.empty()) {
     throw Usage_error(
         "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
   }
@@ -69,7 +69,7 @@ inline void check_files(Command_line& command)
   if(!command.format.empty()) {
     check_name("format", command.format, formats_read());
   }
-  if(command.inputs.size() == 1 && !command.atlas.is_shared) {
+  if(command.inputs.size() == 1 && !command.atlas.is_shared && command.batch.shard.empty()) {
     command = command_of_input(command, command.inputs.front());
   }
   check_outputs_of_inputs(command);

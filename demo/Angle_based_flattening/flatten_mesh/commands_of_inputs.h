@@ -84,7 +84,8 @@ inline void check_placeholders(const Command_line& command)
     if(!file.empty() && !has_placeholder(file) && !is_other_file(resolved(file)) &&
        !is_of_whole_atlas(command, option)) {
       throw Output_error("--" + option.name + " '" + file + "' names one file for " +
-                         count_text(command.inputs.size(), "input") +
+                         (command.batch.shard.empty() ? count_text(command.inputs.size(), "input")
+                                                      : "the inputs of several shards") +
                          ": put a '%' into it, which stands for the name of each input, as in '%." +
                          option.formats.front() + "'");
     }
@@ -96,7 +97,7 @@ inline void check_placeholders(const Command_line& command)
 // Throws unless the outputs of all inputs fit their formats, and lead to different files, none of them an input.
 inline void check_outputs_of_inputs(const Command_line& command)
 {
-  if(command.inputs.size() > 1) {
+  if(command.inputs.size() > 1 || !command.batch.shard.empty()) {
     internal::check_placeholders(command);
   }
   std::map<std::filesystem::path, std::string> inputs, outputs;

@@ -94,7 +94,6 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   internal::check_face_choice(values, command.atlas);
   internal::check_uv_set(command);
   internal::check_plain(values, command);
-  internal::choose_shard(command);
 }
 
 } // namespace flatten_mesh

@@ -16,10 +16,12 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace flatten_mesh {
@@ -70,6 +72,42 @@ inline void check_summary(const boost::program_options::variables_map& values, c
   }
 }
 
+// The outputs of other shards are not looked at one by one.
+inline void check_names_of_outputs(const Command_line& command)
+{
+  const auto& options = output_options();
+  if(std::none_of(options.begin(), options.end(), [&command](const Output_option& option) {
+       return has_placeholder(command.*option.file);
+     })) {
+    return;
+  }
+  std::unordered_map<std::string, std::string> inputs;
+  for(const std::string& input : command.inputs) {
+    const auto [other, is_new] = inputs.emplace(name_for_outputs(command.batch, input), input);
+    if(!is_new) {
+      throw Output_error("'" + other->second + "' and '" + input +
+                         "' would have outputs of the same name: " + "--output-folder keeps their folders");
+    }
+  }
+}
+
+// Leaves the inputs of other shards out.
+inline void choose_shard(Command_line& command)
+{
+  if(command.batch.shard.empty()) {
+    return;
+  }
+  if(command.atlas.is_shared) {
+    throw Usage_error("--one-atlas goes without --shard: all inputs share the atlas");
+  }
+  const Shard shard = shard_of(command.batch.shard);
+  if(command.inputs.empty()) {
+    throw Usage_error("no input: --shard chooses among the files that are named, or that are in --list");
+  }
+  check_names_of_outputs(command);
+  command.inputs = inputs_of_shard(command.inputs, shard);
+}
+
 // Takes the names in the list to the inputs, and puts the outputs into their folder.
 inline void gather_inputs(Command_line& command)
 {
@@ -90,19 +128,7 @@ inline void gather_inputs(Command_line& command)
       command.*option.file = in_output_folder(batch, command.*option.file);
     }
   }
-}
-
-// Leaves out the inputs of other shards. Their outputs have been checked, too.
-inline void choose_shard(Command_line& command)
-{
-  if(command.batch.shard.empty()) {
-    return;
-  }
-  if(command.atlas.is_shared) {
-    throw Usage_error("--one-atlas goes without --shard: all inputs share the atlas");
-  }
-  command.inputs = inputs_of_shard(command.inputs, shard_of(command.batch.shard));
-  command.input.clear();
+  choose_shard(command);
 }
 
 } // namespace internal

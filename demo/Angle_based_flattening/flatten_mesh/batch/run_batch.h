@@ -9,9 +9,11 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/Failure.h"
+#include "flatten_mesh/Unfinished_file.h"
 #include "flatten_mesh/batch/Child_process.h"
 #include "flatten_mesh/batch/Child_processes.h"
 #include "flatten_mesh/batch/final_report.h"
+#include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/texts.h"
 
@@ -20,10 +22,12 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -119,6 +123,9 @@ public:
       tell();
     }
     Unfinished_files::remove_when_interrupted();
+    for(const std::filesystem::path& folder : m_folders) {
+      Unfinished_file::remove_abandoned(folder.empty() ? "." : folder);
+    }
     if(m_whole.batch.resumes && !m_whole.quiet) {
       std::cerr << "flatten_mesh: " << m_skipped << " of " << count_text(m_number, "input")
                 << " skipped, whose reports are final" << std::endl;
@@ -135,6 +142,9 @@ private:
   void start(const std::size_t number)
   {
     const Command_line command = command_of(number);
+    for(const Output_option& option : output_options()) {
+      m_folders.insert(std::filesystem::path(command.*option.file).parent_path());
+    }
     if(const auto status = m_whole.batch.resumes ? final_status(command) : std::nullopt) {
       m_results[number].status = *status;
       ++m_skipped;
@@ -143,6 +153,7 @@ private:
     const bool takes_output = m_whole.batch.jobs > 1 && m_number > 1;
     m_running.emplace(number, std::make_unique<Child_process>(takes_output, deadline(), [&] {
                         m_running.clear(); // closes their pipes
+                        Unfinished_file::leave_abandoned();
                         return m_run(command);
                       }));
   }
@@ -214,6 +225,7 @@ private:
   std::size_t m_next = 0, m_told = 0, m_skipped = 0;
   std::map<std::size_t, std::unique_ptr<Child_process>> m_running;
   std::map<std::size_t, Result_of_run> m_results;
+  std::set<std::filesystem::path> m_folders; // of all outputs
   Exit_status m_status = SUCCESS;
 };
 
