@@ -42,6 +42,20 @@ class InBlender(unittest.TestCase):
             self.assertEqual(uv_of(each).tobytes() if each.data.uv_layers else None, uv)
 
 
+class Certificates(InBlender):
+    def test_rounding(self):
+        """Faces that are too small for single precision are named."""
+        from abf_unwrap.blender_mesh import read_mesh
+        from abf_unwrap.certificate import faults_of_rounding
+
+        mesh = read_mesh(scenes.add_patch(is_planar=True), False)
+        uv = mesh.uv.astype(float)
+        self.assertEqual(faults_of_rounding(mesh, uv).tolist(), [])
+        self.assertEqual(faults_of_rounding(mesh, uv * 1e-9 + 0.5).tolist(), list(range(40)))
+        uv[mesh.corner_faces() == 7] = np.nan
+        self.assertEqual(len(faults_of_rounding(mesh, uv * 1e-9 + 0.5)), 39)
+
+
 class Unwrap(InBlender):
     def test_a_tube_is_unrolled_along_its_seam(self):
         tube = scenes.add_tube()
@@ -170,6 +184,14 @@ class AutoSeams(InBlender):
         bpy.ops.uv.abf_auto_seams()
         self.certify(found)
         self.assertGreater(np.ptp(uv_of(found)), 0.1)
+
+    def test_messages_name_objects(self):
+        from abf_unwrap.atlas_tasks import with_names
+        from abf_unwrap.blender_mesh import read_mesh
+
+        meshes = [read_mesh(scenes.add_patch(name), False) for name in ("rock", "tree")]
+        self.assertEqual(with_names("mesh 1: 'mesh 0'", meshes), "tree: 'rock'")
+        self.assertEqual(with_names("'mesh': bad", meshes[:1]), "'rock': bad")
 
 
 class Islands(InBlender):
