@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the add-on as one zip file, which Blender 4.2 and later install as an extension and earlier ones as an add-on:
-make_zip.py OUTPUT.zip [WHEEL...]. The wheels of the Python module, or those in folders, go inside: one for each platform
-and version of Python."""
+make_zip.py OUTPUT.zip [WHEEL...]. The wheels of the Python module, or those in folders, go inside: one for each
+platform and version of Python."""
 
 from __future__ import annotations
 

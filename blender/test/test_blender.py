@@ -410,6 +410,30 @@ class BadInput(InBlender):
         for name in ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch"):
             self.assert_fails(getattr(bpy.ops.uv, name), "patch: vertex 7 .*not finite", patch)
 
+    def test_dirty_meshes(self):
+        """Operators end, in the mode in which they began. What they refuse stays as it is, with a reason."""
+        operators = ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch")
+        refused = 0
+        for seed in range(60):
+            with self.subTest(seed=seed):
+                random = np.random.default_rng(seed)
+                scenes.clear()
+                objects = [scenes.add_dirty(random, f"dirty {k}") for k in range(random.integers(1, 4))]
+                bpy.context.view_layer.update()
+                before = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+                if random.random() < 0.5:
+                    edit()
+                mode = bpy.context.mode
+                try:
+                    getattr(bpy.ops.uv, operators[seed % 6])()
+                except RuntimeError as error:
+                    refused += 1
+                    self.assertNotIn("Traceback", str(error))
+                    after = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+                    self.assertEqual(after, before)
+                self.assertEqual(bpy.context.mode, mode)
+        self.assertTrue(10 < refused < 50, refused)
+
     def test_no_faces(self):
         self.assert_fails(bpy.ops.uv.abf_unwrap, "points has no faces", scenes.add("points", [(0, 0, 0)], []))
 
