@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the add-on as one zip file, which Blender 4.2 and later install as an extension and earlier ones as an add-on:
-make_zip.py OUTPUT.zip [WHEEL...]. The wheels of the Python module go inside, one for each platform and version of
-Python."""
+make_zip.py OUTPUT.zip [WHEEL...]. The wheels of the Python module, or those in folders, go inside: one for each
+platform and version of Python."""
 
 from __future__ import annotations
 
@@ -57,9 +57,15 @@ def write_zip(output: Path, wheels: list[Path]) -> None:
             archive.writestr(entry, data)
 
 
+def wheels_of(path: Path) -> list[Path]:
+    """A wheel, or those in a folder."""
+    wheels = sorted(path.glob("*.whl")) if path.is_dir() else [path]
+    if not wheels or not wheels[0].is_file():
+        raise SystemExit(f"{path}: no wheel there")
+    return wheels
+
+
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         raise SystemExit(__doc__)
-    for missing in (path for path in sys.argv[2:] if not Path(path).is_file()):
-        raise SystemExit(f"{missing}: no such file")
-    write_zip(Path(sys.argv[1]), sorted(map(Path, sys.argv[2:])))
+    write_zip(Path(sys.argv[1]), [wheel for path in sorted(sys.argv[2:]) for wheel in wheels_of(Path(path))])

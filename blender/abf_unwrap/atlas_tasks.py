@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, replace
 from typing import Any, Callable
 
@@ -76,8 +77,15 @@ def make_atlas(
     try:
         atlases = iter(make(used))
     except abf.MeshError as error:
-        raise BadInput(error.message, faces_by_mesh(meshes, make, abf.MeshError)) from error
+        raise BadInput(with_names(error.message, used), faces_by_mesh(meshes, make, abf.MeshError)) from error
     return [next(atlases) if mesh.chosen.any() else None for mesh in meshes]
+
+
+def with_names(text: str, meshes: list[MeshArrays]) -> str:
+    """What the module says of one or several meshes, with the names of the objects."""
+    if len(meshes) == 1:
+        return text.replace("'mesh'", f"'{meshes[0].name}'")
+    return re.sub(r"\bmesh (\d+)\b", lambda found: meshes[int(found[1])].name, text)
 
 
 def faces_by_mesh(
@@ -112,11 +120,11 @@ def result_of(mesh: MeshArrays, atlas: Any) -> MeshResult:
     return MeshResult(uv, left_out=np.flatnonzero(mesh.chosen & ~has_chart), faulty=faults_of_rounding(mesh, uv))
 
 
-def message_of(atlases: list[Any], verb: str) -> str:
+def message_of(meshes: list[MeshArrays], atlases: list[Any], verb: str) -> str:
     """One line on what came out."""
-    atlases = [atlas for atlas in atlases if atlas is not None]
-    charts = {(k, chart) for k, atlas in enumerate(atlases) for chart in np.unique(atlas.face_chart) if chart >= 0}
-    report = atlases[0].report
+    made = [(mesh, atlas) for mesh, atlas in zip(meshes, atlases) if atlas is not None]
+    charts = {(k, chart) for k, (_, atlas) in enumerate(made) for chart in np.unique(atlas.face_chart) if chart >= 0}
+    report = made[0][1].report
     figures = [f"{verb} {len(charts)} island{'s' if len(charts) != 1 else ''}"]
     contents = report.get("atlas") or {}
     if contents.get("l2_stretch") is not None:
@@ -126,7 +134,14 @@ def message_of(atlases: list[Any], verb: str) -> str:
         figures.append(f"{100 * share:.0f} % of the square covered")
     if contents.get("injective"):
         figures.append("no flips and no overlaps")
-    return ", ".join(figures) + "".join(f". {note}" for note in report.get("notes") or [])
+    return ", ".join(figures)
+
+
+def notes_of(meshes: list[MeshArrays], atlases: list[Any]) -> list[str]:
+    """What the module noticed, such as repairs."""
+    made = [(mesh, atlas) for mesh, atlas in zip(meshes, atlases) if atlas is not None]
+    notes = made[0][1].report.get("notes") or [] if made else []
+    return [with_names(note, [mesh for mesh, _ in made]) for note in notes]
 
 
 def unwrap(meshes: list[MeshArrays], purpose: str, packing: Packing, progress: Progress) -> TaskResult:
@@ -154,8 +169,8 @@ def unwrap(meshes: list[MeshArrays], purpose: str, packing: Packing, progress: P
         result.uv[corners] = done.uv[corners]
         result.faulty = np.concatenate([result.faulty, *done.faulty])
     messages = [pinned_message(pinned)] if has_pins else []
-    messages += [message_of(atlases, "Unwrapped")] if any(atlases) else []
-    return TaskResult(results, ". ".join(messages))
+    messages += [message_of(meshes, atlases, "Unwrapped")] if any(atlases) else []
+    return TaskResult(results, ". ".join(messages), notes_of(rest, atlases))
 
 
 def pinned_message(pinned: list[PinnedIslands]) -> str:
@@ -174,7 +189,7 @@ def find_seams_and_unwrap(
     for mesh, atlas, result in zip(meshes, atlases, results):
         if atlas is not None:
             result.seams = new_seams(mesh, atlas.seams)
-    return TaskResult(results, message_of(atlases, "Marked seams and unwrapped"))
+    return TaskResult(results, message_of(meshes, atlases, "Marked seams and unwrapped"), notes_of(meshes, atlases))
 
 
 def new_seams(mesh: MeshArrays, pairs: np.ndarray) -> np.ndarray:
@@ -197,11 +212,13 @@ def unfold(meshes: list[MeshArrays], packing: Packing, progress: Progress) -> Ta
     """Makes islands that flip or overlap anew, without flips and overlaps, and packs all."""
     need_uv(meshes)
     atlases = make_atlas(meshes, progress, with_seams=False, with_uv=True, given_charts="repair", **packing.keywords())
-    return TaskResult([result_of(mesh, atlas) for mesh, atlas in zip(meshes, atlases)], message_of(atlases, "Unfolded"))
+    results = [result_of(mesh, atlas) for mesh, atlas in zip(meshes, atlases)]
+    return TaskResult(results, message_of(meshes, atlases, "Unfolded"), notes_of(meshes, atlases))
 
 
 def pack(meshes: list[MeshArrays], packing: Packing, progress: Progress) -> TaskResult:
     """Packs the islands of all meshes into one square, without changing their shapes."""
     need_uv(meshes)
     atlases = make_atlas(meshes, progress, with_seams=False, with_uv=True, given_charts="keep", **packing.keywords())
-    return TaskResult([result_of(mesh, atlas) for mesh, atlas in zip(meshes, atlases)], message_of(atlases, "Packed"))
+    results = [result_of(mesh, atlas) for mesh, atlas in zip(meshes, atlases)]
+    return TaskResult(results, message_of(meshes, atlases, "Packed"), notes_of(meshes, atlases))

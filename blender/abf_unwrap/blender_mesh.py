@@ -70,8 +70,8 @@ def read_mesh(found: bpy.types.Object, only_selected: bool) -> MeshArrays:
 
 
 def is_same_mesh(found: Optional[bpy.types.Object], arrays: MeshArrays) -> bool:
-    """Whether the object still has a mesh as large as the one that was read. More cannot change while an operator runs but
-    by a script."""
+    """Whether the object still has a mesh as large as the one that was read. More cannot change while an operator runs
+    but by a script."""
     if found is None or found.type != "MESH":
         return False
     mesh = found.data

@@ -46,7 +46,7 @@ def pins_of(mesh: MeshArrays, island: Island) -> tuple[np.ndarray, np.ndarray]:
     """The pinned vertices of an island, and their coordinates."""
     if mesh.uv is None or mesh.pinned is None:
         return np.zeros(0, np.int64), np.zeros((0, 2))
-    pinned_corners = mesh.pinned[island.corners]
+    pinned_corners = mesh.pinned[island.corners] & np.isfinite(mesh.uv[island.corners]).all(axis=1)
     vertices, first = np.unique(island.corner_vertices[pinned_corners], return_index=True)
     return vertices, mesh.uv[island.corners[pinned_corners][first]].astype(float)
 

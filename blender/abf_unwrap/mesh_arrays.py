@@ -65,6 +65,7 @@ class TaskResult:
 
     meshes: list[MeshResult]
     message: str
+    notes: list[str] = field(default_factory=list)
 
 
 class BadInput(Exception):

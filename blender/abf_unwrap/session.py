@@ -78,6 +78,8 @@ class Session:
                 )
             if len(result.faulty):
                 report({"WARNING"}, f"{arrays.name}: faces flip or overlap: {listed(result.faulty)}")
+        for note in self.job.result.notes:
+            report({"WARNING"}, note)
         report({"INFO"}, self.job.result.message)
         return {"FINISHED"}
 

@@ -74,6 +74,30 @@ def add_polygons(seed, name="polygons", subdivisions=3):
     return add(name, vertices, faces)
 
 
+def add_dirty(random, name):
+    """Any polygons: with several at an edge, with points in the same place, without area, tiny or huge, turned, with
+    any seams, pins, coordinates and selection."""
+    if random.random() < 0.5:
+        columns, rows = random.integers(1, 7, 2)
+        faces = grid_faces(columns, rows)
+        points = np.array([(x, y, random.normal() / 5) for y in range(rows + 1) for x in range(columns + 1)])
+        faces = [face[::-1] if random.random() < 0.1 else face for face in faces]
+    else:
+        points = np.round(random.normal(size=(int(random.integers(5, 30)), 3)), int(random.integers(0, 3)))
+        faces = [list(random.choice(len(points), int(random.integers(3, 6)), replace=False)) for _ in range(20)]
+    points[random.integers(len(points))] = points[random.integers(len(points))]
+    points *= 10.0 ** random.choice([-20, -6, 0, 0, 0, 6, 20])
+    planar = np.concatenate([points[face][:, :2] for face in faces])
+    uv = [None, planar, -planar, 0 * planar, np.nan * planar, random.normal(size=planar.shape)][random.integers(6)]
+    found = add(name, points, faces, uv=uv)
+    found.data.edges.foreach_set("use_seam", random.random(len(found.data.edges)) < 0.15)
+    if uv is not None:
+        found.data.uv_layers.active.data.foreach_set("pin_uv", random.random(len(uv)) < random.choice([0, 0, 0.05]))
+    found.scale = (1, 1, random.choice([-1, 0, 1, 1, 2]))
+    select_faces(found, random.random(len(found.data.polygons)) < random.choice([0.3, 1, 1]))
+    return found
+
+
 def read(found, collection, name, kind, width=1):
     elements = getattr(found.data, collection)
     values = np.empty(len(elements) * width, kind)

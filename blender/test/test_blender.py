@@ -42,6 +42,20 @@ class InBlender(unittest.TestCase):
             self.assertEqual(uv_of(each).tobytes() if each.data.uv_layers else None, uv)
 
 
+class Certificates(InBlender):
+    def test_rounding(self):
+        """Faces that are too small for single precision are named."""
+        from abf_unwrap.blender_mesh import read_mesh
+        from abf_unwrap.certificate import faults_of_rounding
+
+        mesh = read_mesh(scenes.add_patch(is_planar=True), False)
+        uv = mesh.uv.astype(float)
+        self.assertEqual(faults_of_rounding(mesh, uv).tolist(), [])
+        self.assertEqual(faults_of_rounding(mesh, uv * 1e-9 + 0.5).tolist(), list(range(40)))
+        uv[mesh.corner_faces() == 7] = np.nan
+        self.assertEqual(len(faults_of_rounding(mesh, uv * 1e-9 + 0.5)), 39)
+
+
 class Unwrap(InBlender):
     def test_a_tube_is_unrolled_along_its_seam(self):
         tube = scenes.add_tube()
@@ -170,6 +184,14 @@ class AutoSeams(InBlender):
         bpy.ops.uv.abf_auto_seams()
         self.certify(found)
         self.assertGreater(np.ptp(uv_of(found)), 0.1)
+
+    def test_messages_name_objects(self):
+        from abf_unwrap.atlas_tasks import with_names
+        from abf_unwrap.blender_mesh import read_mesh
+
+        meshes = [read_mesh(scenes.add_patch(name), False) for name in ("rock", "tree")]
+        self.assertEqual(with_names("mesh 1: 'mesh 0'", meshes), "tree: 'rock'")
+        self.assertEqual(with_names("'mesh': bad", meshes[:1]), "'rock': bad")
 
 
 class Islands(InBlender):
@@ -387,6 +409,30 @@ class BadInput(InBlender):
         patch.data.vertices[7].co.z = float("nan")
         for name in ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch"):
             self.assert_fails(getattr(bpy.ops.uv, name), "patch: vertex 7 .*not finite", patch)
+
+    def test_dirty_meshes(self):
+        """Operators end, in the mode in which they began. What they refuse stays as it is, with a reason."""
+        operators = ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch")
+        refused = 0
+        for seed in range(60):
+            with self.subTest(seed=seed):
+                random = np.random.default_rng(seed)
+                scenes.clear()
+                objects = [scenes.add_dirty(random, f"dirty {k}") for k in range(random.integers(1, 4))]
+                bpy.context.view_layer.update()
+                before = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+                if random.random() < 0.5:
+                    edit()
+                mode = bpy.context.mode
+                try:
+                    getattr(bpy.ops.uv, operators[seed % 6])()
+                except RuntimeError as error:
+                    refused += 1
+                    self.assertNotIn("Traceback", str(error))
+                    after = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+                    self.assertEqual(after, before)
+                self.assertEqual(bpy.context.mode, mode)
+        self.assertTrue(10 < refused < 50, refused)
 
     def test_no_faces(self):
         self.assert_fails(bpy.ops.uv.abf_unwrap, "points has no faces", scenes.add("points", [(0, 0, 0)], []))

@@ -64,9 +64,21 @@ class Zip(unittest.TestCase):
             make(self.folder / name, wheel)
         self.assertEqual((self.folder / "a.zip").read_bytes(), (self.folder / "b.zip").read_bytes())
 
+    def test_a_folder_of_wheels(self):
+        wheel = self.wheel()
+        self.assertEqual(make(self.folder / "a.zip", self.folder).returncode, 0)
+        make(self.folder / "b.zip", wheel)
+        self.assertEqual((self.folder / "a.zip").read_bytes(), (self.folder / "b.zip").read_bytes())
+
     def test_bad_wheels(self):
+        (self.folder / "empty").mkdir()
         unknown = self.wheel("angle_based_flattening-0.1.0-cp311-cp311-plan9_mips.whl")
-        for wheel, expected in ((unknown, "plan9_mips.whl: no platform"), ("missing.whl", "missing.whl: no such file")):
+        wrong = (
+            (unknown, "plan9_mips.whl: no platform"),
+            ("missing.whl", "missing.whl: no wheel there"),
+            (self.folder / "empty", "empty: no wheel there"),
+        )
+        for wheel, expected in wrong:
             done = make(self.folder / "a.zip", wheel)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(expected, done.stderr)
