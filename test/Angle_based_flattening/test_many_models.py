@@ -19,6 +19,7 @@ import unittest
 from pathlib import Path
 
 FLATTEN_MESH = Path(sys.argv.pop(1)).resolve()
+SCRIPT = Path(__file__).resolve().parents[2] / "examples/Angle_based_flattening/flatten_many.slurm"
 QUICK = ["--for", "few-charts", "--resolution", "64", "--rotations", "1"]
 OUTPUTS = ["--output-folder", "out", "--output", "%.obj", "--json", "%.json"]
 DIFFERENT = ("seconds", "peak_memory_mb", "options")  # between two runs
@@ -136,6 +137,12 @@ class Processes(Folder):
             self.assertEqual(len(list(self.folder.glob("out/**/*.obj"))), len(inputs) - 1)
         self.assertEqual([self.report(name[3:])["status"] for name in self.names[:3]], ["TIMED_OUT", "OK", "OK"])
 
+    def test_memory_is_used_up(self):
+        result = self.run_program(self.names[0], *OUTPUTS, "--memory", "1M", status=4)
+        self.assertRegex(result.stderr, "not enough memory")
+        self.assertEqual(self.report("model 0")["status"], "OUT_OF_MEMORY")
+        self.run_program(self.names[0], *OUTPUTS, "--memory", "100G")
+
     def test_interrupted(self):
         """No process and no unfinished file remains."""
         self.make_pipe(self.names[0])
@@ -178,6 +185,12 @@ class Parts(Folder):
             result = self.run_program(*self.names, *arguments, status=2)
             self.assertIn(message, result.stderr)
         self.run_program(*self.names, "--one-atlas", "--shard", "1/2", status=2)
+        self.run_program("--shard", "1/2", status=2)
+        for k in range(1, 4):  # with equal names, whether or not these are in one shard
+            result = self.run_program(*self.names, "--json", "%.json", "--shard", f"{k}/3", status=2)
+            self.assertIn("--output-folder", result.stderr)
+            result = self.run_program(*self.names, "--json", "one.json", "--shard", f"{k}/6", status=2)
+            self.assertIn("'%'", result.stderr)
 
 
 class Resumed(Folder):
@@ -227,6 +240,21 @@ class Resumed(Folder):
         subprocess.run(recipe, cwd=self.folder, check=True, timeout=LIMIT, capture_output=True)
         self.assertEqual(self.files(), expected)
         subprocess.run(recipe, cwd=self.folder, check=True, timeout=LIMIT, capture_output=True)
+
+    def test_slurm_script(self):
+        """The tasks of an array do all models, and again those that are missing."""
+        self.run_program(*self.names, *OUTPUTS)
+        (self.folder / "models.txt").write_text("\n".join(self.names))
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin/flatten_mesh").symlink_to(FLATTEN_MESH)
+        script = SCRIPT.read_text().replace("%.glb", f"%.obj {' '.join(QUICK)}")  # .glb needs tinygltf
+        path = f"{self.folder / 'bin'}:{os.environ['PATH']}"
+        for tasks in (range(1, 8), [2]):
+            for task in tasks:
+                subprocess.run(["bash", "-c", script, "script", "models.txt", "array"], cwd=self.folder, check=True,
+                               timeout=LIMIT, env={**os.environ, "PATH": path, "SLURM_ARRAY_TASK_ID": str(task)})
+            self.assertEqual(self.files("array"), self.files())
+            (self.folder / "array/b/model 0.json").unlink()
 
     def worker(self, shard):
         """The process of the program for a shard, which has started those for its inputs."""
