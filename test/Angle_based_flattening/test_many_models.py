@@ -137,6 +137,12 @@ class Processes(Folder):
             self.assertEqual(len(list(self.folder.glob("out/**/*.obj"))), len(inputs) - 1)
         self.assertEqual([self.report(name[3:])["status"] for name in self.names[:3]], ["TIMED_OUT", "OK", "OK"])
 
+    def test_memory_is_used_up(self):
+        result = self.run_program(self.names[0], *OUTPUTS, "--memory", "1M", status=4)
+        self.assertRegex(result.stderr, "not enough memory")
+        self.assertEqual(self.report("model 0")["status"], "OUT_OF_MEMORY")
+        self.run_program(self.names[0], *OUTPUTS, "--memory", "100G")
+
     def test_interrupted(self):
         """No process and no unfinished file remains."""
         self.make_pipe(self.names[0])
