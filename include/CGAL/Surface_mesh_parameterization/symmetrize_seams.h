@@ -153,8 +153,8 @@ The time is that of some 100,000 queries to an `AABB_tree` of the faces.
 \param mesh a triangle mesh
 \param np `vertex_point_map` gives points other than the internal ones. Coordinates are converted to `double`.
 
-\return the plane, and what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), a coordinate
-is not finite (`Diagnosis::NON_FINITE_POINT`), or no face has an area (`Diagnosis::NO_AREA`)
+\return the plane, and what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), a
+coordinate is not finite (`Diagnosis::NON_FINITE_POINT`), or no face has an area (`Diagnosis::NO_AREA`)
 */
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Mesh_report<TriangleMesh, Mirror_plane_report>
@@ -264,8 +264,8 @@ measure_symmetry(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-makes edges along a plane cheap, so that seams run there: multiplies their weights by 0.6. Where no edges are in the plane,
-those count that join the nearer ends of the edges which cross it.
+makes edges along a plane cheap, so that seams run there: multiplies their weights by 0.6. Where no edges are in the
+plane, those count that join the nearer ends of the edges which cross it.
 
 \param mesh a triangle mesh
 \param plane the plane

@@ -16,6 +16,7 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/keep_seams.h"
 #include "flatten_mesh/atlas/prepare_edges.h"
+#include "flatten_mesh/atlas/symmetric_atlas.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -110,6 +111,33 @@ inline SMP::Atlas_report call_make_atlas(const Command_line& command, Mesh& mesh
   return report;
 }
 
+inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, double>& weight)
+{
+  for(const Edge e : mesh.edges()) {
+    weight[e] = CGAL::Polygon_mesh_processing::edge_length(e, mesh);
+  }
+}
+
+// The same, with symmetric seams if they are asked for and possible
+inline SMP::Atlas_report make_charts(const Command_line& command, Mesh& mesh, const Atlas& atlas,
+                                     Seam_way& way, Atlas_progress& progress)
+{
+  if(!command.atlas.is_symmetric) {
+    return call_make_atlas(command, mesh, atlas, way, progress);
+  }
+  Command_line uncut = command;
+  uncut.atlas.seam_price = std::numeric_limits<double>::infinity();
+  Seam_way weighted = way;
+  weighted.name = "weighted";
+  const auto make = [&](const Atlas& result, const bool cuts_charts) {
+    return call_make_atlas(cuts_charts ? command : uncut, mesh, result, weighted, progress);
+  };
+  if(!has_weights(way)) {
+    weigh_by_length(mesh, edge_weights(mesh));
+  }
+  return Symmetric_atlas_maker(mesh, make).run(atlas, way.symmetry.emplace());
+}
+
 // A component as a mesh of its own
 struct Separate_component
 {
@@ -148,7 +176,7 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
   way = prepare_edges(command.atlas, part, atlas_of_part.seams);
-  SMP::Atlas_report report = call_make_atlas(command, part, atlas_of_part, way, progress);
+  SMP::Atlas_report report = make_charts(command, part, atlas_of_part, way, progress);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -163,13 +191,6 @@ inline SMP::Atlas_report make_atlas_of_component(const Command_line& command, Me
     skipped.first_face = component.faces[skipped.first_face].idx();
   }
   return report;
-}
-
-inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, double>& weight)
-{
-  for(const Edge e : mesh.edges()) {
-    weight[e] = CGAL::Polygon_mesh_processing::edge_length(e, mesh);
-  }
 }
 
 // Each model by itself: another one neither hides its edges nor has its seams.
@@ -223,7 +244,7 @@ inline SMP::Atlas_report make_atlas_of_model(const Command_line& command, Atlas_
     return make_atlas_of_component(command, input.mesh, atlas, way, progress);
   }
   way = prepare_edges(command.atlas, input.mesh, atlas.seams);
-  return call_make_atlas(command, input.mesh, atlas, way, progress);
+  return make_charts(command, input.mesh, atlas, way, progress);
 }
 
 } // namespace internal

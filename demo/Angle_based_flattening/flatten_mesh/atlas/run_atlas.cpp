@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -104,6 +105,22 @@ void look_at_creases(const Atlas_record& record, Notes& notes)
               format_number("%.4g degrees", *record.seam_way.crease_angle * 180 / CGAL_PI) +
               ", so all seams are chosen to be short");
   }
+}
+
+// Says so if seams are not symmetric, but should be.
+void look_at_symmetry(const Atlas_record& record, Notes& notes)
+{
+  const std::optional<Symmetry>& symmetry = record.seam_way.symmetry;
+  if(!symmetry || symmetry->has_symmetric_seams) {
+    return;
+  }
+  notes.add("--symmetric: " +
+            (symmetry->has_symmetric_surface
+                 ? "no symmetric seams were found that are at most 5 % longer than others"
+                 : "the surface is not symmetric: in the best plane, its mirror image is " +
+                       format_number("%.2g", 100 * symmetry->plane.deviation) +
+                       " % of the diagonal of the bounding box away from it, and not at most 1.5 %") +
+            ", so the seams are not made symmetric");
 }
 
 // Says so if charts stretch more than was asked for.
@@ -232,6 +249,7 @@ Exit_status run_atlas(const Command_line& command)
   list_models(input, atlas, record);
   measure_charts(record);
   look_at_creases(record, notes);
+  look_at_symmetry(record, notes);
   look_at_stretch(record, notes);
   Baked_surface baked;
   if(record.report.has_atlas() && !command.atlas.bake_from.empty()) {
