@@ -179,7 +179,8 @@ with the seams of `make_atlas()`, and then `make_atlas()` again, which keeps the
 
 Each kept seam, from branch to branch or to the plane, is drawn on the other side as a short path near its mirror image.
 The triangles need not be symmetric. Seams that begin and end at the plane and keep within 2 % of the diagonal of the
-bounding box beside it become a single seam along the plane.
+bounding box beside it become a single seam along the plane. Regions of less than 0.2 % of the area join the neighbor
+with which they have the longest border, so that no slivers remain between seams.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
