@@ -31,6 +31,7 @@ struct Atlas_options
   std::string seams = "auto"; // or "length", "near-creases", "creases", "creases:DEGREES", "hidden"
   std::string seams_from;     // a file, "uv", or empty
   bool charts_from_materials = false;
+  bool is_symmetric = false;   // seams are, if the surface is
   bool repacks = false;        // keeps the charts of the texture coordinates in the input
   bool repairs_charts = false; // of these, flattens those anew that are not injective
   int uv_set = 0;              // which set of texture coordinates the atlas becomes

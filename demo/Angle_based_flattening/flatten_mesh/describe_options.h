@@ -161,6 +161,10 @@ inline po::options_description atlas_options(Command_line& command)
       "parts are; otherwise length. creases, or creases:DEGREES: first along edges whose faces "
       "differ by more than this angle, 40 degrees if it is not given; flat faces stay whole. For machine "
       "parts and buildings. hidden: in folds and cavities, and below and behind other parts. For characters");
+  add("symmetric", po::bool_switch(&atlas.is_symmetric),
+      "symmetric seams, if the surface is symmetric in a plane, up to 1.5 % of the diagonal of its bounding "
+      "box, and if they are at most 5 % longer than others. The program finds the plane, and tries several "
+      "atlases: it takes about ten times as long");
   add("seams-from", po::value(&atlas.seams_from)->value_name("FILE.selection.txt|uv"),
       "keep these seams, and add more where they are needed: the seams in a file that --seams-to or "
       "CGAL's demo wrote, or the seams of the texture coordinates in the input");

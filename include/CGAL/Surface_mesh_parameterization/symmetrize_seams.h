@@ -153,8 +153,8 @@ The time is that of some 100,000 queries to an `AABB_tree` of the faces.
 \param mesh a triangle mesh
 \param np `vertex_point_map` gives points other than the internal ones. Coordinates are converted to `double`.
 
-\return the plane, and what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), a coordinate
-is not finite (`Diagnosis::NON_FINITE_POINT`), or no face has an area (`Diagnosis::NO_AREA`)
+\return the plane, and what is wrong, if anything: a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), a
+coordinate is not finite (`Diagnosis::NON_FINITE_POINT`), or no face has an area (`Diagnosis::NO_AREA`)
 */
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Mesh_report<TriangleMesh, Mirror_plane_report>
@@ -179,7 +179,8 @@ with the seams of `make_atlas()`, and then `make_atlas()` again, which keeps the
 
 Each kept seam, from branch to branch or to the plane, is drawn on the other side as a short path near its mirror image.
 The triangles need not be symmetric. Seams that begin and end at the plane and keep within 2 % of the diagonal of the
-bounding box beside it become a single seam along the plane.
+bounding box beside it become a single seam along the plane. Regions of less than 0.2 % of the area join the neighbor
+with which they have the longest border, so that no slivers remain between seams.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsSeamMap a model of `ReadWritePropertyMap` with
@@ -264,8 +265,8 @@ measure_symmetry(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
 /*!
 \ingroup PkgAngleBasedFlatteningRef
 
-makes edges along a plane cheap, so that seams run there: multiplies their weights by 0.6. Where no edges are in the plane,
-those count that join the nearer ends of the edges which cross it.
+makes edges along a plane cheap, so that seams run there: multiplies their weights by 0.6. Where no edges are in the
+plane, those count that join the nearer ends of the edges which cross it.
 
 \param mesh a triangle mesh
 \param plane the plane

@@ -62,6 +62,20 @@ inline std::string packing_json(const Atlas_record& record)
   return json.text();
 }
 
+inline std::string symmetry_json(const Symmetry& symmetry)
+{
+  const auto& [x, y, z] = symmetry.plane.normal;
+  Json_object json;
+  json.add("plane", "[" + json_number(x) + ", " + json_number(y) + ", " + json_number(z) + ", " +
+                        json_number(-symmetry.plane.offset) + "]");
+  json.add("deviation", json_number(symmetry.plane.deviation));
+  json.add("has_symmetric_surface", json_bool(symmetry.has_symmetric_surface));
+  json.add("has_symmetric_seams", json_bool(symmetry.has_symmetric_seams));
+  json.add("asymmetry", json_number(symmetry.asymmetry));
+  json.add("extra_length", json_number(symmetry.extra_length));
+  return json.text();
+}
+
 inline std::string atlas_json(const Atlas_record& record)
 {
   const SMP::Atlas_report& report = record.report;
@@ -70,6 +84,7 @@ inline std::string atlas_json(const Atlas_record& record)
   seams.add("way", json_text(way.name));
   seams.add("crease_angle", way.crease_angle ? json_number(*way.crease_angle) : "null");
   seams.add("is_hard_surface", way.is_hard_surface ? json_bool(*way.is_hard_surface) : "null");
+  seams.add("symmetry", way.symmetry ? symmetry_json(*way.symmetry) : "null");
   seams.add("length", json_number(report.seam_length));
   seams.add("relative_length", json_number(report.relative_seam_length));
   seams.add("terminals", json_number(report.number_of_terminals));

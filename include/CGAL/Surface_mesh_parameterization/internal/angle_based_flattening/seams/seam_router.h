@@ -78,8 +78,8 @@ private:
   std::vector<std::size_t> m_edges;
 };
 
-// Finds paths between vertices that are short and stay near a line in space: an edge at a distance d from the line costs
-// 1 + (d / width)^2 times its length.
+// Finds paths between vertices that are short and stay near a line in space: an edge at a distance d from the line
+// costs 1 + (d / width)^2 times its length.
 class Seam_router
 {
 public:
@@ -90,8 +90,8 @@ public:
         m_edge(graph.points.size()), m_search(graph.points.size(), 0)
   {}
 
-  // The edges of a path through vertices with `is_allowed_vertex(v)` and edges with `is_allowed_edge(e)`; empty if there
-  // is none
+  // The edges of a path through vertices with `is_allowed_vertex(v)` and edges with `is_allowed_edge(e)`; empty if
+  // there is none
   template <typename Is_allowed_vertex, typename Is_allowed_edge>
   std::vector<std::size_t> path(std::size_t from, std::size_t to, const Line& line, double width,
                                 const Is_allowed_vertex& is_allowed_vertex,
