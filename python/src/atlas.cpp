@@ -58,6 +58,7 @@ Command_line command_of(const py::dict& options)
   command.quiet = true;
   take("purpose", atlas.purpose);
   take("seams", atlas.seams);
+  take("symmetric", atlas.is_symmetric);
   take_switch("separate_overlaps", atlas.separates);
   take_switch("isometric_charts", atlas.isometric);
   take_switch("equal_seam_lengths", command.equal_seams);
