@@ -190,8 +190,8 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         "seams": _seams(seams),
         "given_charts": _options.choice("given_charts", given_charts, ("replace", "keep", "repair"))}
     options |= _checked(dict(
-        symmetric=symmetric, weld=weld, repair=repair, stretch_bound=stretch_bound, area_weight=area_weight, seam_price=seam_price,
-        separate_overlaps=separate_overlaps, isometric_charts=isometric_charts,
+        symmetric=symmetric, weld=weld, repair=repair, stretch_bound=stretch_bound, area_weight=area_weight,
+        seam_price=seam_price, separate_overlaps=separate_overlaps, isometric_charts=isometric_charts,
         equal_seam_lengths=equal_seam_lengths, resolution=resolution, height=height, gutter=gutter, block=block,
         texels_per_unit=texels_per_unit, number_of_rotations=number_of_rotations, pack_into_square=pack_into_square,
         threads=threads))
