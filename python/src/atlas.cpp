@@ -191,7 +191,7 @@ Result result_of(Atlas_input& input, Recorded_atlas& made, const Notes& notes)
   if(!made.record.report.has_atlas()) {
     throw failure_of(input, made.record);
   }
-  Result result{{}, report_json(made.record)};
+  Result result{{}, report_json(made.record, Batch_options())};
   if(input.joined.empty()) {
     result.atlases.push_back(atlas_of(input, made.atlas));
   }
