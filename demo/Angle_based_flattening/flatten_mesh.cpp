@@ -11,7 +11,9 @@
 #include "flatten_mesh/Failure.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Unfinished_files.h"
-#include "flatten_mesh/commands_of_inputs.h"
+#include "flatten_mesh/batch/Memory_bound.h"
+#include "flatten_mesh/batch/run_batch.h"
+#include "flatten_mesh/batch/summarize_reports.h"
 #include "flatten_mesh/help_text.h"
 #include "flatten_mesh/parse_command_line.h"
 #include "flatten_mesh/atlas/run_atlas.h"
@@ -55,6 +57,7 @@ void keep_freed_memory()
 Exit_status run(const Command_line& command)
 {
   try {
+    const Memory_bound bound(command.batch.memory_bytes);
     return command.is_plain ? run_plain(command) : run_atlas(command);
   } catch(...) {
     return tell_failure(command, current_failure());
@@ -74,12 +77,14 @@ Exit_status understand_and_run(const int argc, char* argv[])
   } catch(...) {
     return tell_failure(command, current_failure());
   }
-  Exit_status result = SUCCESS;
-  for(const Command_line& each : commands_of_inputs(command)) {
-    const Exit_status status = run(each);
-    result = result == SUCCESS ? status : result;
+  try {
+    if(!command.batch.summary.empty()) {
+      return summarize_reports(command);
+    }
+    return needs_processes(command) ? run_batch(command, run) : run(command);
+  } catch(...) {
+    return tell_failure(command, current_failure());
   }
-  return result;
 }
 
 } // namespace

@@ -101,7 +101,7 @@ factorization. These are failures:
 - a right-hand side of another size, or with an entry that is not finite;
 - a solution that is not finite, or whose backward error stays above \f$ 10^{-6}\f$ (`float`: \f$ 10^{-4}\f$) in spite
   of iterative refinement;
-- factors with more than \f$ 2^{31}\f$ entries, or more than fit into memory.
+- factors with more than \f$ 2^{31}\f$ entries, or more than fit into memory (`lacks_memory()`).
 
 SuperLU itself would end the program if memory runs out. The memory that it needs is therefore computed before it is
 called. If several threads factor at once, the same memory is not promised to two of them.
@@ -270,6 +270,9 @@ public:
   /// returns the number of entries of both factors, and 0 without a factorization.
   std::size_t factor_nonzeros() const { return is_factored() ? m_factorization->nonzeros() : 0; }
 
+  /// returns whether the last call of `factor()` failed because memory ran out.
+  bool lacks_memory() const { return m_lacks_memory; }
+
   /// returns whether the last call of `factor()` could use the ordering of an earlier one.
   bool ordering_reused() const { return m_ordering_reused; }
 
@@ -283,10 +286,12 @@ private:
     m_factorization.reset();
     m_transposed.reset();
     m_ordering_reused = false;
+    m_lacks_memory = false;
     try {
       if(factor())
         return true;
     } catch(const std::bad_alloc&) {
+      m_lacks_memory = true;
     }
     m_factorization.reset();
     m_transposed.reset();
@@ -371,6 +376,7 @@ private:
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   std::shared_ptr<Spare_memory> m_memory;      // shared with copies
   bool m_ordering_reused = false;
+  bool m_lacks_memory = false;
 };
 
 #ifndef DOXYGEN_RUNNING

@@ -88,16 +88,17 @@ def _checked(options: dict[str, Any]) -> dict[str, Any]:
         if name in result:
             check = _options.integer if isinstance(least, int) else _options.number
             result[name] = check(name, result[name], least, most)
-    for name in ("separate_overlaps", "isometric_charts", "equal_seam_lengths", "weld", "repair", "pack_into_square"):
+    for name in ("separate_overlaps", "isometric_charts", "equal_seam_lengths", "symmetric", "weld", "repair",
+                 "pack_into_square"):
         if name in result:
             result[name] = _options.switch(name, result[name])
     return result
 
 
 _DEFAULTS = {"purpose": "texture", "seams": "auto", "resolution": 1024, "block": 1, "texels_per_unit": 0,
-             "number_of_rotations": 32}
+             "number_of_rotations": 32, "symmetric": False}
 _OF_PAGES = ("resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price")
-_OF_SEAMS = ("seams", "marked_seams", "seam_price")
+_OF_SEAMS = ("seams", "marked_seams", "seam_price", "symmetric")
 _OF_MAPS = ("purpose", "separate_overlaps", "isometric_charts", "stretch_bound", "area_weight", "equal_seam_lengths")
 
 
@@ -111,6 +112,8 @@ def _check_together(options: dict[str, Any]) -> None:
 
     if not options["pack_into_square"]:
         exclude(_OF_PAGES, "pack_into_square=False", "it says how charts are packed")
+    if options["symmetric"]:
+        exclude(("marked_seams",), "symmetric=True", "seams that are given stay where they are")
     if options["given_charts"] != "replace":
         exclude(_OF_SEAMS, f'given_charts="{options["given_charts"]}"', "charts that are given are kept")
     if options["given_charts"] == "keep":
@@ -131,7 +134,7 @@ def _per_mesh(values, what: str, count: int) -> list:
 def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence[ArrayLike], *,
           purpose: str = "texture", seams: str = "auto", marked_seams: ArrayLike | None = None,
           uv: ArrayLike | None = None, given_charts: str = "replace", ignored_faces: ArrayLike | None = None,
-          weld: bool = True, repair: bool = True, stretch_bound: float | None = None,
+          symmetric: bool = False, weld: bool = True, repair: bool = True, stretch_bound: float | None = None,
           area_weight: float | None = None, seam_price: float | None = None, separate_overlaps: bool | None = None,
           isometric_charts: bool | None = None, equal_seam_lengths: bool | None = None, resolution: int = 1024,
           height: int | None = None, gutter: int | None = None, block: int = 1, texels_per_unit: float = 0,
@@ -152,6 +155,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         given_charts: with ``"keep"``, the charts of `uv` keep their shapes and are packed anew; with ``"repair"``,
             those that are not injective are flattened anew.
         ignored_faces: (m,) bool, faces that get no chart. They keep the coordinates in `uv`.
+        symmetric: whether seams are symmetric where the surface is; for one mesh without seams or charts of its own.
         weld: whether vertices at the same place are joined first.
         repair: whether faces that do not form a manifold are separated, turned or left out.
         stretch_bound: the largest stretch of a chart, above 1; with infinity, the surface is only cut to disks.
@@ -186,14 +190,16 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         "seams": _seams(seams),
         "given_charts": _options.choice("given_charts", given_charts, ("replace", "keep", "repair"))}
     options |= _checked(dict(
-        weld=weld, repair=repair, stretch_bound=stretch_bound, area_weight=area_weight, seam_price=seam_price,
-        separate_overlaps=separate_overlaps, isometric_charts=isometric_charts,
+        symmetric=symmetric, weld=weld, repair=repair, stretch_bound=stretch_bound, area_weight=area_weight,
+        seam_price=seam_price, separate_overlaps=separate_overlaps, isometric_charts=isometric_charts,
         equal_seam_lengths=equal_seam_lengths, resolution=resolution, height=height, gutter=gutter, block=block,
         texels_per_unit=texels_per_unit, number_of_rotations=number_of_rotations, pack_into_square=pack_into_square,
         threads=threads))
     _check_together(options if marked_seams is None else options | {"marked_seams": True})
     is_shared = isinstance(vertices, (list, tuple)) and len(vertices) > 0 and np.ndim(vertices[0]) == 2
     meshes = list(vertices) if is_shared else [vertices]
+    if is_shared and options["symmetric"]:
+        raise ValueError("symmetric is True, and goes with one mesh only")
     if is_shared:
         faces = _per_mesh(faces, "faces", len(meshes))
         marked_seams = _per_mesh(marked_seams, "marked_seams", len(meshes))

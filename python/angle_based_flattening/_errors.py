@@ -11,14 +11,16 @@ class MeshError(ValueError):
         message: a sentence that says what is wrong, and where. It counts faces and vertices from 1, as OBJ files do.
         faces: the faces that the diagnosis is about, from 0; an empty array if it is about none.
         vertices: the vertices that it is about, from 0; an empty array if it is about none.
+        mesh: the number of the mesh that these belong to, from 0.
     """
 
-    def __init__(self, status, message, faces=(), vertices=()):
-        super().__init__(status, message, faces, vertices)
+    def __init__(self, status, message, faces=(), vertices=(), mesh=0):
+        super().__init__(status, message, faces, vertices, mesh)
         self.status = status
         self.message = message
         self.faces = np.asarray(faces, dtype=np.int64)
         self.vertices = np.asarray(vertices, dtype=np.int64)
+        self.mesh = mesh
 
     def __str__(self):
         return f"{self.status}: {self.message}"

@@ -58,6 +58,7 @@ Command_line command_of(const py::dict& options)
   command.quiet = true;
   take("purpose", atlas.purpose);
   take("seams", atlas.seams);
+  take("symmetric", atlas.is_symmetric);
   take_switch("separate_overlaps", atlas.separates);
   take_switch("isometric_charts", atlas.isometric);
   take_switch("equal_seam_lengths", command.equal_seams);
@@ -106,7 +107,7 @@ Atlas_input input_of(std::vector<Model>&& models, const Command_line& command, N
     Joined_model joined;
     joined.command = command;
     joined.command.title = model.file;
-    notes.set_subject(model.file);
+    notes.set_subject("'" + model.file + "'");
     joined.input = read(model);
     join_model(std::move(joined), whole);
   }
@@ -149,19 +150,29 @@ Mesh_atlas atlas_of(const Atlas_input& input, const Atlas& atlas)
   return result;
 }
 
-// The faces that a failure is about, of one model
-std::vector<std::int64_t> offending_faces(const Atlas_input& input, const Atlas_record& record)
+// The failure of an atlas without charts, about the first mesh that something is wrong with
+Mesh_failure failure_of(const Atlas_input& input, const Atlas_record& record)
 {
+  const bool is_set_aside = !record.skipped.empty();
+  const std::string message = is_set_aside ? record.skipped.front().message : record.report.message;
+  const auto mesh_of = [&](const Face f) { return model_of_face(input, f.idx()); };
+  const std::vector<Face>& offending = record.report.offending_faces;
+  const std::size_t mesh = is_set_aside        ? record.skipped.front().model
+                           : offending.empty() ? 0
+                                               : mesh_of(offending.front());
   std::vector<std::int64_t> faces;
-  for(const Skipped_part& part : record.skipped) {
+  for(const Skipped_part& part : skipped_of_model(record, mesh)) {
     faces.push_back(static_cast<std::int64_t>(part.first_face));
   }
-  for(const Face f : record.report.offending_faces) {
-    faces.push_back(static_cast<std::int64_t>(face_in_file(input, f)));
+  for(const Face f : offending) {
+    if(mesh_of(f) == mesh) {
+      faces.push_back(static_cast<std::int64_t>(face_in_file(input, f)));
+    }
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+  const Model& model = input.joined.empty() ? input.model : input.joined[mesh].input.model;
+  return {status_name(record), message, faces, non_finite_vertices(model), static_cast<int>(mesh)};
 }
 
 struct Result
@@ -178,12 +189,9 @@ Result result_of(Atlas_input& input, Recorded_atlas& made, const Notes& notes)
     throw py::value_error(made.record.report.message);
   }
   if(!made.record.report.has_atlas()) {
-    const std::string message =
-        made.record.skipped.empty() ? made.record.report.message : made.record.skipped.front().message;
-    throw Mesh_failure(status_name(made.record), message, offending_faces(input, made.record),
-                       input.joined.empty() ? non_finite_vertices(input.model) : std::vector<std::int64_t>());
+    throw failure_of(input, made.record);
   }
-  Result result{{}, report_json(made.record)};
+  Result result{{}, report_json(made.record, Batch_options())};
   if(input.joined.empty()) {
     result.atlases.push_back(atlas_of(input, made.atlas));
   }

@@ -20,11 +20,12 @@ struct Mesh_failure : std::exception
   std::string status; // the name of a `Diagnosis`
   std::string message;
   std::vector<std::int64_t> faces, vertices; // those that it is about, from 0
+  int mesh = 0;                              // the one that these belong to
 
   Mesh_failure(std::string status, std::string message, std::vector<std::int64_t> faces = {},
-               std::vector<std::int64_t> vertices = {})
+               std::vector<std::int64_t> vertices = {}, const int mesh = 0)
       : status(std::move(status)), message(std::move(message)), faces(std::move(faces)),
-        vertices(std::move(vertices))
+        vertices(std::move(vertices)), mesh(mesh)
   {}
 
   const char* what() const noexcept override { return message.c_str(); }

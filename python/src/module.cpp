@@ -32,7 +32,8 @@ void translate(const std::exception_ptr pointer)
     std::rethrow_exception(pointer);
   } catch(const Mesh_failure& failure) {
     const py::object type = errors().attr("MeshError");
-    const py::object value = type(failure.status, failure.message, failure.faces, failure.vertices);
+    const py::object value =
+        type(failure.status, failure.message, failure.faces, failure.vertices, failure.mesh);
     PyErr_SetObject(type.ptr(), value.ptr());
   } catch(const Cancelled& cancelled) {
     const py::object type = errors().attr("Cancelled");

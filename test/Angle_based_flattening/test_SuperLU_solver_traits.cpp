@@ -726,10 +726,14 @@ BOOST_AUTO_TEST_CASE(too_little_memory)
   const bool result = solver.factor(matrix, d);
   BOOST_REQUIRE_EQUAL(setrlimit(RLIMIT_AS, &old_limit), 0);
   BOOST_CHECK(!result);
+  BOOST_CHECK(solver.lacks_memory());
 
   const Vector<double> b = random_vector(static_cast<int>(a.cols()), random);
   Vector<double> x(1);
   BOOST_REQUIRE(solver.linear_solver(matrix, b, x, d));
+  BOOST_CHECK(!solver.lacks_memory());
+  BOOST_CHECK(!solver.factor(Solver<double>::Matrix(Columns(3, 3)), d)); // singular
+  BOOST_CHECK(!solver.lacks_memory());
   check_solution(a, b, x);
 }
 

@@ -267,6 +267,13 @@ add("obj with weights", V.replace(" 0\n", " 0 1.0\n") + "f 1 2 3\n", faces=1)
 add("obj with colours that are none", V.replace(" 0\n", " 0 1 nan x\n") + "f 1 2 3\n", says="colour", faces=1)
 add("obj with a material file that is a folder", "mtllib .\nusemtl a\n" + V + "f 1 2 3\n", faces=1)
 
+# Polygons with an edge of no length, of which more than two meet at other edges
+BENT_POINTS = [(1, 1, -1), (0, 1, 0), (1, 0, 0), (-1, -1, 0), (0, 0, 1), (-1, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, -1),
+               (0, 0, -1), (0, 2, -1), (1, -1, -1), (0, 1, 1)]
+BENT_FACES = [(3, 9, 12), (5, 0, 12, 3), (9, 11, 5, 6, 4), (6, 11, 7, 8, 4), (9, 0, 2, 4), (5, 0, 9, 6), (2, 12, 4, 3),
+              (3, 1, 7, 9, 11), (11, 7, 1, 10, 0)]
+add("obj of polygons with an edge of no length", obj(BENT_POINTS, BENT_FACES), faces=12)
+
 # ---- PLY -----------------------------------------------------------------------------------------------------------
 
 for order in "<>":

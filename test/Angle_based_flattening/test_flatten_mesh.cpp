@@ -1282,7 +1282,7 @@ BOOST_AUTO_TEST_CASE(memory_limits)
       const int result = std::system(command.c_str());
       BOOST_TEST(WIFEXITED(result));
       standard_error = content(errors);
-      BOOST_TEST(WEXITSTATUS(result) == 1, standard_error);
+      BOOST_TEST(WEXITSTATUS(result) == 4, standard_error);
       check_told("not enough memory");
       BOOST_TEST((content(json).find("not enough memory") != std::string::npos));
       fs::remove(json);

@@ -272,6 +272,39 @@ BOOST_AUTO_TEST_CASE(way_of_seams_by_default)
   }
 }
 
+// Of a symmetric surface. Without a symmetry, the atlas is as without the option.
+BOOST_AUTO_TEST_CASE(symmetric_seams)
+{
+  flatten(dinosaur(), "--weld off");
+  BOOST_TEST(atlas().get<std::string>("seams.symmetry") == "null");
+  const double length = atlas().get<double>("seams.length");
+  flatten(dinosaur(), "--weld off --symmetric");
+  check_success();
+  BOOST_TEST(json().get_child("notes").empty());
+  BOOST_TEST(atlas().get<bool>("seams.symmetry.has_symmetric_surface"));
+  BOOST_TEST(atlas().get<bool>("seams.symmetry.has_symmetric_seams"));
+  BOOST_TEST(atlas().get<double>("seams.symmetry.deviation") < 0.002);
+  BOOST_TEST(atlas().get<double>("seams.symmetry.asymmetry") < 0.01);
+  BOOST_TEST(atlas().get_child("seams.symmetry.plane").size() == 4u);
+  BOOST_TEST(atlas().get<double>("seams.length") <= 1.05 * length);
+  BOOST_TEST(atlas().get<double>("seams.length") ==
+                 (1 + atlas().get<double>("seams.symmetry.extra_length")) * length,
+             boost::test_tools::tolerance(1e-6));
+
+  const std::string input = write("irregular.off", "OFF\n4 4 0\n0 0 0\n4 0 0\n4 5 0\n0 0 7\n"
+                                                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  flatten(input, "");
+  const std::string usual = obj();
+  flatten(input, "--symmetric");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(obj() == usual);
+  BOOST_TEST(!atlas().get<bool>("seams.symmetry.has_symmetric_surface"));
+  BOOST_TEST(!atlas().get<bool>("seams.symmetry.has_symmetric_seams"));
+  BOOST_TEST(atlas().get<double>("seams.symmetry.deviation") > 0.015);
+  BOOST_TEST(json().get_child("notes").size() == 1u);
+  BOOST_TEST((standard_error.find("the surface is not symmetric") != std::string::npos));
+}
+
 BOOST_AUTO_TEST_CASE(hidden_seams_are_others)
 {
   const std::string shortest = file("shortest.selection.txt"), hidden = file("hidden.selection.txt");
@@ -998,6 +1031,10 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
                                    "--up x",
                                    "--seams seen",
                                    "--seams ''",
+                                   "--symmetric --one-atlas",
+                                   "--symmetric --seams-from uv",
+                                   "--symmetric --repack",
+                                   "--symmetric --plain",
                                    "--seams creases:",
                                    "--seams creases:0",
                                    "--seams creases:180",

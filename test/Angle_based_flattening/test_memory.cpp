@@ -274,6 +274,7 @@ BOOST_AUTO_TEST_CASE(refused_memory_is_an_error)
         BOOST_TEST_REQUIRE(has_failed);
         BOOST_TEST(!done);
         BOOST_TEST(!solver.is_factored());
+        BOOST_TEST(solver.lacks_memory());
         refused += !done;
         BOOST_TEST((solution(solver, large) == expected));
         BOOST_TEST((solution(solver, large) == expected));

@@ -6,6 +6,8 @@
 #ifndef FLATTEN_MESH_COMMAND_LINE_H
 #define FLATTEN_MESH_COMMAND_LINE_H
 
+#include "flatten_mesh/batch/Batch_options.h"
+
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -29,6 +31,7 @@ struct Atlas_options
   std::string seams = "auto"; // or "length", "near-creases", "creases", "creases:DEGREES", "hidden"
   std::string seams_from;     // a file, "uv", or empty
   bool charts_from_materials = false;
+  bool is_symmetric = false;   // seams are, if the surface is
   bool repacks = false;        // keeps the charts of the texture coordinates in the input
   bool repairs_charts = false; // of these, flattens those anew that are not injective
   int uv_set = 0;              // which set of texture coordinates the atlas becomes
@@ -69,6 +72,7 @@ struct Command_line
   std::string seams_to;
   bool is_plain = false;
   Atlas_options atlas;
+  Batch_options batch;
   int component = 0;
   bool asks_for_component = false; // whether it is given
   double stretch_bound = 1.1;      // with --plain; an atlas has its own default

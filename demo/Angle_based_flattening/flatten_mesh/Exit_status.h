@@ -12,7 +12,10 @@ enum Exit_status
 {
   SUCCESS = 0,
   COMPUTATION_FAILED = 1,
-  WRONG_INPUT = 2
+  WRONG_INPUT = 2,
+  TIMED_OUT = 3,
+  OUT_OF_MEMORY = 4,
+  RUN_CRASHED = 5
 };
 
 } // namespace flatten_mesh

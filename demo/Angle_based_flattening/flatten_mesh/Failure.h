@@ -8,8 +8,8 @@
 
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/batch/add_run.h"
 #include "flatten_mesh/check_outputs.h"
-#include "flatten_mesh/json.h"
 #include "flatten_mesh/texts.h"
 
 #include <exception>
@@ -43,7 +43,7 @@ inline Failure current_failure()
   } catch(const Precision_exceeded& error) {
     return {COMPUTATION_FAILED, "PRECISION_EXCEEDED", error.what()};
   } catch(const std::bad_alloc&) {
-    return {COMPUTATION_FAILED, "OUT_OF_MEMORY", memory_text};
+    return {OUT_OF_MEMORY, "OUT_OF_MEMORY", memory_text};
   } catch(const std::exception& error) {
     return {COMPUTATION_FAILED, "INTERNAL_ERROR", std::string("internal error: ") + error.what()};
   }
@@ -57,7 +57,8 @@ inline Exit_status tell_failure(const Command_line& command, Failure failure)
   if(can_write_json(command)) {
     try {
       Output_file file(command.json);
-      file.write(failure_json(failure.name, failure.message, name_of_input(command)));
+      file.write(failure_json(failure.name, failure.exit_status, failure.message, name_of_input(command),
+                              command.batch.recorded));
       file.publish();
     } catch(const std::exception& error) {
       if(error.what() != failure.message) { // already printed if this file failed

@@ -9,6 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Unfinished_files.h"
+#include "flatten_mesh/batch/output_names.h"
 #include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/commands_of_inputs.h"
@@ -85,6 +86,7 @@ inline void check_writable(const Command_line& command)
 {
   for(const Command_line& each : commands_of_models(command)) {
     for(const internal::Output_option& option : internal::output_options()) {
+      make_folder(each.batch, each.*option.file);
       Output_file::check(each.*option.file);
     }
   }

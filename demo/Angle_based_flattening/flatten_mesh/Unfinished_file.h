@@ -82,9 +82,15 @@ public:
     }
   }
 
+  // In this process, `remove_abandoned()` does nothing from now on: another one does it once for many.
+  static void leave_abandoned() { are_abandoned_left() = true; }
+
   // Removes the files in a folder that processes left which were killed.
   static void remove_abandoned(const std::filesystem::path& folder)
   {
+    if(are_abandoned_left()) {
+      return;
+    }
     std::error_code error;
     for(std::filesystem::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
       if(is_temporary_name(i->path().filename().string())) {
@@ -101,6 +107,12 @@ public:
   }
 
 private:
+  static bool& are_abandoned_left()
+  {
+    static bool instance = false;
+    return instance;
+  }
+
   static const char* suffix() { return ".unfinished"; }
 
   // TARGET.NUMBER.NUMBER.unfinished

@@ -45,18 +45,34 @@ public:
 
   static void remove(const char* name) { replace(name, nullptr); }
 
+  static const std::array<int, 4>& signals()
+  {
+    static const std::array<int, 4> instance = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    return instance;
+  }
+
+  // Calls only async-signal-safe functions.
+  static void remove_and_die(const int signal)
+  {
+    if(is_deferring() != 0) {
+      deferred_signal() = signal;
+      return;
+    }
+    for(const std::atomic<const char*>& name : names()) {
+      if(const char* file = name.load()) {
+        ::unlink(file);
+      }
+    }
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+
 private:
   using Names = std::array<std::atomic<const char*>, 16>; // more than the number of outputs
 
   static Names& names()
   {
     static Names instance{};
-    return instance;
-  }
-
-  static const std::array<int, 4>& signals()
-  {
-    static const std::array<int, 4> instance = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
     return instance;
   }
 
@@ -80,22 +96,6 @@ private:
         return;
       }
     }
-  }
-
-  // Calls only async-signal-safe functions.
-  static void remove_and_die(const int signal)
-  {
-    if(is_deferring() != 0) {
-      deferred_signal() = signal;
-      return;
-    }
-    for(const std::atomic<const char*>& name : names()) {
-      if(const char* file = name.load()) {
-        ::unlink(file);
-      }
-    }
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
   }
 };
 

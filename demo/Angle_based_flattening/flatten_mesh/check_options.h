@@ -50,7 +50,7 @@ inline void check_name(const std::string& option, const std::string& name,
 
 inline void check_files(Command_line& command)
 {
-  if(command.inputs.empty()) {
+  if(command.inputs.empty() && command.batch.shard.empty()) {
     throw Usage_error(
         "no input: name a mesh file, as in 'flatten_mesh scan.ply --output flat.obj'; see --help");
   }
@@ -69,7 +69,7 @@ inline void check_files(Command_line& command)
   if(!command.format.empty()) {
     check_name("format", command.format, formats_read());
   }
-  if(command.inputs.size() == 1 && !command.atlas.is_shared) {
+  if(command.inputs.size() == 1 && !command.atlas.is_shared && command.batch.shard.empty()) {
     command = command_of_input(command, command.inputs.front());
   }
   check_outputs_of_inputs(command);
@@ -321,6 +321,19 @@ inline void check_way_of_seams(const std::string& seams)
   }
 }
 
+// Seams that are given stay where they are.
+inline void check_symmetric(const Values& values, const Atlas_options& atlas)
+{
+  if(!atlas.is_symmetric) {
+    return;
+  }
+  for(const char* option : {"one-atlas", "seams-from", "charts-from-materials", "repack"}) {
+    if(is_given(values, option)) {
+      throw Usage_error(std::string("--symmetric and --") + option + " exclude each other");
+    }
+  }
+}
+
 // Charts that are kept are neither cut nor flattened.
 inline void check_repack(const Values& values, const Atlas_options& atlas)
 {
@@ -363,6 +376,7 @@ inline void check_atlas(const Values& values, Command_line& command)
                       "coordinates in the input");
   }
   check_baking(values, command);
+  check_symmetric(values, atlas);
   check_repack(values, atlas);
   check_page_size(atlas);
   check_pages(is_given(values, "texels-per-unit"), command);

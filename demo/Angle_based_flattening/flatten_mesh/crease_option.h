@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_CREASE_OPTION_H
 
 #include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
+#include <CGAL/Surface_mesh_parameterization/symmetrize_seams.h>
 #include <CGAL/number_type_config.h>
 
 #include <charconv>
@@ -17,6 +18,16 @@
 
 namespace flatten_mesh {
 
+// What became of `--symmetric`
+struct Symmetry
+{
+  CGAL::Surface_mesh_parameterization::Mirror_plane_report plane;
+  bool has_symmetric_surface = false;
+  bool has_symmetric_seams = false;
+  double asymmetry = 0;    // of the seams: see `Symmetry_report::asymmetry`
+  double extra_length = 0; // of the seams, as a share of the length of seams that need not be symmetric
+};
+
 // What became of `--seams`
 struct Seam_way
 {
@@ -24,6 +35,7 @@ struct Seam_way
   std::optional<double> crease_angle;  // if creases are seams: of a crease, at least, in radians
   bool lacks_creases = false;          // whether there is none
   std::optional<bool> is_hard_surface; // if that matters: see `Crease_report::is_hard_surface()`
+  std::optional<Symmetry> symmetry{};  // if it was asked for
 };
 
 // That of several models: "various" if they differ

@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_DESCRIBE_OPTIONS_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/batch/describe_batch_options.h"
 #include "flatten_mesh/model/formats.h"
 #include "flatten_mesh/texts.h"
 
@@ -44,7 +45,7 @@ inline po::options_description file_options(Command_line& command)
   add("input", po::value(&command.inputs)->value_name("FILE"),
       ("the surface: ." + formats_text(", .", " or .") +
        "; '-' is standard input. The word '--input' may be left out. Several files are flattened one "
-       "after the other")
+       "after the other; see --jobs")
           .c_str());
   add("format", po::value(&command.format)->value_name("NAME"),
       ("of standard input and pipes: " + formats_text(", ", " or ")).c_str());
@@ -160,6 +161,10 @@ inline po::options_description atlas_options(Command_line& command)
       "parts are; otherwise length. creases, or creases:DEGREES: first along edges whose faces "
       "differ by more than this angle, 40 degrees if it is not given; flat faces stay whole. For machine "
       "parts and buildings. hidden: in folds and cavities, and below and behind other parts. For characters");
+  add("symmetric", po::bool_switch(&atlas.is_symmetric),
+      "symmetric seams, if the surface is symmetric in a plane, up to 1.5 % of the diagonal of its bounding "
+      "box, and if they are at most 5 % longer than others. The program finds the plane, and tries several "
+      "atlases: it takes about ten times as long");
   add("seams-from", po::value(&atlas.seams_from)->value_name("FILE.selection.txt|uv"),
       "keep these seams, and add more where they are needed: the seams in a file that --seams-to or "
       "CGAL's demo wrote, or the seams of the texture coordinates in the input");
@@ -312,6 +317,7 @@ inline po::options_description all_options(Command_line& command)
   po::options_description options;
   options.add(file_options(command)).add(surface_options(command)).add(atlas_options(command));
   options.add(plain_options(command)).add(method_options(command)).add(other_options(command));
+  options.add(describe_batch_options(command.batch));
   return options;
 }
 

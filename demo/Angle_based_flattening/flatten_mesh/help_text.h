@@ -36,8 +36,10 @@ inline std::string help_text()
          "\nExit status: 0 if each face has a chart, no triangle is flipped, and all outputs are written.\n"
          "1 if the computation failed. 2 if the command line or the input is wrong, or an output cannot be\n"
          "written; with 1 and 2, no models, pictures or pages are written. Also 2 if parts of the surface\n"
-         "cannot be flattened: all other parts are flattened, and the outputs are written. With several\n"
-         "inputs, all are tried; the exit status is the first one that is not 0.\n";
+         "cannot be flattened: all other parts are flattened, and the outputs are written. 3 if the time of\n"
+         "--timeout is over, 4 if memory ran out, 5 if the process of an input crashed. With several "
+         "inputs,\n"
+         "all are tried; the exit status is the first one that is not 0.\n";
   return text.str();
 }
 

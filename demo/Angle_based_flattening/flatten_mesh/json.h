@@ -98,17 +98,6 @@ private:
 
 } // namespace internal
 
-// The report for programs if a failure occurred before the flattening.
-inline std::string failure_json(const std::string& status, const std::string& message,
-                                const std::string& input)
-{
-  internal::Json_object json;
-  json.add("status", internal::json_text(status));
-  json.add("message", internal::json_text(message));
-  json.add("input", internal::json_text(input));
-  return json.text() + "\n";
-}
-
 } // namespace flatten_mesh
 
 #endif // FLATTEN_MESH_JSON_H

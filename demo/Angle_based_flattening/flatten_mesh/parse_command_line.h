@@ -7,6 +7,8 @@
 #define FLATTEN_MESH_PARSE_COMMAND_LINE_H
 
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/batch/check_batch_options.h"
+#include "flatten_mesh/batch/recorded_options.h"
 #include "flatten_mesh/check_one_atlas.h"
 #include "flatten_mesh/check_options.h"
 #include "flatten_mesh/check_uv_set.h"
@@ -30,12 +32,13 @@ inline Values values_of(const int argc, const char* const argv[], Command_line& 
   po::positional_options_description positional;
   positional.add("input", -1);
   po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
-                .options(options)
-                .positional(positional)
-                .style(style::unix_style & ~style::allow_guessing)
-                .run(),
-            values);
+  const po::parsed_options parsed = po::command_line_parser(argc, argv)
+                                        .options(options)
+                                        .positional(positional)
+                                        .style(style::unix_style & ~style::allow_guessing)
+                                        .run();
+  po::store(parsed, values);
+  command.batch.recorded = recorded_options(parsed);
   po::notify(values);
   return values;
 }
@@ -71,9 +74,15 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   command.asks_for_component = internal::is_given(values, "component");
   command.asks_for_area_weight = internal::is_given(values, "area-weight");
   internal::check_names_of_files(values, command);
+  if(!command.batch.summary.empty()) {
+    internal::check_summary(values, command);
+    return;
+  }
+  internal::gather_inputs(command);
   internal::check_one_atlas(values, command);
   internal::check_files(command);
   internal::check_numbers(command);
+  internal::check_batch_numbers(command.batch);
   internal::check_kind(values, command);
   internal::check_name("repair", command.repair, {"on", "off"});
   internal::check_up(values, command);

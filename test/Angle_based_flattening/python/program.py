@@ -71,8 +71,8 @@ def same_bits(a, b):
     return a.shape == b.shape and np.array_equal(a, b, equal_nan=True)
 
 
-# What differs between runs: times, memory, and where the surface came from
-VOLATILE = {"seconds", "peak_memory_mb", "input"}
+# What differs: times, memory, where the surface came from, and the words of the command line
+VOLATILE = {"seconds", "peak_memory_mb", "input", "options"}
 
 
 def comparable(report):

@@ -25,6 +25,7 @@ OPTIONS = [
     (dict(texels_per_unit=60, resolution=128), ["--texels-per-unit", 60, "--resolution", 128]),
     (dict(pack_into_square=False, weld=False, repair=False), ["--no-pack", "--repair", "off"]),
     (dict(seam_price=.2), ["--seam-price", .2]),
+    (dict(symmetric=True), ["--symmetric"]),
     (dict(separate_overlaps=False, isometric_charts=False, equal_seam_lengths=True, seam_price=float("inf")),
      ["--separate", "off", "--isometric", "off", "--equal-seams", "on", "--seam-price", "inf"]),
 ]
@@ -117,6 +118,15 @@ def test_several_meshes(tmp_path):
     assert all(a.isdisjoint(b) for a, b in itertools.combinations(charts, 2))
     assert sorted(set.union(*charts)) == list(range(len(atlases[0].report["atlas"]["charts"])))
     assert json.dumps(atlases[0].report) == json.dumps(atlases[1].report)
+
+
+def test_failures_of_several_meshes_name_the_mesh():
+    hill, torus = meshes.hill(), meshes.torus()
+    uv = [abf.atlas(*mesh, pack_into_square=False).uv for mesh in (hill, torus)]
+    uv[1][:3] = uv[1][:3][::-1]
+    with pytest.raises(abf.MeshError) as error:
+        abf.atlas([hill[0], torus[0]], [hill[1], torus[1]], uv=uv, given_charts="keep")
+    assert error.value.mesh == 1 and len(error.value.faces) > 0
 
 
 @pytest.mark.parametrize("name", meshes.ALL)

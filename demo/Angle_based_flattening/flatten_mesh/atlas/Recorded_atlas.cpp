@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -89,6 +90,22 @@ void look_at_creases(const Atlas_record& record, Notes& notes)
               format_number("%.4g degrees", *record.seam_way.crease_angle * 180 / CGAL_PI) +
               ", so all seams are chosen to be short");
   }
+}
+
+// Says so if seams are not symmetric, but should be.
+void look_at_symmetry(const Atlas_record& record, Notes& notes)
+{
+  const std::optional<Symmetry>& symmetry = record.seam_way.symmetry;
+  if(!symmetry || symmetry->has_symmetric_seams) {
+    return;
+  }
+  notes.add("--symmetric: " +
+            (symmetry->has_symmetric_surface
+                 ? "no symmetric seams were found that are at most 5 % longer than others"
+                 : "the surface is not symmetric: in the best plane, its mirror image is " +
+                       format_number("%.2g", 100 * symmetry->plane.deviation) +
+                       " % of the diagonal of the bounding box away from it, and not at most 1.5 %") +
+            ", so the seams are not made symmetric");
 }
 
 // Says so if charts stretch more than was asked for.
@@ -170,6 +187,7 @@ Recorded_atlas make_recorded_atlas(const Command_line& command, Atlas_input& inp
   list_models(input, made.atlas, made.record);
   measure_charts(made.record);
   look_at_creases(made.record, notes);
+  look_at_symmetry(made.record, notes);
   look_at_stretch(made.record, notes);
   return made;
 }

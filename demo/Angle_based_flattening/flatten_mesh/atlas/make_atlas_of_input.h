@@ -16,6 +16,7 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/keep_seams.h"
 #include "flatten_mesh/atlas/prepare_edges.h"
+#include "flatten_mesh/atlas/symmetric_atlas.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -111,6 +112,33 @@ inline Report_on_atlas call_make_atlas(const Command_line& command, Mesh& mesh, 
   return report;
 }
 
+inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, double>& weight)
+{
+  for(const Edge e : mesh.edges()) {
+    weight[e] = CGAL::Polygon_mesh_processing::edge_length(e, mesh);
+  }
+}
+
+// The same, with symmetric seams if they are asked for and possible
+inline Report_on_atlas make_charts(const Command_line& command, Mesh& mesh, const Atlas& atlas, Seam_way& way,
+                                   SMP::Atlas_visitor& visitor)
+{
+  if(!command.atlas.is_symmetric) {
+    return call_make_atlas(command, mesh, atlas, way, visitor);
+  }
+  Command_line uncut = command;
+  uncut.atlas.seam_price = std::numeric_limits<double>::infinity();
+  Seam_way weighted = way;
+  weighted.name = "weighted";
+  const auto make = [&](const Atlas& result, const bool cuts_charts) {
+    return call_make_atlas(cuts_charts ? command : uncut, mesh, result, weighted, visitor);
+  };
+  if(!has_weights(way)) {
+    weigh_by_length(mesh, edge_weights(mesh));
+  }
+  return Symmetric_atlas_maker(mesh, make).run(atlas, way.symmetry.emplace());
+}
+
 // A component as a mesh of its own
 struct Separate_component
 {
@@ -149,7 +177,7 @@ inline Report_on_atlas make_atlas_of_component(const Command_line& command, Mesh
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
   way = prepare_edges(command.atlas, part, atlas_of_part.seams);
-  Report_on_atlas report = call_make_atlas(command, part, atlas_of_part, way, visitor);
+  Report_on_atlas report = make_charts(command, part, atlas_of_part, way, visitor);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -173,13 +201,6 @@ inline Report_on_atlas make_atlas_of_component(const Command_line& command, Mesh
     e = component.part.edge_origins[e.idx()];
   }
   return report;
-}
-
-inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, double>& weight)
-{
-  for(const Edge e : mesh.edges()) {
-    weight[e] = CGAL::Polygon_mesh_processing::edge_length(e, mesh);
-  }
 }
 
 // Each model by itself: another one neither hides its edges nor has its seams.
@@ -233,7 +254,7 @@ inline Report_on_atlas make_atlas_of_model(const Command_line& command, Atlas_in
     return make_atlas_of_component(command, input.mesh, atlas, way, visitor);
   }
   way = prepare_edges(command.atlas, input.mesh, atlas.seams);
-  return call_make_atlas(command, input.mesh, atlas, way, visitor);
+  return make_charts(command, input.mesh, atlas, way, visitor);
 }
 
 } // namespace internal

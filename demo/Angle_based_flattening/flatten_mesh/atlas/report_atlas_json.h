@@ -7,6 +7,8 @@
 #define FLATTEN_MESH_REPORT_ATLAS_JSON_H
 
 #include "flatten_mesh/atlas/Atlas_record.h"
+#include "flatten_mesh/batch/Batch_options.h"
+#include "flatten_mesh/batch/add_run.h"
 #include "flatten_mesh/json.h"
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_skipped.h"
@@ -60,6 +62,20 @@ inline std::string packing_json(const Atlas_record& record)
   return json.text();
 }
 
+inline std::string symmetry_json(const Symmetry& symmetry)
+{
+  const auto& [x, y, z] = symmetry.plane.normal;
+  Json_object json;
+  json.add("plane", "[" + json_number(x) + ", " + json_number(y) + ", " + json_number(z) + ", " +
+                        json_number(-symmetry.plane.offset) + "]");
+  json.add("deviation", json_number(symmetry.plane.deviation));
+  json.add("has_symmetric_surface", json_bool(symmetry.has_symmetric_surface));
+  json.add("has_symmetric_seams", json_bool(symmetry.has_symmetric_seams));
+  json.add("asymmetry", json_number(symmetry.asymmetry));
+  json.add("extra_length", json_number(symmetry.extra_length));
+  return json.text();
+}
+
 inline std::string atlas_json(const Atlas_record& record)
 {
   const SMP::Atlas_report& report = record.report;
@@ -68,6 +84,7 @@ inline std::string atlas_json(const Atlas_record& record)
   seams.add("way", json_text(way.name));
   seams.add("crease_angle", way.crease_angle ? json_number(*way.crease_angle) : "null");
   seams.add("is_hard_surface", way.is_hard_surface ? json_bool(*way.is_hard_surface) : "null");
+  seams.add("symmetry", way.symmetry ? symmetry_json(*way.symmetry) : "null");
   seams.add("length", json_number(report.seam_length));
   seams.add("relative_length", json_number(report.relative_seam_length));
   seams.add("terminals", json_number(report.number_of_terminals));
@@ -116,7 +133,7 @@ inline std::vector<std::string> names_of_models(const Atlas_record& record)
 } // namespace internal
 
 // The report for programs. Without an atlas, `atlas` is `null`. Faces are counted from 1, charts and parts from 0.
-inline std::string report_json(const Atlas_record& record)
+inline std::string report_json(const Atlas_record& record, const Batch_options& batch)
 {
   using internal::json_number;
   using internal::json_text;
@@ -127,6 +144,7 @@ inline std::string report_json(const Atlas_record& record)
   json.add("message", json_text(message));
   json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
+  internal::add_run(json, exit_status(record), batch.recorded);
   if(!record.models.empty()) {
     json.add("models", internal::models_json(record));
   }

@@ -215,7 +215,7 @@ inline void write_files(const Command_line& command, const Atlas_input& input, c
   record.write_seconds = timer.time();
   record.peak_memory_mb = peak_memory_mb();
   if(!command.json.empty()) {
-    files.open(command.json).write(report_json(record));
+    files.open(command.json).write(report_json(record, command.batch));
   }
   record.written = files.names();
 }

@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_RUN_RECORD_H
 #define FLATTEN_MESH_RUN_RECORD_H
 
+#include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/model/Skipped_part.h"
 
@@ -170,6 +171,14 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
   default:
     return false;
   }
+}
+
+inline Exit_status exit_status(const Run_record& record)
+{
+  if(!record.flattening.succeeded()) {
+    return is_failure_of_computation(record.flattening.report) ? COMPUTATION_FAILED : WRONG_INPUT;
+  }
+  return record.skipped.empty() ? SUCCESS : WRONG_INPUT;
 }
 
 // The stages, with the time of each. The chart's reading and writing are `chart` and `uv`; files have `read` and

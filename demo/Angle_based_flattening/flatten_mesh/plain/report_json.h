@@ -7,6 +7,8 @@
 #define FLATTEN_MESH_REPORT_JSON_H
 
 #include "flatten_mesh/plain/Run_record.h"
+#include "flatten_mesh/batch/Batch_options.h"
+#include "flatten_mesh/batch/add_run.h"
 #include "flatten_mesh/json.h"
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_skipped.h"
@@ -102,7 +104,7 @@ inline std::string split_json(const Split_record& split)
 } // namespace internal
 
 // The report for programs. What is unknown after a failure is `null`.
-inline std::string report_json(const Run_record& record)
+inline std::string report_json(const Run_record& record, const Batch_options& batch)
 {
   using internal::json_number;
   using internal::json_text;
@@ -114,6 +116,7 @@ inline std::string report_json(const Run_record& record)
                                             : report.message + record.flattening.place));
   json.add("notes", internal::json_texts(record.notes));
   json.add("input", json_text(record.input));
+  internal::add_run(json, exit_status(record), batch.recorded);
   json.add("vertices", json_number(record.vertices));
   json.add("triangles", json_number(record.triangles));
   json.add("borders", json_number(record.borders));

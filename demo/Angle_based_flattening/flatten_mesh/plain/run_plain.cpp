@@ -179,7 +179,7 @@ Output_files write_files(const Command_line& command, Surface& surface, const st
   record.write_seconds = timer.time();
   record.written = files.names();
   if(!command.json.empty()) {
-    open(command.json).write(report_json(record));
+    open(command.json).write(report_json(record, command.batch));
     record.written = files.names();
   }
   return files;
@@ -195,11 +195,10 @@ void tell_stages(const Run_record& record, const Progress& progress)
   }
 }
 
-Exit_status tell_diagnosis(const Command_line& command, const Flattening& flattening)
+void tell_diagnosis(const Command_line& command, const Flattening& flattening)
 {
   std::cerr << "flatten_mesh: " << command.title << ": " << status_name(flattening.report) << ": "
             << flattening.report.message << flattening.place << std::endl;
-  return is_failure_of_computation(flattening.report) ? COMPUTATION_FAILED : WRONG_INPUT;
 }
 
 void look_at_area(const Run_record& record, Notes& notes)
@@ -444,9 +443,10 @@ Exit_status run_plain(const Command_line& command)
     tell_report(command, report_text(record));
   }
   files.publish();
-  return !record.flattening.succeeded() ? tell_diagnosis(command, record.flattening)
-         : !record.skipped.empty()      ? WRONG_INPUT
-                                        : SUCCESS;
+  if(!record.flattening.succeeded()) {
+    tell_diagnosis(command, record.flattening);
+  }
+  return exit_status(record);
 }
 
 } // namespace flatten_mesh

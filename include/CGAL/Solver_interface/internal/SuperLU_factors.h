@@ -78,7 +78,7 @@ public:
   int expansions() const { return m_expansions; }
 
   // Factors a matrix with the analyzed pattern. The matrix is not needed afterwards. Returns `false` if sizes overflow
-  // or the matrix is singular. Throws `std::bad_alloc` before SuperLU is called.
+  // or the matrix is singular. Throws `std::bad_alloc` if memory runs out.
   bool factor(const Columns& a, const SuperLU_options& options = SuperLU_options())
   {
     const double entries = initial_size(a);
@@ -121,7 +121,7 @@ public:
   {
     const SuperLU_memory memory(4. * size() * sizeof(FT));
     if(!memory.is_there())
-      return 0;
+      throw std::bad_alloc();
     char one_norm[] = "1";
     FT result = 0;
     int info = 0;
@@ -280,8 +280,8 @@ private:
     upper_arrays.take(growing, n);
     if(growing.expanders != nullptr) // memory ran out
       superlu::superlu_free(growing.expanders);
-    if(info > n)
-      return false;
+    if(info > n) // that is what SuperLU says if an allocation failed
+      throw std::bad_alloc();
     take_factors(lower, upper);
     m_nonzeros = static_cast<std::size_t>(m_lower.nnz) + m_upper.nnz - n;
     return info == 0;
@@ -325,7 +325,7 @@ private:
     const int n = size();
     const SuperLU_memory memory((static_cast<double>(b.cols()) + 2) * n * sizeof(FT));
     if(!memory.is_there())
-      return false;
+      throw std::bad_alloc();
     superlu::DNformat store = {n, b.data()};
     superlu::SuperMatrix right_side = {
         superlu::SLU_DN, Functions::number_type, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};

@@ -20,6 +20,7 @@
 
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -61,13 +62,25 @@ struct Has_const_solution<SolverTraits,
                               std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
 {};
 
+// Whether they tell that memory ran out, as `SuperLU_solver_traits` do. Others throw, or do not know. Their counterpart
+// of lower precision does not tell it: where it fails, they are asked next.
+template <typename SolverTraits, typename = void>
+struct Has_lacks_memory : std::false_type
+{};
+
+template <typename SolverTraits>
+struct Has_lacks_memory<SolverTraits,
+                        std::void_t<decltype(std::declval<const SolverTraits&>().lacks_memory())>>
+    : std::true_type
+{};
+
 // A symmetric linear system, solved for one right-hand side after the other.
 class Linear_solver
 {
 public:
   virtual ~Linear_solver() = default;
 
-  // Returns `false` if the matrix cannot be factored.
+  // Returns `false` if the matrix cannot be factored. Throws `std::bad_alloc` if it is known that memory ran out.
   virtual bool set_matrix(const Block_matrix<1>& matrix) = 0;
   virtual bool set_matrix(const Block_matrix<2>& matrix) = 0;
   virtual bool set_matrix(const Diagonal_parts<2>& matrix) = 0;
@@ -202,6 +215,10 @@ private:
       if((**m_matrix)->row_dimension() > many_unknowns)
         (**m_matrix).reset();
       m_matrix.reset();
+    }
+    if constexpr(Has_lacks_memory<SolverTraits>::value) {
+      if(!done && m_traits.lacks_memory())
+        throw std::bad_alloc();
     }
     return done;
   }

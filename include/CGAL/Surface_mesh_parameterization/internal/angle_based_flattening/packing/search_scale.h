@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -130,7 +131,7 @@ private:
   void keep_best_rules(std::size_t most)
   {
     most = (std::min)(most, (m_rules.size() + 1) / 2);
-    const auto places = try_rules(nearly * m_scale, 0, m_rules.size());
+    const auto places = try_all_rules(nearly * m_scale);
     std::vector<Placement_rule> best = {m_rules[m_best_rule]};
     forbid_turning();
     allow_directions(m_places);
@@ -163,32 +164,45 @@ private:
     }
   }
 
-  // Whether all fit by one of the rules: the first of those counts, whatever the order in time.
+  // Whether all fit by one of the rules: the first of those counts, whatever the order in time. Rules behind it need
+  // not be tried.
   bool attempt(double scale, std::size_t begin, std::size_t end)
   {
-    std::vector<std::optional<std::vector<Chart_place>>> places = try_rules(scale, begin, end);
-    for(std::size_t i = 0; i < places.size(); ++i)
-      if(places[i]) {
-        m_places = std::move(*places[i]);
-        m_scale = scale;
-        m_best_rule = begin + i;
-        return true;
-      }
+    prepare(scale, begin, end);
+    std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
+    std::atomic<int> first{static_cast<int>(places.size())};
+    parallel_for(static_cast<int>(places.size()), [&](int i) {
+      if(i > first)
+        return;
+      places[i] = Chart_placer(*m_scaled, m_rules[begin + i]).run();
+      for(int least = first; places[i] && i < least && !first.compare_exchange_weak(least, i);)
+        ;
+    });
+    if(const auto found = static_cast<std::size_t>(first); found < places.size()) {
+      m_places = std::move(*places[found]);
+      m_scale = scale;
+      m_best_rule = begin + found;
+      return true;
+    }
     return false;
   }
 
   // The places by each of the rules, if all charts fit
-  std::vector<std::optional<std::vector<Chart_place>>> try_rules(double scale, std::size_t begin,
-                                                                 std::size_t end)
+  std::vector<std::optional<std::vector<Chart_place>>> try_all_rules(double scale)
+  {
+    prepare(scale, 0, m_rules.size());
+    std::vector<std::optional<std::vector<Chart_place>>> places(m_rules.size());
+    parallel_for(static_cast<int>(places.size()),
+                 [&](int i) { places[i] = Chart_placer(*m_scaled, m_rules[i]).run(); });
+    return places;
+  }
+
+  void prepare(double scale, std::size_t begin, std::size_t end)
   {
     ++m_attempts;
     if(!m_scaled || m_scaled->scale() != scale || m_scaled->texels_of_cell() != m_cell)
       m_scaled.emplace(m_charts, m_is_allowed, scale, m_cell);
     m_scaled->make_shapes(directions_of_largest(begin, end));
-    std::vector<std::optional<std::vector<Chart_place>>> places(end - begin);
-    parallel_for(static_cast<int>(places.size()),
-                 [&](int i) { places[i] = Chart_placer(*m_scaled, m_rules[begin + i]).run(); });
-    return places;
   }
 
   // Whether the rules allow them for the largest chart

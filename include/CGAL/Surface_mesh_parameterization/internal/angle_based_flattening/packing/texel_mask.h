@@ -106,7 +106,7 @@ public:
         run += word_size;
         continue;
       }
-      longest = (std::max)({longest, run + lowest_bit(~word), longest_run_of(word)});
+      longest = longest_run_of(word, (std::max)(longest, run + lowest_bit(~word)));
       run = word_size - 1 - static_cast<int>(boost::integer_log2(~word));
     }
     return (std::max)(longest, run);
@@ -115,13 +115,18 @@ public:
   static int lowest_bit(Word word) { return static_cast<int>(boost::integer_log2(word & (~word + 1))); }
 
 private:
-  // Of the bits of a word: each shift shortens all runs by one.
-  static int longest_run_of(Word word)
+  // Of the bits of a word, or `least` if no run is longer. A shift by n shortens all runs by n, if n is not above what
+  // they were shortened by before.
+  static int longest_run_of(Word word, int least)
   {
-    int length = 0;
+    for(int length = 1; length <= least && word != 0;) {
+      const int shift = (std::min)(length, least + 1 - length);
+      word &= word << shift;
+      length += shift;
+    }
     for(; word != 0; word &= word << 1)
-      ++length;
-    return length;
+      ++least;
+    return least;
   }
 
   // Calls `visit(i, bits)` for the words with the texels x, ..., end - 1.

@@ -124,6 +124,8 @@ private:
 
   bool exchange(const std::vector<int>& path)
   {
+    if(length(path) <= 0) // nothing is shorter: paths of no length would be exchanged for each other for ever
+      return false;
     return m_nearest ? exchange_on_disk(path) : exchange_anywhere(path);
   }
 

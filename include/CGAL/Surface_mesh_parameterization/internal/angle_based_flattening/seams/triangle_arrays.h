@@ -39,13 +39,25 @@ struct Triangle_arrays
   {
     return CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
   }
+
+  // Those that have an area
+  std::vector<Seam_kernel::Triangle_3> proper_triangles() const
+  {
+    std::vector<Seam_kernel::Triangle_3> result;
+    for(const auto& t : triangles)
+      if(normal(t) != CGAL::NULL_VECTOR)
+        result.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
+    return result;
+  }
 };
 
 // Reads the points of a mesh, and numbers vertices and faces. Returns whether that is possible, and says why if it is
 // not.
-template <typename TriangleMesh, typename VertexPointMap, typename VertexNumberMap, typename FaceNumberMap>
+template <typename TriangleMesh, typename VertexPointMap, typename VertexNumberMap, typename FaceNumberMap,
+          typename Report>
 bool read_triangles(const TriangleMesh& mesh, VertexPointMap points, VertexNumberMap vertex_numbers,
-                    FaceNumberMap face_numbers, Triangle_arrays& arrays, Mesh_report<TriangleMesh>& report)
+                    FaceNumberMap face_numbers, Triangle_arrays& arrays,
+                    Mesh_report<TriangleMesh, Report>& report)
 {
   for(auto v : vertices(mesh)) {
     const auto& p = get(points, v);

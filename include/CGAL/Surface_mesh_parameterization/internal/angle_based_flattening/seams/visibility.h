@@ -69,10 +69,7 @@ inline std::vector<double> visibility(const Triangle_arrays& mesh)
 #else
   typedef CGAL::AABB_traits<Seam_kernel, CGAL::AABB_triangle_primitive<Seam_kernel, Triangle>> Traits;
 #endif
-  std::vector<Seam_kernel::Triangle_3> triangles;
-  for(const auto& [a, b, c] : mesh.triangles)
-    if(mesh.normal({a, b, c}) != CGAL::NULL_VECTOR)
-      triangles.emplace_back(mesh.points[a], mesh.points[b], mesh.points[c]);
+  const std::vector<Seam_kernel::Triangle_3> triangles = mesh.proper_triangles();
   CGAL::AABB_tree<Traits> tree(triangles.cbegin(), triangles.cend());
   tree.build(); // not by the first query, which runs in parallel with others
   CGAL::Bbox_3 box;

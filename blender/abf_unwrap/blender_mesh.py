@@ -1,0 +1,137 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads Blender's meshes into arrays, and writes arrays into them, in object mode: edit mode has its own copy of
+them."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import bpy
+import numpy as np
+
+from .mesh_arrays import BadInput, MeshArrays, MeshResult
+
+NEW_LAYER = "ABF++"
+MOST_LAYERS = 8  # of a mesh in Blender
+
+
+def values(collection: Any, name: str, kind: Any, width: int = 1) -> np.ndarray:
+    """A property of all elements of a collection, with a row for each if there are several values."""
+    array = np.empty(len(collection) * width, kind)
+    collection.foreach_get(name, array)
+    return array.reshape(-1, width) if width > 1 else array
+
+
+def mesh_objects(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The meshes that the user works on: those in edit mode, or else those that are selected. One object for each
+    mesh."""
+    if context.mode == "EDIT_MESH":
+        candidates = context.objects_in_mode_unique_data
+    else:
+        candidates = context.selected_objects
+    objects: dict[str, bpy.types.Object] = {}
+    for candidate in candidates:
+        if candidate.type == "MESH":
+            objects.setdefault(candidate.data.name_full, candidate)
+    return list(objects.values())
+
+
+def read_mesh(found: bpy.types.Object, only_selected: bool) -> MeshArrays:
+    """A mesh in the size that its object has in the scene. Without only_selected, all faces are chosen."""
+    mesh = found.data
+    if mesh.library is not None:
+        raise BadInput(f"{found.name} is linked from another file: make it local first")
+    if len(mesh.polygons) == 0:
+        raise BadInput(f"{found.name} has no faces")
+    vertices = values(mesh.vertices, "co", np.float32, 3)
+    if not np.isfinite(vertices).all():
+        broken = np.flatnonzero(~np.isfinite(vertices).all(axis=1))
+        raise BadInput(f"{found.name}: vertex {broken[0]} has a coordinate that is not finite")
+    matrix = np.array(found.matrix_world.to_3x3())
+    if not np.allclose(matrix.T @ matrix, np.eye(3), atol=1e-6):
+        vertices = vertices.astype(float) @ matrix.T
+    layer = mesh.uv_layers.active
+    chosen = np.ones(len(mesh.polygons), bool)
+    if only_selected:
+        chosen = values(mesh.polygons, "select", bool) & ~values(mesh.polygons, "hide", bool)
+    return MeshArrays(
+        name=found.name,
+        vertices=vertices,
+        offsets=np.append(values(mesh.polygons, "loop_start", np.int32), np.int32(len(mesh.loops))),
+        corner_vertices=values(mesh.loops, "vertex_index", np.int32),
+        corner_edges=values(mesh.loops, "edge_index", np.int32),
+        edges=values(mesh.edges, "vertices", np.int32, 2),
+        seams=values(mesh.edges, "use_seam", bool),
+        chosen=chosen,
+        uv=None if layer is None else values(layer.data, "uv", np.float32, 2),
+        pinned=None if layer is None else values(layer.data, "pin_uv", bool),
+    )
+
+
+def is_same_mesh(found: Optional[bpy.types.Object], arrays: MeshArrays) -> bool:
+    """Whether the object still has a mesh as large as the one that was read. More cannot change while an operator runs
+    but by a script."""
+    if found is None or found.type != "MESH":
+        return False
+    mesh = found.data
+    return (len(mesh.vertices), len(mesh.edges), len(mesh.loops), len(mesh.polygons)) == (
+        len(arrays.vertices),
+        len(arrays.edges),
+        len(arrays.corner_vertices),
+        arrays.number_of_faces,
+    )
+
+
+def can_have_layer(mesh: bpy.types.Mesh, makes_new: bool) -> bool:
+    return len(mesh.uv_layers) < MOST_LAYERS or not (makes_new or mesh.uv_layers.active is None)
+
+
+def writable_layer(mesh: bpy.types.Mesh, makes_new: bool) -> bpy.types.MeshUVLoopLayer:
+    """The active UV layer, or a new one that begins with its coordinates."""
+    if makes_new or mesh.uv_layers.active is None:
+        mesh.uv_layers.active = mesh.uv_layers.new(name=NEW_LAYER)
+    return mesh.uv_layers.active
+
+
+def write_result(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer, result: MeshResult) -> None:
+    """Writes the coordinates that are not NaN, and the seams if there are any."""
+    uv = result.uv.astype(np.float32)
+    stays = np.isnan(uv[:, 0])
+    if stays.any():
+        uv[stays] = values(layer.data, "uv", np.float32, 2)[stays]
+    layer.data.foreach_set("uv", uv.ravel())
+    if result.seams is not None:
+        mesh.edges.foreach_set("use_seam", result.seams)
+    mesh.update()
+
+
+def select_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> None:
+    """Selects these faces and no others."""
+    corner_faces = np.repeat(np.arange(len(mesh.polygons)), values(mesh.polygons, "loop_total", np.int32))
+    corners = np.isin(corner_faces, faces)
+    for collection, chosen in (
+        (mesh.vertices, values(mesh.loops, "vertex_index", np.int32)[corners]),
+        (mesh.edges, values(mesh.loops, "edge_index", np.int32)[corners]),
+        (mesh.polygons, faces),
+    ):
+        flags = np.zeros(len(collection), bool)
+        flags[chosen] = True
+        collection.foreach_set("select", flags)
+    mesh.update()
+
+
+def write_colours(mesh: bpy.types.Mesh, name: str, face_colours: np.ndarray) -> None:
+    """A colour attribute with one colour (r, g, b) for all corners of each face; it becomes the active one."""
+    attribute = mesh.color_attributes.get(name)
+    if attribute is not None and (attribute.domain, attribute.data_type) != ("CORNER", "BYTE_COLOR"):
+        mesh.color_attributes.remove(attribute)
+        attribute = None
+    if attribute is None:
+        attribute = mesh.color_attributes.new(name=name, type="BYTE_COLOR", domain="CORNER")
+    sizes = values(mesh.polygons, "loop_total", np.int32)
+    colours = np.ones((len(mesh.loops), 4), np.float32)
+    colours[:, :3] = np.repeat(face_colours, sizes, axis=0)
+    attribute.data.foreach_set("color", colours.ravel())
+    mesh.color_attributes.active_color = attribute
+    mesh.update()

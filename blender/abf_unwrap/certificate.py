@@ -1,0 +1,42 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether coordinates flip or overlap, as the module's exact predicates say. Nothing here needs Blender."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from . import module
+from .islands import component_labels, island_of, joined_corners
+from .mesh_arrays import MeshArrays
+
+
+def faults(mesh: MeshArrays, uv: np.ndarray, shown_uv: np.ndarray) -> np.ndarray:
+    """The faces that are flipped or overlap others with the coordinates shown_uv. Faces are joined, and those of a
+    surface with opposite orientations turned, as the coordinates uv have it. Faces without these do not count."""
+    has_uv = ~np.isnan(uv[:, 0])
+    mesh = replace(mesh, uv=uv, chosen=has_uv[mesh.offsets[:-1]])
+    labels = component_labels(len(uv), joined_corners(mesh, by_uv=True, tolerance=0))
+    whole = island_of(mesh, np.flatnonzero(mesh.chosen), labels)
+    turned = np.flatnonzero(whole.signed_areas(uv[whole.corners]) < 0)
+    order = np.arange(len(whole.corners))
+    in_turned = np.repeat(np.isin(np.arange(len(whole.faces)), turned), np.diff(whole.offsets))
+    ends = np.repeat(whole.offsets[:-1] + whole.offsets[1:] - 1, np.diff(whole.offsets))
+    order[in_turned] = (ends - order)[in_turned]
+    abf = module.load()
+    try:
+        certificate = abf.certify(
+            whole.vertices, (whole.offsets, whole.corner_vertices[order]), shown_uv[whole.corners][order].astype(float)
+        )
+    except abf.MeshError as error:
+        return whole.faces[error.faces] if len(error.faces) else whole.faces
+    return whole.faces[np.union1d(certificate.flipped, certificate.overlapping).astype(np.int64)]
+
+
+def faults_of_rounding(mesh: MeshArrays, uv: np.ndarray) -> np.ndarray:
+    """The faces of a certified atlas that are flipped or overlap others in single precision, which Blender has. The
+    module may have divided polygons that are not planar otherwise than here; those do not count."""
+    found = faults(mesh, uv, uv.astype(np.float32))
+    return np.setdiff1d(found, faults(mesh, uv, uv)) if len(found) else found

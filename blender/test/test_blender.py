@@ -1,0 +1,455 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on in Blender, on generated meshes:
+blender --background --factory-startup --python test_blender.py -- ADD-ON [FOLDER]"""
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import scenes
+from addon import install
+from scenes import edit, faces_as_lists, leave, polygons_of, seams_of, select_faces, selected_faces, uv_of
+
+
+def faults_of(*objects):
+    """The faces of some objects that are flipped or overlap others, with each other as well."""
+    from abf_unwrap.blender_mesh import read_mesh
+    from abf_unwrap.certificate import faults
+
+    whole = scenes.joined([read_mesh(found, False) for found in objects])
+    return faults(whole, whole.uv, whole.uv).tolist()
+
+
+class InBlender(unittest.TestCase):
+    def setUp(self):
+        scenes.clear()
+
+    def certify(self, *objects):
+        self.assertEqual(faults_of(*objects), [])
+
+    def assert_fails(self, operator, expected, *objects, **options):
+        """An operator is refused, and the coordinates stay."""
+        before = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+        with self.assertRaisesRegex(RuntimeError, expected):
+            operator(**options)
+        for each, uv in zip(objects, before):
+            self.assertEqual(uv_of(each).tobytes() if each.data.uv_layers else None, uv)
+
+
+class Certificates(InBlender):
+    def test_rounding(self):
+        """Faces that are too small for single precision are named."""
+        from abf_unwrap.blender_mesh import read_mesh
+        from abf_unwrap.certificate import faults_of_rounding
+
+        mesh = read_mesh(scenes.add_patch(is_planar=True), False)
+        uv = mesh.uv.astype(float)
+        self.assertEqual(faults_of_rounding(mesh, uv).tolist(), [])
+        self.assertEqual(faults_of_rounding(mesh, uv * 1e-9 + 0.5).tolist(), list(range(40)))
+        uv[mesh.corner_faces() == 7] = np.nan
+        self.assertEqual(len(faults_of_rounding(mesh, uv * 1e-9 + 0.5)), 39)
+
+
+class Unwrap(InBlender):
+    def test_a_tube_is_unrolled_along_its_seam(self):
+        tube = scenes.add_tube()
+        faces = faces_as_lists(tube)
+        self.assertEqual(bpy.ops.uv.abf_unwrap(), {"FINISHED"})
+        self.assertEqual(faces_as_lists(tube), faces)  # still quads
+        self.certify(tube)
+        measures = abf.measure(
+            scenes.read(tube, "vertices", "co", np.float32, 3), polygons_of(tube), uv_of(tube).astype(float)
+        )
+        self.assertLess(measures["l2_stretch"], 1.001)
+
+    def test_coordinates_are_those_of_the_module(self):
+        tube = scenes.add_tube()
+        bpy.ops.uv.abf_unwrap(resolution=512, gutter=3)
+        atlas = abf.atlas(
+            scenes.read(tube, "vertices", "co", np.float32, 3),
+            polygons_of(tube),
+            marked_seams=seams_of(tube),
+            stretch_bound=np.inf,
+            seam_price=np.inf,
+            resolution=512,
+            gutter=3,
+        )
+        self.assertTrue(np.array_equal(uv_of(tube), np.asarray(atlas.uv, np.float32)))
+
+    def test_only_selected_faces(self):
+        tube = scenes.add_tube()
+        bpy.ops.uv.abf_unwrap()
+        before = uv_of(tube)
+        chosen = np.arange(len(tube.data.polygons)) < 40
+        select_faces(tube, chosen)
+        edit()
+        bpy.ops.uv.abf_unwrap(resolution=64)
+        self.assertEqual(bpy.context.mode, "EDIT_MESH")
+        leave()
+        corners = np.repeat(chosen, 4)
+        self.assertTrue(np.array_equal(uv_of(tube)[~corners], before[~corners]))
+        self.assertFalse((uv_of(tube)[corners] == before[corners]).all(axis=1).any())
+        self.assertEqual(selected_faces(tube).tolist(), list(range(40)))
+
+    def test_pins_stay(self):
+        patch = scenes.add_patch(is_planar=True)
+        layer = patch.data.uv_layers.active
+        corners = [0, len(patch.data.loops) - 2]  # opposite corners of the patch
+        for corner in corners:
+            layer.data[corner].pin_uv = True
+        places = uv_of(patch)[corners]
+        bpy.ops.uv.abf_unwrap()
+        np.testing.assert_allclose(uv_of(patch)[corners], places, atol=1e-5)
+        self.certify(patch)
+
+    def test_pinned_islands_beside_others(self):
+        """Two tubes in one mesh: the pinned one stays in place, the other one is packed."""
+        scenes.add_tube()
+        other = scenes.add_tube("other")
+        bpy.ops.object.join()
+        bpy.ops.uv.abf_unwrap()
+        before = uv_of(other)
+        for corner in (0, 93):
+            other.data.uv_layers.active.data[corner].pin_uv = True
+        bpy.ops.uv.abf_unwrap()
+        moved = np.abs(uv_of(other) - before).max(axis=1) > 1e-3
+        self.assertEqual((moved[:384].any(), moved[384:].all()), (False, True))
+
+    def test_scale_of_the_object(self):
+        """A patch that its object stretches is unwrapped as if its mesh were stretched."""
+        patch = scenes.add_patch()
+        patch.scale = (1, 3, 1)
+        bpy.context.view_layer.update()
+        bpy.ops.uv.abf_unwrap()
+        stretched = scenes.add_patch("stretched")
+        stretched.data.transform(patch.matrix_world)
+        patch.select_set(False)
+        bpy.ops.uv.abf_unwrap()
+        np.testing.assert_allclose(uv_of(patch), uv_of(stretched), atol=1e-5)
+
+
+class AutoSeams(InBlender):
+    def test_closed_surfaces_of_polygons(self):
+        for seed in range(3):
+            scenes.clear()
+            found = scenes.add_polygons(seed)
+            faces = faces_as_lists(found)
+            bpy.ops.uv.abf_auto_seams()
+            self.assertEqual(faces_as_lists(found), faces)
+            self.assertGreater(len(seams_of(found)), 0)
+            self.certify(found)
+
+    def test_seams_are_those_of_the_module(self):
+        found = scenes.add_polygons(5)
+        bpy.ops.uv.abf_auto_seams(purpose="few-charts", seams="hidden", stretch_bound=1.3)
+        atlas = abf.atlas(
+            scenes.read(found, "vertices", "co", np.float32, 3),
+            polygons_of(found),
+            purpose="few-charts",
+            seams="hidden",
+            stretch_bound=1.3,
+        )
+        self.assertTrue(np.array_equal(uv_of(found), np.asarray(atlas.uv, np.float32)))
+        pairs = {tuple(sorted(pair)) for pair in np.asarray(atlas.seams).tolist()}
+        self.assertEqual({tuple(sorted(pair)) for pair in seams_of(found).tolist()}, pairs)
+
+    def test_marked_seams(self):
+        found = scenes.add_polygons(6)
+        marked = scenes.read(found, "edges", "vertices", np.int32, 2)[100]
+        for keep in (True, False):
+            flags = np.zeros(len(found.data.edges), bool)
+            flags[100] = True
+            found.data.edges.foreach_set("use_seam", flags)
+            bpy.ops.uv.abf_auto_seams(keep_marked=keep)
+            self.assertEqual(marked.tolist() in seams_of(found).tolist(), keep)
+
+    def test_more_seams_for_a_smaller_bound(self):
+        lengths = []
+        for bound in (1.02, 2.0):
+            scenes.clear()
+            found = scenes.add_polygons(7)
+            bpy.ops.uv.abf_auto_seams(purpose="few-charts", stretch_bound=bound)
+            lengths.append(len(seams_of(found)))
+        self.assertGreater(lengths[0], lengths[1])
+
+    def test_three_faces_at_an_edge(self):
+        vertices = [(0, 0, 0), (0, 0, 1), (1, 0, 0), (-1, 1, 0), (-1, -1, 0)]
+        found = scenes.add("fins", vertices, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+        bpy.ops.uv.abf_auto_seams()
+        self.certify(found)
+        self.assertGreater(np.ptp(uv_of(found)), 0.1)
+
+    def test_messages_name_objects(self):
+        from abf_unwrap.atlas_tasks import with_names
+        from abf_unwrap.blender_mesh import read_mesh
+
+        meshes = [read_mesh(scenes.add_patch(name), False) for name in ("rock", "tree")]
+        self.assertEqual(with_names("mesh 1: 'mesh 0'", meshes), "tree: 'rock'")
+        self.assertEqual(with_names("'mesh': bad", meshes[:1]), "'rock': bad")
+
+
+class Islands(InBlender):
+    def test_unfold(self):
+        """All faces lie on each other."""
+        patch = scenes.add_patch(uv=np.tile([[0, 0], [1, 0], [1, 1], [0, 1]], (40, 1)))
+        self.assertEqual(len(faults_of(patch)), 40)
+        bpy.ops.uv.abf_unfold()
+        self.certify(patch)
+
+    def test_pack_objects_into_one_square(self):
+        objects = [scenes.add_patch(f"patch {k}", 4 + k, 3, is_planar=True) for k in range(3)]
+        for found in objects:
+            select_faces(found, np.ones(len(found.data.polygons)))
+        edit()
+        bpy.ops.uv.abf_pack()
+        leave()
+        self.certify(*objects)
+        for found in objects:
+            self.assertTrue(((uv_of(found) >= 0) & (uv_of(found) <= 1)).all())
+
+    def test_pack_keeps_shapes(self):
+        patch = scenes.add_patch(is_planar=True)
+        before = uv_of(patch)
+        bpy.ops.uv.abf_pack()
+        np.testing.assert_allclose(distances(uv_of(patch)) * scale(before, uv_of(patch)), distances(before), rtol=1e-3)
+
+    def test_pack_names_what_is_flipped(self):
+        patch = scenes.add_patch(is_planar=True)
+        uv = uv_of(patch)
+        uv[:4] = uv[[1, 0, 3, 2]]  # the first face
+        patch.data.uv_layers.active.data.foreach_set("uv", uv.ravel())
+        self.assert_fails(bpy.ops.uv.abf_pack, ".", patch)
+        self.assertIn(0, selected_faces(patch))
+
+    def test_pack_names_what_is_flipped_among_several_objects(self):
+        objects = [scenes.add_patch(f"patch {k}", is_planar=True) for k in range(3)]
+        uv = uv_of(objects[1])
+        uv[-4:] = uv[[-3, -4, -1, -2]]  # the last face
+        objects[1].data.uv_layers.active.data.foreach_set("uv", uv.ravel())
+        for found in objects:
+            select_faces(found, np.ones(40))
+        edit()
+        self.assert_fails(bpy.ops.uv.abf_pack, ".", *objects)
+        leave()
+        self.assertIn(39, selected_faces(objects[1]))
+        self.assertLess(len(selected_faces(objects[1])), 40)
+
+    def test_straighten(self):
+        patch = scenes.add_patch(is_planar=True)
+        before = uv_of(patch)
+        bpy.ops.uv.abf_straighten()
+        uv = uv_of(patch)
+        self.certify(patch)
+        np.testing.assert_allclose(uv.min(axis=0) + uv.max(axis=0), before.min(axis=0) + before.max(axis=0), atol=1e-4)
+        np.testing.assert_allclose(np.prod(np.ptp(uv, axis=0)), np.prod(np.ptp(before, axis=0)), rtol=1e-4)
+
+    def test_straighten_with_pinned_corners(self):
+        patch = scenes.add_patch(is_planar=True)
+        numbers = polygons_of(patch)[1]
+        for vertex in (0, 8, 45, 53):  # the corners of the patch
+            patch.data.uv_layers.active.data[int(np.flatnonzero(numbers == vertex)[0])].pin_uv = True
+        bpy.ops.uv.abf_straighten()
+        uv, side = uv_of(patch), {}
+        for corner, vertex in enumerate(numbers):
+            side[vertex] = uv[corner]
+        for ends in ((0, 8, 1), (45, 53, 1), (0, 45, 9), (8, 53, 9)):
+            points = np.array([side[v] for v in range(ends[0], ends[1] + 1, ends[2])])
+            self.assertLess(np.ptp(points, axis=0).min(), 1e-5)
+
+    def test_straighten_wants_a_disk(self):
+        tube = scenes.add_tube()
+        for edge in tube.data.edges:
+            edge.use_seam = False
+        self.assert_fails(bpy.ops.uv.abf_straighten, "tube", tube)
+        self.assertGreater(len(selected_faces(tube)), 0)
+
+
+def distances(uv):
+    return np.linalg.norm(uv - np.roll(uv, 1, axis=0), axis=1)
+
+
+def scale(before, after):
+    return distances(before).sum() / distances(after).sum()
+
+
+class Stretch(InBlender):
+    def test_colours(self):
+        patch = scenes.add_patch(height=0, is_planar=True)
+        uv = uv_of(patch)
+        uv[:4] += [[-1, 0], [0, 0], [0, 0], [-1, 0]]  # the first face becomes twice as wide
+        uv[-4:] = uv[[-3, -4, -1, -2]]  # the last one is flipped
+        patch.data.uv_layers.active.data.foreach_set("uv", uv.ravel())
+        bpy.ops.uv.abf_show_stretch()
+        colours = patch.data.color_attributes["Angle stretch"].data
+        self.assertGreater(colours[0].color[0], colours[0].color[2])  # red
+        self.assertGreater(colours[8].color[2], colours[8].color[0])  # blue
+        self.assertEqual([round(v) for v in colours[len(uv) - 1].color], [1, 0, 1, 1])
+        self.assertEqual(patch.data.color_attributes.active_color.name, "Angle stretch")
+        bpy.ops.uv.abf_show_stretch(measure="AREA")
+        self.assertEqual(patch.data.color_attributes.active_color.name, "Area stretch")
+        self.assertEqual(len(patch.data.color_attributes), 2)
+
+    def test_without_coordinates(self):
+        self.assert_fails(bpy.ops.uv.abf_show_stretch, "patch has no UV layer", scenes.add_patch())
+
+
+class Layers(InBlender):
+    def test_a_new_layer(self):
+        patch = scenes.add_patch(is_planar=True)
+        before = uv_of(patch)
+        bpy.ops.uv.abf_unwrap(uv_layer="NEW")
+        self.assertEqual(len(patch.data.uv_layers), 2)
+        self.assertTrue(np.array_equal(uv_of(patch, "UVMap"), before))
+        self.assertEqual(patch.data.uv_layers.active_index, 1)
+        self.certify(patch)
+
+    def test_too_many_layers(self):
+        patch = scenes.add_patch(is_planar=True)
+        other = scenes.add_patch("other", is_planar=True)
+        while len(other.data.uv_layers) < 8:
+            other.data.uv_layers.new()
+        self.assert_fails(bpy.ops.uv.abf_unwrap, "other cannot have another UV layer", patch, other, uv_layer="NEW")
+        self.assertEqual(len(patch.data.uv_layers), 1)
+
+
+class Running(InBlender):
+    def test_undo(self):
+        for begin in (edit, leave):
+            scenes.clear()
+            name = scenes.add_patch(is_planar=True).name
+            select_faces(bpy.data.objects[name], np.ones(40))
+            before = uv_of(bpy.data.objects[name])
+            begin()
+            bpy.ops.ed.undo_push(message="before")
+            bpy.ops.uv.abf_auto_seams("EXEC_DEFAULT", True)
+            self.assertFalse(np.array_equal(uv_of(bpy.data.objects[name]), before))
+            bpy.ops.ed.undo()
+            self.assertTrue(np.array_equal(uv_of(bpy.data.objects[name]), before))
+
+    def test_cancelled(self):
+        """The module gives up when it is told to, and what comes too late is not written."""
+        from abf_unwrap.job import Job
+
+        found = scenes.add_polygons(9, subdivisions=5)
+        found.data.uv_layers.new()
+        before, begin, progress, errors = uv_of(found), Job.run, Job.progress, []
+
+        def cancel_when_told(job, stage, share):
+            job.cancel()
+            return progress(job, stage, share)
+
+        def cancel_at_the_end(job):
+            begin(job)
+            errors.append(job.error)
+            job.cancel()
+
+        Job.progress, Job.run = cancel_when_told, cancel_at_the_end
+        try:
+            self.assertEqual(bpy.ops.uv.abf_auto_seams(), {"CANCELLED"})
+            Job.progress = progress
+            self.assertEqual(bpy.ops.uv.abf_auto_seams(), {"CANCELLED"})
+        finally:
+            Job.progress, Job.run = progress, begin
+        self.assertIsInstance(errors[0], abf.Cancelled)
+        self.assertIsNone(errors[1])
+        self.assertTrue(np.array_equal(uv_of(found), before))
+
+    def test_the_mesh_changes_meanwhile(self):
+        from abf_unwrap.job import Job
+
+        patch = scenes.add_patch(is_planar=True)
+        run = Job.run
+
+        def run_and_change(job):
+            run(job)
+            patch.data.vertices.add(1)
+
+        Job.run = run_and_change
+        try:
+            self.assert_fails(bpy.ops.uv.abf_unwrap, "changed meanwhile", patch)
+        finally:
+            Job.run = run
+
+    def test_same_bits_again(self):
+        found = scenes.add_polygons(8)
+        bpy.ops.uv.abf_auto_seams(keep_marked=False)
+        before = uv_of(found)
+        bpy.ops.uv.abf_auto_seams(keep_marked=False)
+        self.assertTrue(np.array_equal(uv_of(found), before))
+
+    def test_nothing_to_do(self):
+        patch = scenes.add_patch(is_planar=True)
+        select_faces(patch, np.zeros(40))
+        edit()
+        for name in ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten"):
+            self.assert_fails(getattr(bpy.ops.uv, name), "No face is selected", patch)
+
+    def test_a_selected_object_without_selected_faces(self):
+        """It does not take part, and the other one does."""
+        objects = [scenes.add_patch(f"patch {k}", is_planar=True) for k in range(2)]
+        before = uv_of(objects[1])
+        select_faces(objects[0], np.ones(40))
+        select_faces(objects[1], np.zeros(40))
+        edit()
+        bpy.ops.uv.abf_unwrap()
+        leave()
+        self.assertTrue(np.array_equal(uv_of(objects[1]), before))
+        self.certify(objects[0])
+
+
+class BadInput(InBlender):
+    def test_broken_meshes(self):
+        patch = scenes.add_patch(is_planar=True)
+        patch.data.vertices[7].co.z = float("nan")
+        for name in ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch"):
+            self.assert_fails(getattr(bpy.ops.uv, name), "patch: vertex 7 .*not finite", patch)
+
+    def test_dirty_meshes(self):
+        """Operators end, in the mode in which they began. What they refuse stays as it is, with a reason."""
+        operators = ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch")
+        refused = 0
+        for seed in range(60):
+            with self.subTest(seed=seed):
+                random = np.random.default_rng(seed)
+                scenes.clear()
+                objects = [scenes.add_dirty(random, f"dirty {k}") for k in range(random.integers(1, 4))]
+                bpy.context.view_layer.update()
+                before = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+                if random.random() < 0.5:
+                    edit()
+                mode = bpy.context.mode
+                try:
+                    getattr(bpy.ops.uv, operators[seed % 6])()
+                except RuntimeError as error:
+                    refused += 1
+                    self.assertNotIn("Traceback", str(error))
+                    after = [uv_of(each).tobytes() if each.data.uv_layers else None for each in objects]
+                    self.assertEqual(after, before)
+                self.assertEqual(bpy.context.mode, mode)
+        self.assertTrue(10 < refused < 50, refused)
+
+    def test_no_faces(self):
+        self.assert_fails(bpy.ops.uv.abf_unwrap, "points has no faces", scenes.add("points", [(0, 0, 0)], []))
+
+    def test_no_area(self):
+        found = scenes.add("flat", [(0, 0, 0), (1, 0, 0), (2, 0, 0)], [[0, 1, 2]], uv=np.zeros((3, 2)))
+        for name in ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten"):
+            self.assert_fails(getattr(bpy.ops.uv, name), ".", found)
+
+    def test_bad_options(self):
+        patch = scenes.add_patch(is_planar=True)
+        self.assert_fails(bpy.ops.uv.abf_auto_seams, "stretch", patch, stretch_bound=0.5)
+        self.assert_fails(bpy.ops.uv.abf_pack, ".", patch, resolution=8, gutter=256)
+
+
+if __name__ == "__main__":
+    abf = install()
+    result = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
+    sys.stdout.flush()
+    os._exit(not result.wasSuccessful())  # Blender would return 0

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_FINAL_REPORT_H
+#define FLATTEN_MESH_FINAL_REPORT_H
+
+#include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Exit_status.h"
+#include "flatten_mesh/batch/add_run.h"
+#include "flatten_mesh/file_names.h"
+#include "flatten_mesh/json.h"
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace flatten_mesh {
+
+using Report_tree = boost::property_tree::ptree;
+
+// A report for programs, if the file is one.
+inline std::optional<Report_tree> read_report(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  Report_tree tree;
+  try {
+    boost::property_tree::read_json(stream, tree);
+  } catch(const boost::property_tree::json_parser_error&) {
+    return std::nullopt;
+  }
+  return tree.get_optional<std::string>("status") && tree.get_optional<std::string>("input")
+             ? std::optional<Report_tree>(tree)
+             : std::nullopt;
+}
+
+namespace internal {
+
+// Whether a report is newer than all files that it depends on
+inline bool is_newer(const std::string& report, const Command_line& command)
+{
+  std::vector<std::string> files = command.input.empty() ? command.inputs : std::vector{command.input};
+  for(const std::string& file :
+      {command.atlas.bake_from, command.atlas.seams_from, command.cut, command.border_angles}) {
+    if(std::error_code ignored; !file.empty() && std::filesystem::is_regular_file(file, ignored)) {
+      files.push_back(file);
+    }
+  }
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(report, error);
+  return !error && std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+    const auto changed = std::filesystem::last_write_time(file, error);
+    return !error && changed < written;
+  });
+}
+
+// As they are once they have been written and read
+inline Report_tree tree_of_options(const std::vector<std::string>& options)
+{
+  Json_object json;
+  add_run(json, SUCCESS, options);
+  std::istringstream stream(json.text());
+  Report_tree tree;
+  boost::property_tree::read_json(stream, tree);
+  return tree;
+}
+
+} // namespace internal
+
+// The exit status of an earlier run of the same version with the same options on the same input, if it is final: what
+// ran out of time or memory, crashed or could not be written may succeed the next time.
+inline std::optional<Exit_status> final_status(const Command_line& command)
+{
+  std::error_code ignored;
+  if(!std::filesystem::is_regular_file(command.json, ignored) || !internal::is_newer(command.json, command)) {
+    return std::nullopt;
+  }
+  const std::optional<Report_tree> report = read_report(command.json);
+  if(!report) {
+    return std::nullopt;
+  }
+  const Report_tree expected = internal::tree_of_options(command.batch.recorded), none;
+  const std::array<std::string, 4> passing = {"TIMED_OUT", "OUT_OF_MEMORY", "CRASHED", "CANNOT_WRITE"};
+  const bool is_final =
+      report->get_child("version", none) == expected.get_child("version") &&
+      report->get_child("options", none) == expected.get_child("options") &&
+      std::find(passing.begin(), passing.end(), report->get<std::string>("status")) == passing.end();
+  return is_final
+             ? std::optional(static_cast<Exit_status>(report->get<int>("exit_status", COMPUTATION_FAILED)))
+             : std::nullopt;
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_FINAL_REPORT_H
