@@ -1,0 +1,137 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures what the Python module adds to the time of the program, what two Python threads gain, and how many small
+models Dask flattens: python_module.py --program FLATTEN_MESH, with the module in PYTHONPATH."""
+
+import argparse
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+
+import angle_based_flattening as abf  # noqa: E402
+import numpy as np  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path += [str(ROOT / "test/Angle_based_flattening/python"), str(ROOT / "examples/Angle_based_flattening/python")]
+import meshes  # noqa: E402
+import program  # noqa: E402
+
+
+def row(*cells):
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def head(*titles):
+    print()
+    row(*titles)
+    row("---", *["---:"] * (len(titles) - 1))
+
+
+def hill_of(triangles, seed=1):
+    return meshes.hill(round((triangles / 2)**.5) + 1, seed)
+
+
+def of_program(path, file):
+    """The seconds of the stages, and the processor time of the process"""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([path, file, "--quiet", "--threads", "1", "--json", "-"], check=True, stdout=subprocess.PIPE)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return sum(json.loads(done.stdout)["seconds"].values()), cpu
+
+
+def of_module(vertices, faces):
+    """The seconds and the processor time of a call, and the seconds of it outside of the stages"""
+    begin, cpu = time.perf_counter(), time.process_time()
+    atlas = abf.atlas(vertices, faces, threads=1)
+    seconds, cpu = time.perf_counter() - begin, time.process_time() - cpu
+    return seconds, cpu, seconds - sum(atlas.report["seconds"].values())
+
+
+def overhead(options):
+    """Both in turn, so that other work disturbs them alike"""
+    head("triangles", "program, ms", "module, ms", "module / program", "processor time, module / program",
+         "outside of stages, ms")
+    for size in options.sizes:
+        mesh = hill_of(size)
+        of_module(*mesh)  # what is loaded and allocated once
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "hill.obj"
+            program.write_obj(file, *mesh)
+            runs = [(*of_program(options.program, file), *of_module(*mesh)) for _ in range(options.repeat)]
+        ours, our_cpu, seconds, cpu, outside = map(list, zip(*runs))
+        median = statistics.median
+        row(f"{len(mesh[1]):,}", f"{1e3 * median(ours):.1f}", f"{1e3 * median(seconds):.1f}",
+            f"{median(b / a for a, b in zip(ours, seconds)):.2f}", f"{median(b / a for a, b in zip(our_cpu, cpu)):.2f}",
+            f"{1e3 * median(outside):.1f}")
+
+
+def threads(options):
+    """Two meshes one after the other, and in two threads"""
+    head("triangles of each mesh", "one thread, s", "two threads, s", "two / one")
+    for size in options.sizes:
+        pair = [hill_of(size, 1), hill_of(size, 2)]
+
+        def one(mesh):
+            return abf.atlas(*mesh, threads=1)
+
+        def seconds(f):
+            begin = time.perf_counter()
+            f()
+            return time.perf_counter() - begin
+
+        with ThreadPoolExecutor(2) as pool:
+            runs = [(seconds(lambda: list(map(one, pair))), seconds(lambda: list(pool.map(one, pair))))
+                    for _ in range(options.repeat)]
+        row(f"{len(pair[0][1]):,}", *(f"{statistics.median(times):.3f}" for times in zip(*runs)),
+            f"{statistics.median(b / a for a, b in runs):.2f}")
+
+
+def charts_of(seed):
+    return int(abf.atlas(*meshes.hill(16, seed), threads=1).face_chart.max()) + 1
+
+
+def dask(options):
+    """Many small models, which each worker generates"""
+    try:
+        from dask.distributed import Client, LocalCluster
+    except ImportError:
+        print("\nno dask.distributed: collections of models are not measured")
+        return
+    head("workers", "models", "seconds", "models per second")
+    for workers in (1, 2):
+        with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster, \
+                Client(cluster) as client:
+            client.run(sys.path.extend, sys.path)
+            client.gather(client.map(charts_of, range(2 * workers), pure=False))
+            begin = time.perf_counter()
+            charts = client.gather(client.map(charts_of, range(options.models), pure=False, batch_size=50))
+            seconds = time.perf_counter() - begin
+        assert np.all(np.array(charts) > 0)
+        row(str(workers), f"{options.models:,}", f"{seconds:.1f}", f"{options.models / seconds:.1f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True, help="flatten_mesh")
+    parser.add_argument("--sizes", type=lambda text: list(map(int, text.split(","))), default=[1000, 10000, 100000])
+    parser.add_argument("--models", type=int, default=1000)
+    parser.add_argument("--repeat", type=int, default=5)
+    options = parser.parse_args()
+    print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")
+    for part in (overhead, threads, dask):
+        part(options)
+
+
+if __name__ == "__main__":
+    main()
