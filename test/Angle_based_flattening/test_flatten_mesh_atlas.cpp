@@ -305,6 +305,17 @@ BOOST_AUTO_TEST_CASE(symmetric_seams)
   BOOST_TEST((standard_error.find("the surface is not symmetric") != std::string::npos));
 }
 
+// A triangle needs none.
+BOOST_AUTO_TEST_CASE(no_seams_are_symmetric)
+{
+  flatten(write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "--symmetric");
+  BOOST_TEST(status == 0);
+  BOOST_TEST(json().get_child("notes").empty());
+  BOOST_TEST(atlas().get<double>("seams.length") == 0);
+  BOOST_TEST(atlas().get<double>("seams.symmetry.asymmetry") == 0);
+  BOOST_TEST(atlas().get<double>("seams.symmetry.extra_length") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(hidden_seams_are_others)
 {
   const std::string shortest = file("shortest.selection.txt"), hidden = file("hidden.selection.txt");

@@ -167,7 +167,7 @@ private:
       m_report = report;
       m_symmetry.has_symmetric_seams = true;
       m_symmetry.asymmetry = asymmetry;
-      m_symmetry.extra_length = report.seam_length / m_usual.seam_length - 1;
+      m_symmetry.extra_length = m_usual.seam_length > 0 ? report.seam_length / m_usual.seam_length - 1 : 0;
     }
     return true;
   }
