@@ -82,8 +82,8 @@ struct Mirrored_mesh
       report.message = "the surface has no area";
       return false;
     }
-    for(edge_descriptor e : CGAL::edges(mesh)) {
-      edges.push_back(e);
+    for(edge_descriptor e : edges(mesh)) {
+      edge_descriptors.push_back(e);
       ends.push_back({get(vertex_numbers, source(e, mesh)), get(vertex_numbers, target(e, mesh))});
     }
     return true;
@@ -93,13 +93,13 @@ struct Mirrored_mesh
   std::vector<char> marks(EdgeMap map) const
   {
     std::vector<char> result;
-    for(edge_descriptor e : edges)
+    for(edge_descriptor e : edge_descriptors)
       result.push_back(get(map, e));
     return result;
   }
 
   Triangle_arrays arrays;
-  std::vector<edge_descriptor> edges;
+  std::vector<edge_descriptor> edge_descriptors;
   std::vector<Edge_graph::Ends> ends; // of each edge
 };
 
@@ -231,7 +231,7 @@ symmetrize_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
                                         .run(read_mesh.marks(seams), keeps_upper_side ? 1 : -1);
   ABF::measure_symmetry(graph, is_seam, mirror, report);
   for(std::size_t e = 0; e < is_seam.size(); ++e)
-    put(seams, read_mesh.edges[e], bool(is_seam[e]));
+    put(seams, read_mesh.edge_descriptors[e], bool(is_seam[e]));
   return report;
 }
 
@@ -290,7 +290,7 @@ Mesh_report<TriangleMesh> favor_mirror_plane(const TriangleMesh& mesh, const Mir
   const std::vector<signed char> side = ABF::sides_of_vertices(graph, ABF::mirror_plane(plane));
   for(std::size_t e = 0; e < graph.ends.size(); ++e)
     if(side[graph.ends[e][0]] == 0 && side[graph.ends[e][1]] == 0)
-      put(weights, read_mesh.edges[e], 0.6 * get(weights, read_mesh.edges[e]));
+      put(weights, read_mesh.edge_descriptors[e], 0.6 * get(weights, read_mesh.edge_descriptors[e]));
   return report;
 }
 
