@@ -43,8 +43,8 @@ def _build(folder):
 def _project(folder, libraries):
     """A project for setuptools in `folder`, of what CMake has installed there. Libraries are no part of it."""
     shutil.move(folder / "angle_based_flattening.libs", libraries)
-    for file in (HERE / "pyproject.toml", HERE / "README.md", HERE / "THIRD_PARTY.md", TOP / "LICENSE.GPL"):
-        shutil.copy(file, folder)
+    for name in ("pyproject.toml", "README.md", "THIRD_PARTY.md", "LICENSE.GPL"):
+        shutil.copy(HERE / name, folder)
     (folder / "VERSION").write_text(_version())
 
 
