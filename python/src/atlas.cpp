@@ -10,6 +10,7 @@
 #include "interruptible.h"
 #include "marked_edges.h"
 #include "models.h"
+#include "option_taker.h"
 #include "surfaces.h"
 
 #include "flatten_mesh/atlas/Recorded_atlas.h"
@@ -43,11 +44,7 @@ std::string on_or_off(const std::optional<bool>& is_on)
 // The command that asks the program for the same. Values are checked where the atlas is made.
 Command_line command_of(const py::dict& options)
 {
-  const auto take = [&options](const char* const name, auto& value) {
-    if(options.contains(name)) {
-      value = options[name].cast<std::decay_t<decltype(value)>>();
-    }
-  };
+  const Option_taker take(options);
   const auto take_switch = [&options](const char* const name, std::string& value) {
     if(options.contains(name)) {
       value = on_or_off(options[name].cast<bool>());

@@ -6,6 +6,7 @@
 // Single charts: disks that ABF++ or LSCM flattens
 
 #include "bindings.h"
+#include "option_taker.h"
 #include "surfaces.h"
 
 #include "flatten_mesh/json.h"
@@ -34,34 +35,6 @@ namespace {
 using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh>;
 using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>;
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
-
-// Takes options by their names.
-class Option_taker
-{
-public:
-  explicit Option_taker(const py::dict& options) : m_options(options) {}
-
-  template <class Value>
-  void operator()(const char* const name, Value& value) const
-  {
-    if(m_options.contains(name)) {
-      value = m_options[name].cast<Value>();
-    }
-  }
-
-  // A word for each value of an enumeration, in their order
-  template <class Value>
-  void operator()(const char* const name, Value& value, const std::vector<std::string>& words) const
-  {
-    if(m_options.contains(name)) {
-      const auto word = std::find(words.begin(), words.end(), m_options[name].cast<std::string>());
-      value = static_cast<Value>(word - words.begin()); // the Python side has checked it
-    }
-  }
-
-private:
-  const py::dict& m_options;
-};
 
 void take_common(const Option_taker& take, SMP::Flattening_options& options)
 {

@@ -6,6 +6,7 @@
 // What is known of a map: its distortion, its certificate, its place on pages
 
 #include "bindings.h"
+#include "option_taker.h"
 #include "surfaces.h"
 
 #include "flatten_mesh/json.h"
@@ -83,11 +84,7 @@ Certificate certify(const Given_mesh& given, const Watch& watch)
 SMP::Packing_options packing_options(const py::dict& options)
 {
   SMP::Packing_options packing;
-  const auto take = [&options](const char* const name, auto& value) {
-    if(options.contains(name)) {
-      value = options[name].cast<std::decay_t<decltype(value)>>();
-    }
-  };
+  const Option_taker take(options);
   take("resolution", packing.resolution);
   take("height", packing.height);
   take("gutter", packing.gutter);
