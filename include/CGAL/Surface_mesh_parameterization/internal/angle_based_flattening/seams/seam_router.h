@@ -31,17 +31,18 @@ class Edge_graph
 public:
   typedef std::array<std::size_t, 2> Ends;
 
-  Edge_graph(const std::vector<Seam_kernel::Point_3>& points, std::vector<Ends> ends)
-      : points(points), ends(std::move(ends)), m_first(points.size() + 1, 0), m_edges(2 * this->ends.size())
+  Edge_graph(const std::vector<Seam_kernel::Point_3>& vertex_points, std::vector<Ends> edge_ends)
+      : points(vertex_points), ends(std::move(edge_ends)), m_first(points.size() + 1, 0),
+        m_edges(2 * ends.size())
   {
-    for(const Ends& e : this->ends)
+    for(const Ends& e : ends)
       for(std::size_t v : e)
         ++m_first[v + 1];
     for(std::size_t v = 0; v < points.size(); ++v)
       m_first[v + 1] += m_first[v];
     std::vector<std::size_t> place(m_first.begin(), m_first.end() - 1);
-    for(std::size_t e = 0; e < this->ends.size(); ++e)
-      for(std::size_t v : this->ends[e])
+    for(std::size_t e = 0; e < ends.size(); ++e)
+      for(std::size_t v : ends[e])
         m_edges[place[v]++] = e;
   }
 
