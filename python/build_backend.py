@@ -67,7 +67,9 @@ def pack(build_folder, wheel_folder):
     wheel_folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
         stage, libraries, unpacked = (Path(work) / name for name in ("stage", "libraries", "unpacked"))
-        subprocess.run(["cmake", "--install", build_folder, "--component", "python", "--prefix", stage], check=True)
+        elsewhere = {name: value for name, value in os.environ.items() if name != "DESTDIR"}
+        subprocess.run(["cmake", "--install", build_folder, "--component", "python", "--prefix", stage], check=True,
+                       env=elsewhere)
         _project(stage, libraries)
         wheel = _pack_project(stage, Path(work))
         subprocess.run([sys.executable, "-m", "wheel", "unpack", "--dest", unpacked, wheel], check=True)
