@@ -3,6 +3,7 @@
 """Makes an atlas of each OFF and OBJ file of a folder, several at a time, with limits of time and memory. Atlases that
 are newer than their model are not made again: atlases_of_folder.py FOLDER OUTPUT_FOLDER [SECONDS [MEGABYTES]]"""
 
+import functools
 import resource
 import sys
 from pathlib import Path
@@ -12,8 +13,9 @@ from dask.distributed import Client, LocalCluster, as_completed
 from mesh_files import read, write_obj
 
 
-def limit_memory(megabytes):
-    """Beyond the limit, a model is an error, and its worker goes on."""
+def prepare_worker(folder, megabytes):
+    """Beyond the limit of memory, a model is an error, and its worker goes on."""
+    sys.path.append(folder)
     resource.setrlimit(resource.RLIMIT_DATA, (megabytes * 1024**2, resource.RLIM_INFINITY))
 
 
@@ -26,7 +28,9 @@ def make_atlas(file, output, seconds):
         atlas = abf.atlas(vertices, faces, threads=1, timeout=seconds)
     except (ValueError, TimeoutError, MemoryError) as error:
         return f"{type(error).__name__}: {error}"
-    write_obj(output, vertices, faces, atlas.uv)
+    part = output.with_suffix(".part")  # a worker that is killed leaves no half of an output
+    write_obj(part, vertices, faces, atlas.uv)
+    part.replace(output)
     return f"{atlas.face_chart.max() + 1} charts"
 
 
@@ -34,9 +38,8 @@ def main(folder, outputs, seconds="60", megabytes="2000"):
     outputs.mkdir(parents=True, exist_ok=True)
     files = sorted(file for file in folder.iterdir() if file.suffix in (".off", ".obj"))
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
-        client.run(limit_memory, int(megabytes))
         here = str(Path(__file__).resolve().parent)
-        client.run(sys.path.append, here)
+        client.register_worker_callbacks(functools.partial(prepare_worker, here, int(megabytes)))
         futures = {client.submit(make_atlas, file, outputs / f"{file.stem}.obj", float(seconds), pure=False): file
                    for file in files}
         for future, result in as_completed(futures, with_results=True):

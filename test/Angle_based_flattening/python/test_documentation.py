@@ -9,8 +9,10 @@ import inspect
 import io
 import os
 import re
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import angle_based_flattening as abf
@@ -152,3 +154,32 @@ def test_example_of_a_folder(tmp_path):
     (models / "slow.off").unlink()
     assert make(600)["triangle.off"] in ("1 charts", "is there")
     assert sorted(file.name for file in out.iterdir()) == ["done.obj", "triangle.obj"]
+
+
+def worker_of(process):
+    """A process that works for one with Dask, if there is any."""
+    children = Path(f"/proc/{process.pid}/task").glob("*/children")
+    for child in (int(pid) for file in children for pid in file.read_text().split()):
+        words = Path(f"/proc/{child}/cmdline").read_bytes()
+        if b"spawn_main" in words:
+            return child
+    return None
+
+
+def test_example_of_a_folder_goes_on_without_a_worker(tmp_path):
+    needs("distributed")
+    models, out = tmp_path / "models", tmp_path / "out"
+    models.mkdir()
+    vertices, faces = meshes.torus(40, 30)
+    for k in range(8):
+        write_off(models / f"{k}.off", vertices * (1 + k), faces)
+    with subprocess.Popen([sys.executable, EXAMPLES / "atlases_of_folder.py", models, out], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True, cwd=tmp_path) as process:
+        while process.poll() is None and not (out.is_dir() and any(out.glob("*.obj"))):
+            time.sleep(.02)
+        os.kill(worker_of(process), signal.SIGKILL)
+        lines = process.communicate(timeout=300)[0].splitlines()
+    assert process.returncode == 0 and len(lines) == 8
+    assert all(line.endswith(("charts", "is there")) for line in lines)
+    assert sorted(file.name for file in out.glob("*.obj")) == [f"{k}.obj" for k in range(8)]
+    assert all(file.read_text().count("\nvt ") == faces.size for file in out.glob("*.obj"))
