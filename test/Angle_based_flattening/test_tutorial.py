@@ -350,7 +350,8 @@ class Options(unittest.TestCase):
         text = subprocess.run([FLATTEN_MESH, "--help"], capture_output=True, text=True, check=True).stdout
         known = set(re.findall(r"--[a-z][a-z-]*", text))
         for file in [ROOT / "README.md", *MANUAL.glob("*.txt")]:
-            others = r"^.*(?:--target|\.py|cmake|cpack|\bpip\b|\bvenv\b|scripts/(?!flatten)).*$"  # lines about programs with options of their own
+            # Lines about programs with options of their own
+            others = r"^.*(?:--target|\.py|cmake|cpack|\bpip\b|\bvenv\b|scripts/(?!flatten)).*$"
             text = re.sub(others, "", file.read_text(), flags=re.M)
             for option in set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", text)):
                 self.assertIn(option, known, f"in {file.name}")
