@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, replace
-from typing import Any, Callable
+from typing import Any
 
 import numpy as np
 
@@ -59,25 +59,24 @@ def make_atlas(
         raise BadInput("No face is selected")
     abf = module.load()
 
-    def make(some: list[MeshArrays]) -> list[Any]:
-        def argument(values: list[Any]) -> Any:
-            return values if len(some) > 1 else values[0]
+    def argument(values: list[Any]) -> Any:
+        return values if len(used) > 1 else values[0]
 
+    try:
         made = abf.atlas(
-            argument([mesh.vertices for mesh in some]),
-            argument([mesh.polygons for mesh in some]),
-            ignored_faces=argument([~mesh.chosen for mesh in some]),
-            marked_seams=argument([usable_seams(mesh) for mesh in some]) if with_seams else None,
-            uv=argument([mesh.uv for mesh in some]) if with_uv else None,
+            argument([mesh.vertices for mesh in used]),
+            argument([mesh.polygons for mesh in used]),
+            ignored_faces=argument([~mesh.chosen for mesh in used]),
+            marked_seams=argument([usable_seams(mesh) for mesh in used]) if with_seams else None,
+            uv=argument([mesh.uv for mesh in used]) if with_uv else None,
             progress=progress,
             **keywords,
         )
-        return made if len(some) > 1 else [made]
-
-    try:
-        atlases = iter(make(used))
     except abf.MeshError as error:
-        raise BadInput(with_names(error.message, used), faces_by_mesh(meshes, make, abf.MeshError)) from error
+        mesh = used[error.mesh]
+        number = next(k for k, each in enumerate(meshes) if each is mesh)
+        raise BadInput(with_names(error.message, used), [(number, faces_of(error, mesh))]) from error
+    atlases = iter(made if len(used) > 1 else [made])
     return [next(atlases) if mesh.chosen.any() else None for mesh in meshes]
 
 
@@ -86,20 +85,6 @@ def with_names(text: str, meshes: list[MeshArrays]) -> str:
     if len(meshes) == 1:
         return text.replace("'mesh'", f"'{meshes[0].name}'")
     return re.sub(r"\bmesh (\d+)\b", lambda found: meshes[int(found[1])].name, text)
-
-
-def faces_by_mesh(
-    meshes: list[MeshArrays], make: Callable[[list[MeshArrays]], Any], mesh_error: type[Exception]
-) -> list[tuple[int, np.ndarray]]:
-    """The faces that each mesh fails on by itself: an error of several meshes does not say whose faces it names."""
-    found = []
-    for number, mesh in enumerate(meshes):
-        if mesh.chosen.any():
-            try:
-                make([mesh])
-            except mesh_error as error:
-                found.append((number, faces_of(error, mesh)))
-    return [(number, faces) for number, faces in found if len(faces)]
 
 
 def faces_of(error: Any, mesh: MeshArrays) -> np.ndarray:
