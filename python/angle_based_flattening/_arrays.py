@@ -67,10 +67,10 @@ def number_of_faces(offsets: np.ndarray | None, indices: np.ndarray) -> int:
     return len(indices) if offsets is None else len(offsets) - 1
 
 
-def check_not_empty(offsets: np.ndarray | None, indices: np.ndarray, mesh: str = "") -> None:
+def check_not_empty(offsets: np.ndarray | None, indices: np.ndarray, mesh: str = "", number: int = 0) -> None:
     """Raises a `MeshError` if there are no faces."""
     if number_of_faces(offsets, indices) == 0:
-        raise MeshError("EMPTY_MESH", f"{mesh or 'the mesh'} has no faces")
+        raise MeshError("EMPTY_MESH", f"{mesh or 'the mesh'} has no faces", mesh=number)
 
 
 def flags(values: ArrayLike, what: str, count: int) -> np.ndarray:

@@ -48,11 +48,12 @@ class Atlas:
         return vmapping, indices.reshape(self._indices.shape), uvs
 
 
-def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, mesh: str):
-    """A mesh as the compiled part takes it."""
+def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, number: int | None):
+    """A mesh as the compiled part takes it. It has a number if there are several."""
+    mesh = "" if number is None else f"mesh {number}"
     vertices = _arrays.numbers(vertices, _arrays.name_of("vertices", mesh), 3)
     offsets, indices = _arrays.polygons(faces, mesh)
-    _arrays.check_not_empty(offsets, indices, mesh)
+    _arrays.check_not_empty(offsets, indices, mesh, number or 0)
     if marked_seams is not None:
         marked_seams = _arrays.integers(marked_seams, _arrays.name_of("marked_seams", mesh), 2)
     if uv is not None:
@@ -209,7 +210,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         faces, marked_seams, uv, ignored_faces = [faces], [marked_seams], [uv], [ignored_faces]
     if given_charts == "keep" and any(each is None for each in uv):
         raise ValueError('given_charts is "keep", and uv is not given')
-    given = [_given_mesh(*each, f"mesh {i}" if is_shared else "")
+    given = [_given_mesh(*each, i if is_shared else None)
              for i, each in enumerate(zip(meshes, faces, marked_seams, uv, ignored_faces))]
     results, text = _core.atlas([each[0] for each in given], is_shared, options, _options.watch(progress, timeout))
     report = json.loads(text)

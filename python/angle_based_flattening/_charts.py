@@ -199,14 +199,14 @@ def hierarchical(vertices: ArrayLike, faces, **options) -> Flattening:
     return flatten(vertices, faces, method="hierarchical", **options)
 
 
-def lscm(vertices: ArrayLike, faces, *, timeout: float | None = None) -> Flattening:
+def lscm(vertices: ArrayLike, faces) -> Flattening:
     """Flattens a disk with CGAL's least squares conformal maps, for comparison. Triangles may be flipped."""
     given, _ = given_mesh(vertices, faces)
-    uv, text = _core.lscm(given, _options.watch(None, timeout))
+    uv, text = _core.lscm(given, _options.watch())
     return Flattening(uv, json.loads(text))
 
 
-def measure(vertices: ArrayLike, faces, uv: ArrayLike, *, timeout: float | None = None) -> dict[str, Any]:
+def measure(vertices: ArrayLike, faces, uv: ArrayLike) -> dict[str, Any]:
     """The distortion of a map, of one chart or of many.
 
     Args:
@@ -218,14 +218,14 @@ def measure(vertices: ArrayLike, faces, uv: ArrayLike, *, timeout: float | None 
     """
     uv = corner_coordinates(uv, vertices, faces)
     given, _ = given_mesh(vertices, faces, uv=uv)
-    return json.loads(_core.measure(given, _options.watch(None, timeout)))
+    return json.loads(_core.measure(given, _options.watch()))
 
 
-def certify(vertices: ArrayLike, faces, uv: ArrayLike, *, timeout: float | None = None) -> Certificate:
+def certify(vertices: ArrayLike, faces, uv: ArrayLike) -> Certificate:
     """Checks with exact predicates whether a map is injective; see `measure()` for the arguments."""
     uv = corner_coordinates(uv, vertices, faces)
     given, _ = given_mesh(vertices, faces, uv=uv)
-    is_injective, flipped, overlapping = _core.certify(given, _options.watch(None, timeout))
+    is_injective, flipped, overlapping = _core.certify(given, _options.watch())
     return Certificate(is_injective, np.asarray(flipped, np.int64), np.asarray(overlapping, np.int64))
 
 
@@ -243,8 +243,7 @@ class Packing:
 
 
 def pack(charts: Sequence[tuple], *, resolution: int = 1024, height: int | None = None, gutter: int | None = None,
-         block: int = 1, texels_per_unit: float = 0, number_of_rotations: int = 32,
-         timeout: float | None = None) -> Packing:
+         block: int = 1, texels_per_unit: float = 0, number_of_rotations: int = 32) -> Packing:
     """Packs charts into a page, or into as many as they take, at one density of texels.
 
     Args:
@@ -281,5 +280,5 @@ def pack(charts: Sequence[tuple], *, resolution: int = 1024, height: int | None 
     if not all_faces:
         raise ValueError("charts is empty")
     given, _ = given_mesh(np.concatenate(all_vertices), np.concatenate(all_faces), uv=np.concatenate(all_uv))
-    uv, text = _core.pack(given, first_faces, options, _options.watch(None, timeout))
+    uv, text = _core.pack(given, first_faces, options, _options.watch())
     return Packing([uv[a:b] for a, b in zip(first_vertices, first_vertices[1:])], json.loads(text))

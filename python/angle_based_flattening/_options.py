@@ -50,7 +50,7 @@ def switch(name: str, value: Any) -> bool:
     return bool(value)
 
 
-def watch(progress: Progress | None, timeout: float | None) -> _core.Watch:
+def watch(progress: Progress | None = None, timeout: float | None = None) -> _core.Watch:
     """How long a computation may take, and who follows it."""
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function of the name of a stage and its share")

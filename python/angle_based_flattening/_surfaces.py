@@ -28,7 +28,7 @@ class Seams:
 
 
 def seams(vertices: ArrayLike, faces, *, stretch_bound: float = 1.1, maximum_number_of_terminals: int = 100,
-          along: str = "length", marked_seams: ArrayLike | None = None, timeout: float | None = None) -> Seams:
+          along: str = "length", marked_seams: ArrayLike | None = None) -> Seams:
     """Chooses seams that cut a surface to disks with little stretch, as the C++ function ``select_seams()`` does.
 
     Args:
@@ -42,7 +42,7 @@ def seams(vertices: ArrayLike, faces, *, stretch_bound: float = 1.1, maximum_num
     edges, text = _core.seams(given, _options.choice("along", along, ("length", "creases", "hidden")),
                               _options.number("stretch_bound", stretch_bound, 1),
                               _options.integer("maximum_number_of_terminals", maximum_number_of_terminals, 0, 10**6),
-                              _options.watch(None, timeout))
+                              _options.watch())
     return Seams(edges, json.loads(text))
 
 
@@ -74,7 +74,8 @@ def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0,
         number: how many cones, at most 1000.
         angle_multiple: if not 0, angles are multiples of this angle, in radians; 2 pi must be a multiple of it.
         flatten: whether a map is made. Both sides of its seams differ by a rotation and a translation.
-        threads, timeout, progress: as of `atlas()`.
+        threads: as of `atlas()`.
+        timeout, progress: as of `atlas()`. They end the map, and not the choice of cones.
     """
     given, _ = given_mesh(vertices, faces)
     found, stretch, uv, edges = _core.cones(
@@ -137,5 +138,5 @@ def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fi
         "normals_in_object_space": _options.switch("normals_in_object_space", normals_in_object_space),
         "threads": _options.integer("threads", threads, 0, 1024)}
     normals, displacements, found_colors, texels, text = _core.bake(given, fine, colors, options,
-                                                                    _options.watch(None, None))
+                                                                    _options.watch())
     return Baked(normals, displacements, found_colors, texels, json.loads(text))

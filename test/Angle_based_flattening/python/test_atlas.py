@@ -127,6 +127,9 @@ def test_failures_of_several_meshes_name_the_mesh():
     with pytest.raises(abf.MeshError) as error:
         abf.atlas([hill[0], torus[0]], [hill[1], torus[1]], uv=uv, given_charts="keep")
     assert error.value.mesh == 1 and len(error.value.faces) > 0
+    with pytest.raises(abf.MeshError) as error:
+        abf.atlas([hill[0], torus[0]], [hill[1], torus[1][:0]])
+    assert (error.value.mesh, error.value.status) == (1, "EMPTY_MESH")
 
 
 @pytest.mark.parametrize("name", meshes.ALL)
