@@ -129,7 +129,7 @@ private:
     return m_symmetry.plane ? SMP::measure_symmetry(m_mesh, atlas.seams, m_symmetry.plane).asymmetry : 0;
   }
 
-  // With the seams of either side. If these are not too long, there is room for more cuts.
+  // With the seams of either side. If these are not too long, more cuts are tried.
   void try_seams(const Marks& seams, const bool favors_plane)
   {
     for(const bool is_upper_side : {false, true}) {

@@ -13,7 +13,7 @@
 
 namespace flatten_mesh {
 
-// Bounds the address space of the process while it lives. What has to be told afterwards has room again.
+// Bounds the address space of the process while it lives. What is told afterwards is not bound.
 class Memory_bound
 {
 public:

@@ -131,7 +131,7 @@ private:
   void keep_best_rules(std::size_t most)
   {
     most = (std::min)(most, (m_rules.size() + 1) / 2);
-    const auto places = try_all_rules(nearly * m_scale);
+    const auto places = places_by_rules(nearly * m_scale);
     std::vector<Placement_rule> best = {m_rules[m_best_rule]};
     forbid_turning();
     allow_directions(m_places);
@@ -188,7 +188,7 @@ private:
   }
 
   // The places by each of the rules, if all charts fit
-  std::vector<std::optional<std::vector<Chart_place>>> try_all_rules(double scale)
+  std::vector<std::optional<std::vector<Chart_place>>> places_by_rules(double scale)
   {
     prepare(scale, 0, m_rules.size());
     std::vector<std::optional<std::vector<Chart_place>>> places(m_rules.size());
