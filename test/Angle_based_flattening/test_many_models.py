@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs flatten_mesh on many models: processes that crash or hang, shards, runs that go on where others ended, and the
-table of all reports. Usage: test_many_models.py FLATTEN_MESH"""
+table of all reports."""
 
 import csv
 import io
@@ -13,103 +13,12 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
-import time
 import unittest
 from pathlib import Path
 
-FLATTEN_MESH = Path(sys.argv.pop(1)).resolve()
-SCRIPT = Path(__file__).resolve().parents[2] / "examples/Angle_based_flattening/flatten_many.slurm"
-QUICK = ["--for", "few-charts", "--resolution", "64", "--rotations", "1"]
-OUTPUTS = ["--output-folder", "out", "--output", "%.obj", "--json", "%.json"]
-DIFFERENT = ("seconds", "peak_memory_mb", "options")  # between two runs
-LIMIT = 60  # seconds, on any machine
-
-
-def pyramid(sides, height):
-    """The text of a pyramid without its base."""
-    points = "".join(f"{x} {y} 0\n" for x, y in ((k, (k * (sides - k)) ** 0.5) for k in range(sides + 1)))
-    faces = "".join(f"3 {k} {k + 1} {sides + 1}\n" for k in range(sides))
-    return f"OFF\n{sides + 2} {sides} 0\n{points}{sides / 2} 0 {height}\n{faces}"
-
-
-def children(process):
-    """The processes that a process has started."""
-    return [int(child) for child in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
-
-
-def wait_until(condition):
-    end = time.monotonic() + LIMIT
-    while not (result := condition()):
-        assert time.monotonic() < end, "it does not happen"
-        time.sleep(0.01)
-    return result
-
-
-def reads(process, name):
-    """Whether a process has a file open, or waits for the other end of a pipe."""
-    try:
-        return any(os.readlink(file).endswith(name) for file in Path(f"/proc/{process}/fd").iterdir())
-    except OSError:
-        return False
-
-
-class Folder(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder)
-        self.names = []
-        for k in range(6):
-            name = f"in/{'ab'[k % 2]}/model {k // 2}.off"  # equal names in two folders
-            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (self.folder / name).write_text(pyramid(4 + k, 1 + k))
-            self.names.append(name)
-
-    def command(self, *arguments):
-        return [str(FLATTEN_MESH), *QUICK, *map(str, arguments)]
-
-    def run_program(self, *arguments, status=0, text=None):
-        result = subprocess.run(self.command(*arguments), cwd=self.folder, input=text, capture_output=True, text=True,
-                                timeout=LIMIT, check=False)
-        self.assertEqual(result.returncode, status, result.stderr)
-        return result
-
-    def start(self, *arguments):
-        process = subprocess.Popen(self.command(*arguments), cwd=self.folder, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.stderr.close)
-        return process
-
-    def report(self, name, folder="out"):
-        return json.loads((self.folder / folder / name).with_suffix(".json").read_text())
-
-    def files(self, folder="out"):
-        """The texts of all files, but for what differs between two runs."""
-        result = {}
-        for file in sorted((self.folder / folder).rglob("*.*")):
-            text = file.read_text()
-            if file.suffix == ".json":
-                report = json.loads(text)
-                text = json.dumps({key: report[key] for key in report if key not in DIFFERENT})
-            result[str(file.relative_to(self.folder / folder))] = text
-        return result
-
-    def make_pipe(self, name):
-        """A model at which the program hangs, because nobody writes it."""
-        (self.folder / name).unlink(missing_ok=True)
-        os.mkfifo(self.folder / name)
-
-    def child_at_pipe(self, process, name):
-        """The process that waits for the pipe, once the pipe has a reader."""
-        writer = wait_until(lambda: self.open_for_writing(name))
-        self.addCleanup(os.close, writer)
-        return wait_until(lambda: [child for child in children(process.pid) if reads(child, name)])[0]
-
-    def open_for_writing(self, name):
-        try:
-            return os.open(self.folder / name, os.O_WRONLY | os.O_NONBLOCK)
-        except OSError:
-            return None
+sys.path.insert(0, str(Path(__file__).parent / "many_models"))
+# pylint: disable=wrong-import-position
+from folder import FLATTEN_MESH, LIMIT, OUTPUTS, QUICK, SCRIPT, Folder
 
 
 class Processes(Folder):
@@ -215,32 +124,6 @@ class Resumed(Folder):
         self.assertEqual(skipped("--block", "4", status=2), 5)
         self.assertEqual(skipped("--block", "4", status=2), 6)
 
-    @unittest.skipUnless(shutil.which("parallel"), "no GNU parallel")
-    def test_killed_worker(self):
-        """The recipe of the manual. A worker is killed half way, and a second run does what is left."""
-        self.run_program(*self.names, *OUTPUTS)
-        expected = self.files()
-        shutil.rmtree(self.folder / "out")
-        text = (self.folder / self.names[2]).read_text()
-        self.make_pipe(self.names[2])
-        (self.folder / "models.txt").write_text("\n".join(self.names))
-        recipe = ["parallel", "--will-cite", "-j2", str(FLATTEN_MESH), *QUICK, "--list", "models.txt", "--shard",
-                  "{}/2", *OUTPUTS, "--resume", "--quiet", ":::", "1", "2"]
-        with subprocess.Popen(recipe, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-            writer = wait_until(lambda: self.open_for_writing(self.names[2]))
-            os.kill(self.worker("1/2"), signal.SIGKILL)
-            process.wait(LIMIT)
-            os.close(writer)
-        self.assertNotEqual(process.returncode, 0)
-        self.assertFalse((self.folder / "out/a/model 1.json").exists())
-        done = {file: file.stat().st_mtime_ns for file in self.folder.glob("out/b/*.json")}
-        self.assertEqual(len(done), 3)  # those of the other worker
-        (self.folder / self.names[2]).unlink()
-        (self.folder / self.names[2]).write_text(text)
-        subprocess.run(recipe, cwd=self.folder, check=True, timeout=LIMIT, capture_output=True)
-        self.assertEqual(self.files(), expected)
-        subprocess.run(recipe, cwd=self.folder, check=True, timeout=LIMIT, capture_output=True)
-
     def test_slurm_script(self):
         """The tasks of an array do all models, and again those that are missing."""
         self.run_program(*self.names, *OUTPUTS)
@@ -255,18 +138,6 @@ class Resumed(Folder):
                                timeout=LIMIT, env={**os.environ, "PATH": path, "SLURM_ARRAY_TASK_ID": str(task)})
             self.assertEqual(self.files("array"), self.files())
             (self.folder / "array/b/model 0.json").unlink()
-
-    def worker(self, shard):
-        """The process of the program for a shard, which has started those for its inputs."""
-        processes = []
-        for file in Path("/proc").glob("[0-9]*/cmdline"):
-            try:
-                is_here = os.readlink(file.parent / "cwd") == str(self.folder)
-                if is_here and shard.encode() in file.read_bytes().split(b"\0"):
-                    processes.append(int(file.parent.name))
-            except OSError:  # has ended
-                pass
-        return next(process for process in processes if children(process))
 
 
 class Summary(Folder):
