@@ -19,6 +19,7 @@ def prepare_worker(folder, megabytes):
     resource.setrlimit(resource.RLIMIT_DATA, (megabytes * 1024**2, resource.RLIM_INFINITY))
 
 
+## [make_atlas]
 def make_atlas(file, output, seconds):
     """What became of a model. Errors of a model do not end the others."""
     if output.exists() and output.stat().st_mtime >= file.stat().st_mtime:
@@ -32,6 +33,7 @@ def make_atlas(file, output, seconds):
     write_obj(part, vertices, faces, atlas.uv)
     part.replace(output)
     return f"{atlas.face_chart.max() + 1} charts"
+## [make_atlas]
 
 
 def main(folder, outputs, seconds="60", megabytes="2000"):
@@ -42,8 +44,9 @@ def main(folder, outputs, seconds="60", megabytes="2000"):
         client.register_worker_callbacks(functools.partial(prepare_worker, here, int(megabytes)))
         futures = {client.submit(make_atlas, file, outputs / f"{file.stem}.obj", float(seconds), pure=False): file
                    for file in files}
-        for future, result in as_completed(futures, with_results=True):
-            print(f"{futures[future].name}: {result}")
+        for future in as_completed(futures):
+            error = future.exception()  # of a model that ended several workers, one after the other
+            print(f"{futures[future].name}: {type(error).__name__ if error else future.result()}", flush=True)
 
 
 if __name__ == "__main__":

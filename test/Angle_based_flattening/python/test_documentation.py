@@ -156,30 +156,85 @@ def test_example_of_a_folder(tmp_path):
     assert sorted(file.name for file in out.iterdir()) == ["done.obj", "triangle.obj"]
 
 
-def worker_of(process):
-    """A process that works for one with Dask, if there is any."""
-    children = Path(f"/proc/{process.pid}/task").glob("*/children")
-    for child in (int(pid) for file in children for pid in file.read_text().split()):
-        words = Path(f"/proc/{child}/cmdline").read_bytes()
-        if b"spawn_main" in words:
-            return child
-    return None
+class Models:
+    """A folder with six models and one for their atlases. At one of the models, whoever reads it hangs."""
 
+    def __init__(self, folder, monkeypatch):
+        monkeypatch.syspath_prepend(str(EXAMPLES))
+        import mesh_files
+        self.folder, self.models, self.out, self.expected = folder, folder / "models", folder / "out", {}
+        self.models.mkdir()
+        vertices, faces = meshes.torus(20, 15)
+        for k in range(6):
+            write_off(self.models / f"{k}.off", vertices * (1 + k), faces)
+            file = folder / f"{k}.obj"
+            mesh_files.write_obj(file, vertices * (1 + k), faces, abf.atlas(vertices * (1 + k), faces).uv)
+            self.expected[file.name] = file.read_text()
+        self.pipe = self.models / "3.off"
+        self.text = self.pipe.read_text()
+        self.pipe.unlink()
+        os.mkfifo(self.pipe)
 
-def test_example_of_a_folder_goes_on_without_a_worker(tmp_path):
-    needs("distributed")
-    models, out = tmp_path / "models", tmp_path / "out"
-    models.mkdir()
-    vertices, faces = meshes.torus(40, 30)
-    for k in range(8):
-        write_off(models / f"{k}.off", vertices * (1 + k), faces)
-    with subprocess.Popen([sys.executable, EXAMPLES / "atlases_of_folder.py", models, out], stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL, text=True, cwd=tmp_path) as process:
-        while process.poll() is None and not (out.is_dir() and any(out.glob("*.obj"))):
+    def start(self, **environment):
+        return subprocess.Popen([sys.executable, EXAMPLES / "atlases_of_folder.py", self.models, self.out],
+                                cwd=self.folder, env={**os.environ, **environment}, stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL, text=True, start_new_session=True)
+
+    def atlases(self):
+        return {file.name: file.read_text() for file in self.out.glob("*.obj")}
+
+    def times(self):
+        return {file.name: file.stat().st_mtime_ns for file in self.out.glob("*.obj")}
+
+    def reader(self, process):
+        """The worker of the program that hangs, half way"""
+        end = time.monotonic() + 120
+        while not (self.times() and (found := self.find_reader(process))):
+            assert process.poll() is None and time.monotonic() < end
             time.sleep(.02)
-        os.kill(worker_of(process), signal.SIGKILL)
+        return found
+
+    def find_reader(self, process):
+        for number in Path("/proc").glob("[0-9]*"):
+            try:
+                if os.getpgid(int(number.name)) == process.pid:
+                    if any(os.readlink(file) == str(self.pipe) for file in (number / "fd").iterdir()):
+                        return int(number.name)
+            except OSError:  # has ended, or is not ours
+                pass
+        return None
+
+
+def test_example_of_a_folder_goes_on_without_a_worker(tmp_path, monkeypatch):
+    needs("distributed")
+    models = Models(tmp_path, monkeypatch)
+    with models.start() as process:
+        with open(models.pipe, "r+b", buffering=0) as writer:
+            killed = models.reader(process)
+            os.kill(killed, signal.SIGKILL)
+            while models.reader(process) == killed:
+                pass
+            writer.write(models.text.encode())
         lines = process.communicate(timeout=300)[0].splitlines()
-    assert process.returncode == 0 and len(lines) == 8
+    assert process.returncode == 0 and len(lines) == 6
     assert all(line.endswith(("charts", "is there")) for line in lines)
-    assert sorted(file.name for file in out.glob("*.obj")) == [f"{k}.obj" for k in range(8)]
-    assert all(file.read_text().count("\nvt ") == faces.size for file in out.glob("*.obj"))
+    assert models.atlases() == models.expected
+
+
+def test_example_of_a_folder_finishes_the_rest(tmp_path, monkeypatch):
+    """A first run gives a model up because its worker was killed; a second run does only what is left."""
+    needs("distributed")
+    models = Models(tmp_path, monkeypatch)
+    with models.start(DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES="0") as process:
+        with open(models.pipe, "r+b", buffering=0):
+            os.kill(models.reader(process), signal.SIGKILL)
+            lines = process.communicate(timeout=300)[0].splitlines()
+    assert process.returncode == 0 and len(lines) == 6 and "3.off: KilledWorker" in lines
+    times = models.times()
+    assert times and "3.obj" not in times
+    models.pipe.unlink()
+    models.pipe.write_text(models.text)
+    told = dict(line.split(": ") for line in run_example(tmp_path, "atlases_of_folder.py", models.models, models.out))
+    assert {name for name, result in told.items() if result == "is there"} == {f"{name[0]}.off" for name in times}
+    assert models.atlases() == models.expected
+    assert {name: models.times()[name] for name in times} == times
