@@ -144,9 +144,15 @@ class Summary(Folder):
     def test_summary(self):
         (self.folder / "in/a/bad,name.off").write_text("OFF\n")
         self.run_program(*self.names, "in/a/bad,name.off", *OUTPUTS, status=2)
-        (self.folder / "out/other.json").write_text("{}")
+        whole = (self.folder / "out/a/model 0.json").read_text()
+        others = {"other": "{}", "nothing": "", "half": whole[:len(whole) // 2], "deep": 1000000 * "[",
+                  "deeper": 300000 * '{"status": ', "empty": whole.replace('"OK"', '""', 1),
+                  "bytes": bytes(range(256)).decode("latin-1")}
+        for name, text in others.items():
+            (self.folder / f"out/{name}.json").write_text(text)
         result = self.run_summary("--summary", "out")
-        self.assertRegex(result.stderr, "other.json' is no report")
+        for name in others:
+            self.assertIn(f"{name}.json' is no report", result.stderr)
         self.assertRegex(result.stderr, "7 reports: 6 OK, 1 WRONG_INPUT\n$")
         rows = {row["name"]: row for row in csv.DictReader(io.StringIO(result.stdout))}
         self.assertEqual(len(rows), 7)

@@ -9,6 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/batch/add_run.h"
+#include "flatten_mesh/batch/read_report.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/json.h"
 
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -26,23 +26,6 @@
 #include <vector>
 
 namespace flatten_mesh {
-
-using Report_tree = boost::property_tree::ptree;
-
-// A report for programs, if the file is one.
-inline std::optional<Report_tree> read_report(const std::string& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  Report_tree tree;
-  try {
-    boost::property_tree::read_json(stream, tree);
-  } catch(const boost::property_tree::json_parser_error&) {
-    return std::nullopt;
-  }
-  return tree.get_optional<std::string>("status") && tree.get_optional<std::string>("input")
-             ? std::optional<Report_tree>(tree)
-             : std::nullopt;
-}
 
 namespace internal {
 

@@ -9,7 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/Output_file.h"
-#include "flatten_mesh/batch/final_report.h"
+#include "flatten_mesh/batch/read_report.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/texts.h"
 
