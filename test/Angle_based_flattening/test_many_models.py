@@ -169,9 +169,16 @@ class Summary(Folder):
         self.assertEqual(rows["a/bad,name"]["triangles"], "")
         self.run_summary("--summary", "out", "--output", "table.csv", "--quiet")
         self.assertEqual((self.folder / "table.csv").read_text(), result.stdout)
+        self.run_summary("--summary", "out", "--report", "page.html", "--output", "again.csv", "--quiet")
+        self.assertEqual((self.folder / "again.csv").read_text(), result.stdout)
+        page = self.run_summary("--summary", "out", "--report", "-").stdout  # without the table
+        self.assertEqual((self.folder / "page.html").read_text(), page)
+        self.assertIn('<script type="application/json" id="summary">', page)
         self.run_summary("--summary", "in", status=2)
         self.run_summary("--summary", "absent", status=2)
         self.run_summary("--summary", "out", "--output", "table.obj", status=2)
+        for arguments in (["page.csv"], ["-", "--output", "-"], ["absent/page.html"]):
+            self.assertIn(arguments[0], self.run_summary("--summary", "out", "--report", *arguments, status=2).stderr)
 
     def run_summary(self, *arguments, status=0):
         result = subprocess.run([str(FLATTEN_MESH), *arguments], cwd=self.folder, capture_output=True, text=True,

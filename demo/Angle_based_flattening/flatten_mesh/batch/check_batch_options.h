@@ -62,13 +62,19 @@ inline void check_batch_numbers(Batch_options& batch)
 inline void check_summary(const boost::program_options::variables_map& values, const Command_line& command)
 {
   for(const auto& [option, value] : values) {
-    if(!value.defaulted() && option != "summary" && option != "output" && option != "quiet") {
+    if(!value.defaulted() && option != "summary" && option != "output" && option != "report" &&
+       option != "quiet") {
       throw Usage_error("--summary reads reports and flattens nothing: it goes without --" + option);
     }
   }
   if(!command.output.empty() && command.output != standard_output && file_format(command.output) != "csv") {
     throw Usage_error("--summary writes a table: give --output a name that ends with .csv, not '" +
                       command.output + "'");
+  }
+  for(const Output_option& option : output_options()) {
+    if(option.file == &Command_line::report) {
+      check_output(command, option);
+    }
   }
 }
 

@@ -43,8 +43,9 @@ inline boost::program_options::options_description describe_batch_options(Batch_
       "OUT_OF_MEMORY");
   add("summary", po::value(&batch.summary)->value_name("FOLDER"),
       "instead of flattening: a table (CSV) with a line for each --json below this folder, on standard "
-      "output or "
-      "in --output FILE.csv, and on standard error how many have which status");
+      "output or in --output FILE.csv, and on standard error how many have which status. --report FILE.html "
+      "writes the same as a page for browsers, with the worst charts and with plots; a table is then written "
+      "only with --output");
   return options;
 }
 

@@ -38,7 +38,7 @@ inline void check_parts([[maybe_unused]] const Command_line& command)
   internal::check_part(command.atlas.simplified_triangles > 0, "--simplify");
 #endif
 #ifdef FLATTEN_MESH_WITHOUT_PAGES
-  internal::check_part(!command.report.empty(), "--report");
+  internal::check_part(!command.report.empty() && command.batch.summary.empty(), "--report");
 #endif
 #ifdef FLATTEN_MESH_WITHOUT_GLB
   internal::check_part(file_format(command.output) == "glb", "--output FILE.glb");

@@ -3,9 +3,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Puts the page of reports together and writes it as C++: OUTPUT, with the arrays of page_parts.h. PAGE is the template,
-# in which lines of comments are replaced; STYLE a file, LICENSE the notice of the first scripts, and SCRIPTS files in their order,
-# with '|' between them.
+# Puts a page together and writes it as C++: OUTPUT, with the Page_parts NAME (page_parts.h). PAGE is the template, in
+# which lines of comments are replaced; STYLES are files, LICENSE the notice of the first scripts or empty, and SCRIPTS
+# files in their order. Between several files is '|'.
 cmake_minimum_required(VERSION 3.18)
 
 # Literals must not be longer. A character of several bytes is not divided.
@@ -71,10 +71,18 @@ function(write_array name text)
 endfunction()
 
 read_page_file(${PAGE} page)
-read_page_file(${STYLE} style)
-read_page_file(${LICENSE} license)
+string(REPLACE "|" ";" STYLES "${STYLES}")
+set(style)
+foreach(file IN LISTS STYLES)
+  read_page_file(${file} text)
+  string(APPEND style "${text}")
+endforeach()
 string(REPLACE "|" ";" SCRIPTS "${SCRIPTS}")
-set(scripts "<script>\n/*\n${license}*/\n</script>\n")
+set(scripts)
+if(LICENSE)
+  read_page_file(${LICENSE} license)
+  set(scripts "<script>\n/*\n${license}*/\n</script>\n")
+endif()
 foreach(file IN LISTS SCRIPTS)
   read_page_file(${file} script)
   check_script(${file} "${script}")
@@ -85,8 +93,10 @@ replace_line(scripts "${scripts}")
 split_at(title before_title page)
 split_at(data before_data after_data)
 
-file(WRITE ${OUTPUT} "// Made by embed_page.cmake.\n#include \"flatten_mesh/report/page_parts.h\"\n\nnamespace flatten_mesh {\n\n")
-write_array(page_before_title "${before_title}")
-write_array(page_before_data "${before_data}")
-write_array(page_after_data "${after_data}")
-file(APPEND ${OUTPUT} "\n} // namespace flatten_mesh\n")
+file(WRITE ${OUTPUT} "// Made by embed_page.cmake.\n#include \"flatten_mesh/report/page_parts.h\"\n\n"
+  "namespace flatten_mesh {\n\nnamespace {\n\n")
+write_array(before_title "${before_title}")
+write_array(before_data "${before_data}")
+write_array(after_data "${after_data}")
+file(APPEND ${OUTPUT} "\n} // namespace\n\nconst Page_parts ${NAME} = {before_title, before_data, after_data};\n\n"
+  "} // namespace flatten_mesh\n")

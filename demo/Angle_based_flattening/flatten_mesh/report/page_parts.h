@@ -8,12 +8,18 @@
 
 namespace flatten_mesh {
 
-// The page, which embed_page.cmake takes from the folder `page` when the program is built: its text before, between and
-// behind the places of the title and of the data. In pieces, because compilers limit the length of literals; a null
-// pointer is the end.
-extern const char* const page_before_title[];
-extern const char* const page_before_data[];
-extern const char* const page_after_data[];
+// A page, which embed_page.cmake takes from a folder when the program is built: its text before, between and behind the
+// places of the title and of the data. In pieces, because compilers limit the length of literals; a null pointer is the
+// end.
+struct Page_parts
+{
+  const char* const* before_title;
+  const char* const* before_data;
+  const char* const* after_data;
+};
+
+extern const Page_parts report_page_parts;  // from the folder `page`
+extern const Page_parts summary_page_parts; // from the folder `summary_page`
 
 } // namespace flatten_mesh
 

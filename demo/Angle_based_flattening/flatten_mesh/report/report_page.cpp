@@ -11,12 +11,9 @@
 #include "flatten_mesh/report/measure_triangles.h"
 #include "flatten_mesh/report/page_arrays.h"
 #include "flatten_mesh/report/page_json.h"
-#include "flatten_mesh/report/page_parts.h"
+#include "flatten_mesh/report/page_text.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-
-#include <boost/algorithm/string/replace.hpp>
-#include <boost/locale/encoding_utf.hpp>
 
 #include <array>
 #include <cstddef>
@@ -26,26 +23,6 @@
 namespace flatten_mesh {
 
 namespace {
-
-void append_parts(std::string& text, const char* const* parts)
-{
-  for(; *parts != nullptr; ++parts) {
-    text += *parts;
-  }
-}
-
-std::string escaped_html(const std::string& title)
-{
-  std::string text;
-  for(const char c : boost::locale::conv::utf_to_utf<char>(title)) {
-    if(c == '&' || c == '<' || c == '>' || c == '"' || c == '\'') {
-      text += "&#" + std::to_string(static_cast<int>(c)) + ";";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
 
 // More take long to open, and their files are large: this many make one of about 16 MB.
 constexpr std::size_t most_triangles = 250000;
@@ -82,13 +59,9 @@ std::string page_data(const Report_contents& contents)
 
 std::string report_page(const Report_contents& contents, const int threads)
 {
-  std::string page;
-  append_parts(page, page_before_title);
-  page += escaped_html(contents.title);
-  append_parts(page, page_before_data);
-  abf::with_threads(threads, [&] { page += page_data(contents); });
-  append_parts(page, page_after_data);
-  return page;
+  std::string data;
+  abf::with_threads(threads, [&] { data = page_data(contents); });
+  return page_text(report_page_parts, contents.title, data);
 }
 
 } // namespace flatten_mesh

@@ -9,15 +9,6 @@
 
 const HISTOGRAM = {width: 300, height: 74};
 
-function svg(name, attributes, ...children) {
-  const result = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) {
-    result.setAttribute(key, value);
-  }
-  result.append(...children);
-  return result;
-}
-
 // "2° to 3°: 4.5 % of the area"
 function binText(measure, bin) {
   const {first, width, shares} = measure.histogram, isLast = bin === shares.length - 1;

@@ -7,8 +7,6 @@
 
 // The report for people, the charts, and what could not be flattened
 
-const ROWS_AT_FIRST = 100; // of charts: an atlas can have thousands
-
 function rowsTable(rows) {
   const body = element("tbody");
   for (const [label, value, remark] of rows) {
@@ -27,57 +25,26 @@ const CHART_COLUMNS = [
   ["Triangles", (chart) => chart.triangles, (x) => wholeText(x)],
   ["Area", (chart) => chart.share_of_area, (x) => percentText(x)],
   ["Method", (chart) => chart.method, (x) => x],
-  ["L2 stretch", (chart) => chart.l2_stretch, (x) => numberText(x, 4)],
-  ["Scale stretch", (chart) => chart.scale_stretch, (x) => numberText(x, 4)],
+  ["L2 stretch", (chart) => chart.l2_stretch ?? Infinity, (x) => numberText(x, 4)],
+  ["Scale stretch", (chart) => chart.scale_stretch ?? Infinity, (x) => numberText(x, 4)],
   ["Seam jump", (chart) => chart.seam_jump, (x) => x === null ? "" : numberText(x, 4)],
 ];
 
-class ChartsTable {
+class ChartsTable extends SortedTable {
   // `show` is called with the number of a chart.
   constructor(charts, show) {
-    this.charts = charts;
+    super(CHART_COLUMNS, charts);
     this.show = show;
-    this.order = charts.map((chart, i) => i);
-    this.limit = ROWS_AT_FIRST;
     this.current = null;
-    this.body = element("tbody");
-    this.headers = CHART_COLUMNS.map(([title], column) => element("th", {scope: "col"},
-      element("button", {type: "button", title: "Sort", onclick: () => this.sort(column)}, title)));
-    this.more = element("button", {type: "button", class: "more", onclick: () => this.showAll()},
-      `Show all ${wholeText(charts.length)}`);
-    this.element = element("div", {class: "charts"}, element("div", {class: "scroll"},
-      element("table", {}, element("thead", {}, element("tr", {}, ...this.headers)), this.body)), this.more);
+    this.element.classList.add("charts");
     this.fill();
-  }
-
-  fill() {
-    this.body.replaceChildren(...this.order.slice(0, this.limit).map((i) => this.row(i)));
-    this.more.hidden = this.charts.length <= this.limit;
   }
 
   row(i) {
-    const cells = CHART_COLUMNS.slice(1).map(([, value, text]) =>
-      element("td", {}, text(value(this.charts[i], i))));
     const button = element("button", {type: "button", title: "Show this chart in both views"},
       element("i", {class: "swatch", style: `background: ${cssColor(colorOfChart(i))}`}), wholeText(i + 1));
     const attributes = {"data-chart": i, class: i === this.current ? "current" : "", onclick: () => this.show(i)};
-    return element("tr", attributes, element("th", {scope: "row"}, button), ...cells);
-  }
-
-  // Large numbers first; in the same column again: the other way round
-  sort(column) {
-    const value = CHART_COLUMNS[column][1], header = this.headers[column];
-    const sign = (header.ariaSort ? header.ariaSort === "ascending" : column !== 0) ? -1 : 1;
-    this.headers.forEach((other) => other.ariaSort = null);
-    header.ariaSort = sign < 0 ? "descending" : "ascending";
-    const compare = (a, b) => a < b ? -1 : a > b ? 1 : 0;
-    this.order.sort((i, j) => sign * compare(value(this.charts[i], i), value(this.charts[j], j)) || i - j);
-    this.fill();
-  }
-
-  showAll() {
-    this.limit = Infinity;
-    this.fill();
+    return element("tr", attributes, element("th", {scope: "row"}, button), ...this.cells(i));
   }
 
   mark(chart) {

@@ -72,17 +72,3 @@ function chartText(chart) {
 function capitalized(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
-
-// An element with attributes, whose children are elements and texts
-function element(name, attributes = {}, ...children) {
-  const result = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key.startsWith("on")) {
-      result.addEventListener(key.slice(2), value);
-    } else {
-      result.setAttribute(key, value);
-    }
-  }
-  result.append(...children);
-  return result;
-}

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_REPORTS_SUMMARY_H
+#define FLATTEN_MESH_REPORTS_SUMMARY_H
+
+#include "flatten_mesh/batch/read_report.h"
+#include "flatten_mesh/texts.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace flatten_mesh {
+
+struct Summary_column
+{
+  std::string name;
+  bool is_number;
+};
+
+inline const std::array<Summary_column, 13>& summary_columns()
+{
+  static const std::array<Summary_column, 13> columns = {{{"name", false},
+                                                          {"input", false},
+                                                          {"status", false},
+                                                          {"exit_status", true},
+                                                          {"message", false},
+                                                          {"triangles", true},
+                                                          {"charts", true},
+                                                          {"covered", true},
+                                                          {"density", true},
+                                                          {"stretch", true},
+                                                          {"seam", true},
+                                                          {"seconds", true},
+                                                          {"peak_memory_mb", true}}};
+  return columns;
+}
+
+// A chart of one of many atlases
+struct Summarized_chart
+{
+  std::size_t row; // that of its report
+  std::size_t number;
+  std::optional<double> triangles, share_of_area;
+  std::string method;
+  double l2_stretch; // may be infinite
+};
+
+// What many reports say
+struct Reports_summary
+{
+  using Row = std::array<std::string, 13>; // as the columns; what a report does not have is empty
+
+  std::vector<Row> rows;
+  std::vector<Summarized_chart> worst; // the charts with the largest stretch, which are first
+  std::vector<std::string> left_out;   // files that are no reports
+
+  static constexpr std::size_t number_of_worst = 20;
+};
+
+namespace internal {
+
+inline std::optional<double> finite_number(const std::string& text)
+{
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [place, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && place == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+// Of all stages. With `--plain`, `parameterize` is the sum of some of them.
+inline std::string seconds_of(const Report_tree& report)
+{
+  static const std::set<std::string> of_plain = {"read",    "seams", "parameterize",
+                                                 "measure", "split", "write"};
+  const Report_tree stages = report.get_child("seconds", Report_tree());
+  const bool is_plain = stages.count("parameterize") != 0;
+  double seconds = 0;
+  for(const auto& [name, value] : stages) {
+    seconds += is_plain && of_plain.count(name) == 0 ? 0 : value.get_value<double>(0);
+  }
+  return stages.empty() ? "" : format_number("%.3f", seconds);
+}
+
+inline std::string number_of_charts(const Report_tree& report)
+{
+  const auto charts = report.get_child_optional("atlas.charts");
+  const bool is_one_chart = report.count("method") != 0;
+  return charts ? std::to_string(charts->size()) : is_one_chart ? "1" : "";
+}
+
+inline Reports_summary::Row row_of_report(const std::string& name, const Report_tree& report)
+{
+  const auto value = [&report](const std::string& key, const std::string& key_of_plain = "") {
+    const auto text = report.get_optional<std::string>(key);
+    const std::string found = text ? *text : report.get<std::string>(key_of_plain, "null");
+    return found == "null" ? "" : found;
+  };
+  return {name,
+          value("input"),
+          value("status"),
+          value("exit_status"),
+          value("message"),
+          value("triangles"),
+          number_of_charts(report),
+          value("atlas.packing.covered_share"),
+          value("atlas.packing.texel_density"),
+          value("atlas.l2_stretch", "l2_stretch"),
+          value("atlas.seams.relative_length", "seams.length"),
+          seconds_of(report),
+          value("peak_memory_mb")};
+}
+
+inline bool has_numbers(const Reports_summary::Row& row)
+{
+  for(std::size_t i = 0; i < row.size(); ++i) {
+    if(summary_columns()[i].is_number && !row[i].empty() && !finite_number(row[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Adds the charts of the last row.
+inline void add_charts(const Report_tree& report, Reports_summary& summary)
+{
+  std::vector<Summarized_chart>& worst = summary.worst;
+  std::size_t number = 0;
+  const Report_tree charts = report.get_child("atlas.charts", Report_tree());
+  for(const auto& [ignored, chart] : charts) {
+    const auto value = [&chart = chart](const char* key) {
+      return finite_number(chart.get<std::string>(key, ""));
+    };
+    worst.push_back({summary.rows.size() - 1, number++, value("triangles"), value("share_of_area"),
+                     chart.get<std::string>("method", ""),
+                     value("l2_stretch").value_or(std::numeric_limits<double>::infinity())});
+  }
+  std::stable_sort(worst.begin(), worst.end(), [](const Summarized_chart& a, const Summarized_chart& b) {
+    return a.l2_stretch > b.l2_stretch;
+  });
+  worst.erase(worst.begin() +
+                  static_cast<std::ptrdiff_t>((std::min)(worst.size(), Reports_summary::number_of_worst)),
+              worst.end());
+}
+
+} // namespace internal
+
+// Adds a file, as a report with a name or as one that is left out.
+inline void add_report(const std::string& name, const std::string& file, Reports_summary& summary)
+{
+  const std::optional<Report_tree> report = read_report(file);
+  const Reports_summary::Row row = report ? internal::row_of_report(name, *report) : Reports_summary::Row();
+  if(report && internal::has_numbers(row)) {
+    summary.rows.push_back(row);
+    internal::add_charts(*report, summary);
+  } else {
+    summary.left_out.push_back(file);
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_REPORTS_SUMMARY_H
