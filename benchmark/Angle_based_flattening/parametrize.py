@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compares parametrize() of the Python module with another library, on models and noisy isosurfaces: parametrize.py
+--demo FOLDER, with the module in PYTHONPATH. The other library is Python's xatlas if it is there, or a program that is
+called with an OBJ file to read and one to write. Both results are measured in the same way, from the triples."""
+
+import argparse
+import os
+import resource
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+
+import angle_based_flattening as abf  # noqa: E402
+import numpy as np  # noqa: E402
+
+MODELS = ("cow", "homer", "camel", "armadillo", "bunny00", "refined_elephant")
+CUBE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1]])
+TETRAHEDRA = np.array([[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]])
+
+
+def cut_tetrahedra(corners, values):
+    """(m, 3, 2): the corners of triangles, each as the ends of the edge that it lies on, the negative one first"""
+    is_inner = values[corners] < 0
+    triangles = []
+    for case in range(1, 15):
+        chosen = corners[(is_inner == [bool(case >> k & 1) for k in range(4)]).all(axis=1)]
+        inner = [k for k in range(4) if case >> k & 1]
+        outer = [k for k in range(4) if not case >> k & 1]
+        loop = [(i, o) for i in inner for o in (outer if i == inner[0] else outer[::-1])]
+        triangles += [np.stack([chosen[:, loop[i]] for i in (0, k, k + 1)], axis=1) for k in range(1, len(loop) - 1)]
+    return np.concatenate(triangles)
+
+
+def isosurface(size, noise, seed=1):
+    """Where a sum of waves and noise is zero on a grid of cubes, by marching tetrahedra. All parts are closed."""
+    random = np.random.default_rng(seed)
+    x = np.stack(np.meshgrid(*[np.linspace(-1, 1, size)] * 3, indexing="ij"), axis=-1)
+    field = np.linalg.norm(x, axis=-1) - .6
+    for k in random.uniform(-4, 4, (6, 3)):
+        field += .08 * np.sin(x @ k + random.uniform(0, 6))
+    field += noise * random.standard_normal(field.shape)
+    for axis in range(3):
+        np.moveaxis(field, axis, 0)[[0, -1]] = 1
+    first = np.arange(size**3).reshape(field.shape)[:-1, :-1, :-1].reshape(-1, 1)
+    corners, values, points = first + CUBE @ [size * size, size, 1], field.ravel(), x.reshape(-1, 3)
+    ends = np.concatenate([cut_tetrahedra(corners[:, tetrahedron], values) for tetrahedron in TETRAHEDRA])
+    edges, faces = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
+    (a, b), faces = edges.T, faces.reshape(-1, 3)
+    share = (values[a] / (values[a] - values[b]))[:, None]
+    vertices = (1 - share) * points[a] + share * points[b]
+    outwards = (points[ends[:, :, 1]] - points[ends[:, :, 0]]).sum(axis=1)
+    p, q, r = (vertices[faces[:, k]] for k in range(3))
+    is_turned = (np.cross(q - p, r - p) * outwards).sum(axis=1) < 0
+    faces[is_turned] = faces[is_turned, ::-1]
+    return vertices, faces
+
+
+def components(count, faces):
+    """The least vertex of the component of each face"""
+    least, before = np.arange(count), None
+    while before is None or (least != before).any():
+        before = least.copy()
+        np.minimum.at(least, faces, least[faces].min(axis=1)[:, None])
+        least = least[least]
+    return least[faces[:, 0]]
+
+
+def measured(vertices, vmapping, indices, uvs):
+    """Charts, seams and faults of a triple. Charts that are mirrored as a whole are turned first."""
+    uvs, faces = uvs.astype(float), np.asarray(vmapping)[indices]
+    chart = components(len(uvs), indices)
+    p, q, r = (uvs[indices[:, k]] for k in range(3))
+    area = np.cross(q - p, r - p)
+    mirrored = np.bincount(chart, area, len(uvs)) < 0
+    corners = uvs[indices]
+    corners[mirrored[chart], :, 0] *= -1
+    certificate = abf.certify(vertices, faces, corners.reshape(-1, 2))
+    ends, cut = faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), indices[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    turned = ends[:, 0] > ends[:, 1]
+    ends[turned], cut[turned] = ends[turned, ::-1], cut[turned, ::-1]
+    sides = np.unique(np.column_stack([ends, cut]), axis=0)
+    edges, count = np.unique(sides[:, :2], axis=0, return_counts=True)
+    a, b = edges[count > 1].T
+    p, q, r = (vertices[faces[:, k]] for k in range(3))
+    surface = np.linalg.norm(np.cross(q - p, r - p), axis=1).sum() / 2
+    seam = np.linalg.norm(vertices[a] - vertices[b], axis=1).sum() / surface**.5
+    return len(np.unique(chart)), seam, len(certificate.flipped), len(certificate.overlapping)
+
+
+def read_off(file):
+    numbers = np.array(" ".join(line for line in file.read_text().splitlines()[1:] if not line.startswith("#")).split(),
+                       float)
+    n, m = int(numbers[0]), int(numbers[1])
+    return numbers[3:3 + 3 * n].reshape(n, 3), numbers[3 + 3 * n:3 + 3 * n + 4 * m].reshape(m, 4)[:, 1:].astype(int)
+
+
+def read_triple(file):
+    """Of an OBJ file"""
+    lines = [line.split() for line in file.read_text().splitlines()]
+    uvs = np.array([line[1:3] for line in lines if line[:1] == ["vt"]], float)
+    corners = np.array([[corner.split("/")[:2] for corner in line[1:4]] for line in lines if line[:1] == ["f"]], int) - 1
+    vmapping = np.zeros(len(uvs), int)
+    vmapping[corners[..., 1]] = corners[..., 0]
+    return vmapping, corners[..., 1], uvs
+
+
+class Other:
+    """Takes a mesh, and returns a triple and the processor time."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def __call__(self, vertices, faces):
+        if self.path is None:
+            import xatlas
+            begin = time.process_time()
+            triple = xatlas.parametrize(vertices, faces)
+            return triple, time.process_time() - begin
+        with tempfile.TemporaryDirectory() as folder:
+            mesh, result = Path(folder) / "mesh.obj", Path(folder) / "atlas.obj"
+            mesh.write_text("".join([*(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices.tolist()),
+                                     *(f"f {a} {b} {c}\n" for a, b, c in (faces + 1).tolist())]))
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            subprocess.run([self.path, mesh, result], check=True, stdout=subprocess.DEVNULL)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return read_triple(result), after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def ours(vertices, faces):
+    begin = time.process_time()
+    triple = abf.parametrize(vertices, faces)
+    return triple, time.process_time() - begin
+
+
+def meshes(options):
+    for name in MODELS if options.demo else ():
+        yield name, *read_off(options.demo / f"{name}.off")
+    for size in options.sizes:
+        for noise in (0, 1 / size):
+            yield f"isosurface, {'noisy' if noise else 'smooth'}", *isosurface(size, noise)
+
+
+def row(*cells):
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--demo", type=Path, metavar="FOLDER", help="with the meshes of CGAL's demo")
+    parser.add_argument("--other", type=Path, metavar="PROGRAM", help="of the other library: PROGRAM IN.obj OUT.obj")
+    parser.add_argument("--sizes", type=lambda text: list(map(int, text.split(","))), default=[40, 80, 140],
+                        help="of the grids of isosurfaces (%(default)s)")
+    options = parser.parse_args()
+    libraries = [("parametrize()", ours)]
+    try:
+        import xatlas  # noqa: F401
+        libraries.append(("xatlas", Other(None)))
+    except ImportError:
+        if options.other:
+            libraries.append((options.other.name, Other(options.other.resolve())))
+        else:
+            print("neither xatlas nor another program is there: only this library is measured")
+    row("model", "triangles", "library", "CPU seconds", "charts", "seam", "flipped", "overlapping")
+    row("---", "---:", "---", *["---:"] * 5)
+    for name, vertices, faces in meshes(options):
+        for library, run in libraries:
+            triple, seconds = run(vertices, faces)
+            charts, seam, flipped, overlapping = measured(vertices, *triple)
+            row(name, f"{len(faces):,}", library, f"{seconds:.2f}", f"{charts:,}", f"{seam:.1f}", f"{flipped:,}",
+                f"{overlapping:,}")
+
+
+if __name__ == "__main__":
+    main()
