@@ -126,7 +126,8 @@ class Other:
             mesh.write_text("".join([*(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices.tolist()),
                                      *(f"f {a} {b} {c}\n" for a, b, c in (faces + 1).tolist())]))
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            subprocess.run([self.path, mesh, result], check=True, stdout=subprocess.DEVNULL)
+            if subprocess.run([self.path, mesh, result], stdout=subprocess.DEVNULL).returncode != 0:
+                return None, None
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             return read_triple(result), after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
@@ -170,6 +171,9 @@ def main():
     for name, vertices, faces in meshes(options):
         for library, run in libraries:
             triple, seconds = run(vertices, faces)
+            if triple is None:
+                row(name, f"{len(faces):,}", library, "failed", *[""] * 4)
+                continue
             charts, seam, flipped, overlapping = measured(vertices, *triple)
             row(name, f"{len(faces):,}", library, f"{seconds:.2f}", f"{charts:,}", f"{seam:.1f}", f"{flipped:,}",
                 f"{overlapping:,}")

@@ -107,6 +107,18 @@ struct Model
     }
     first_corners.push_back(static_cast<Index>(vertices.size()));
   }
+
+  // Gives back the memory that was taken for more: models are held to the end.
+  void shrink_to_fit()
+  {
+    points.shrink_to_fit();
+    normals.shrink_to_fit();
+    texture.shrink_to_fit();
+    first_corners.shrink_to_fit();
+    vertices.shrink_to_fit();
+    corner_normals.shrink_to_fit();
+    corner_texture.shrink_to_fit();
+  }
 };
 
 } // namespace flatten_mesh

@@ -46,6 +46,23 @@ inline Polygon_soup polygon_soup(const Model& model)
   return soup;
 }
 
+// Whether the model tells all points and polygons of the soup, because nothing was repaired
+inline bool is_as_in_model(const Polygon_soup& soup, const Model& model)
+{
+  if(soup.points.size() != model.points.size() || soup.polygons.size() != model.number_of_polygons() ||
+     std::find(soup.is_turned.begin(), soup.is_turned.end(), true) != soup.is_turned.end()) {
+    return false;
+  }
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    const auto first = model.vertices.begin() + model.first_corners[p],
+               last = model.vertices.begin() + model.first_corners[p + 1];
+    if(!std::equal(soup.polygons[p].begin(), soup.polygons[p].end(), first, last)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Removes polygons, and remembers how many and why. `part_of` is, for each polygon, the number of its part, or
 // `no_index` for one that stays. Of the parts, only the diagnosis and the message have to be known.
 inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std::vector<Skipped_part> parts)

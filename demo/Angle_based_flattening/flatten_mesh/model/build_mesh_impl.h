@@ -51,8 +51,12 @@ namespace internal {
   refuse_vertex(polygon[0]);
 }
 
+// Takes memory for about as many edges as Euler's formula tells.
 inline void add_vertices(const Polygon_soup& soup, Mesh& mesh)
 {
+  const std::size_t vertices = soup.points.size(), faces = soup.polygons.size(), both = vertices + faces;
+  const auto size = [](const std::size_t number) { return static_cast<Mesh::size_type>(number); };
+  mesh.reserve(size(vertices), size(both + both / 64), size(faces));
   for(const Kernel::Point_3& point : soup.points) {
     mesh.add_vertex(point);
   }

@@ -22,12 +22,13 @@ namespace flatten_mesh {
 // The faces of each component, the largest component first.
 inline std::vector<std::vector<Face>> components_by_size(Mesh& mesh)
 {
-  const auto component = mesh.add_property_map<Face, std::size_t>("f:flatten_mesh_component", 0).first;
+  auto component = mesh.add_property_map<Face, Index>("f:flatten_mesh_component", 0).first;
   std::vector<std::vector<Face>> components(
       CGAL::Polygon_mesh_processing::connected_components(mesh, component));
   for(const Face f : mesh.faces()) {
     components[component[f]].push_back(f);
   }
+  mesh.remove_property_map(component);
   std::stable_sort(components.begin(), components.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return components;

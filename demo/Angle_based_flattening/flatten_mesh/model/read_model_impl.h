@@ -116,8 +116,8 @@ FLATTEN_MESH_INLINE Model read_model(const std::string& name, const Degenerate_f
     return model;
   }
 #endif
-  const std::string content = content_of_file(name);
-  read_content(content, format, degenerate, model, notes, gltf);
+  read_content(content_of_file(name), format, degenerate, model, notes, gltf);
+  model.shrink_to_fit();
   return model;
 }
 

@@ -61,15 +61,18 @@ namespace {
 struct Surface
 {
   Model model;
-  Polygon_soup soup;
+  std::optional<Polygon_soup> repaired; // if it is not as in the model
+  bool has_polygons = false;            // of more than three corners
   Mesh input;
   Corner_origins origins;      // of the input, in the model
   std::vector<Index> polygons; // of each face of the input, in the model
+  std::vector<Skipped_part> skipped;
   Component component;
   std::optional<Seamed_component> seamed; // if it is cut open
   Cut_mesh cut;
   Chart chart;
 
+  Polygon_soup soup() const { return repaired ? *repaired : polygon_soup(model); }
   Mesh& mesh() { return chart.is_cut() ? cut.mesh : input; }
   const Mesh& mesh() const { return chart.is_cut() ? cut.mesh : input; }
 };
@@ -79,10 +82,16 @@ Surface read_surface(const Command_line& command, Notes& notes)
   Surface surface;
   surface.model =
       read_model(command.input, Degenerate_faces::REFUSED, notes, command.format, gltf_options_of(command));
-  surface.soup = polygon_soup(surface.model);
+  Polygon_soup soup = polygon_soup(surface.model);
   try {
     Surface_of_model built =
-        build_mesh(surface.model, surface.soup, command.repair == "on", notes, welding_of(command));
+        build_mesh(surface.model, soup, command.repair == "on", notes, welding_of(command));
+    surface.has_polygons = built.mesh.number_of_faces() > soup.polygons.size();
+    surface.skipped = soup.left_out;
+    if(!is_as_in_model(soup, surface.model)) {
+      surface.repaired = std::move(soup);
+    }
+    soup = Polygon_soup(); // large surfaces need its memory
     surface.input = std::move(built.mesh);
     surface.origins = std::move(built.origins);
     surface.polygons = polygons_of_faces(surface.model, surface.input, surface.origins);
@@ -108,13 +117,14 @@ Surface read_surface(const Command_line& command, Notes& notes)
 std::vector<bool> polygons_to_divide(const Command_line& command, const Surface& surface,
                                      const Flattening& flattening)
 {
-  if(command.output.empty() || file_format(command.output) == "glb" || !flattening.succeeded()) {
+  if(!surface.has_polygons || command.output.empty() || file_format(command.output) == "glb" ||
+     !flattening.succeeded()) {
     return {};
   }
-  const Polygon_soup soup = with_split_sides(surface.soup, surface.input, surface.chart);
+  const Polygon_soup before = surface.soup(), soup = with_split_sides(before, surface.input, surface.chart);
   std::vector<bool> is_divided = concave_polygons(soup, surface.mesh(), surface.chart, flattening);
   for(std::size_t p = 0; p < is_divided.size(); ++p) { // the corner that splits a straight side is no fault
-    is_divided[p] = is_divided[p] && soup.polygons[p].size() == surface.soup.polygons[p].size();
+    is_divided[p] = is_divided[p] && soup.polygons[p].size() == before.polygons[p].size();
   }
   return is_divided;
 }
@@ -125,7 +135,7 @@ void write_surface(Output_file& file, const std::string& name, Surface& surface,
 {
   const bool divides = std::find(is_divided.begin(), is_divided.end(), true) != is_divided.end();
   if(is_obj_output(name)) {
-    Polygon_soup soup = with_split_sides(surface.soup, surface.input, surface.chart);
+    Polygon_soup soup = with_split_sides(surface.soup(), surface.input, surface.chart);
     if(divides) {
       divide_polygons(soup, surface.input, surface.polygons, is_divided);
     }
@@ -134,8 +144,9 @@ void write_surface(Output_file& file, const std::string& name, Surface& surface,
   }
   if(divides) {
     std::vector<bool> is_divided_in_model(surface.model.number_of_polygons(), false);
+    const Polygon_soup soup = surface.soup();
     for(std::size_t p = 0; p < is_divided.size(); ++p) {
-      is_divided_in_model[surface.soup.origins[p]] = is_divided[p];
+      is_divided_in_model[soup.origins[p]] = is_divided[p];
     }
     divide_polygons(surface.model, surface.input, surface.origins, is_divided_in_model);
   }
@@ -219,7 +230,7 @@ Run_record record_of(const Command_line& command, const Surface& surface)
   record.triangles = surface.component.faces.size();
   record.borders = surface.chart.borders.size();
   record.components = surface.component.components;
-  record.skipped = surface.soup.left_out;
+  record.skipped = surface.skipped;
   return record;
 }
 
@@ -314,8 +325,7 @@ Edge input_edge(const Surface& surface, const Edge e)
 // Makes polygons convex in the plane where small moves do that, and returns how many. Split edges are no diagonals.
 std::size_t mend_surface(Surface& surface, Flattening& flattening)
 {
-  const bool has_polygons = surface.input.number_of_faces() > surface.soup.polygons.size();
-  if(!has_polygons || !surface.chart.split_edges.empty()) {
+  if(!surface.has_polygons || !surface.chart.split_edges.empty()) {
     return 0;
   }
   const Edge_marks is_diagonal = diagonals(surface.input);

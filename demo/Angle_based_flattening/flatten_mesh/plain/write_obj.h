@@ -27,9 +27,19 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline void append_obj_vertices(std::string& text, const Polygon_soup& soup)
+// Writes the text, and empties it, if it is long.
+inline void pass_on(std::string& text, Output_file& file)
+{
+  if(text.size() > 1000000) {
+    file.write(text);
+    text.clear();
+  }
+}
+
+inline void append_obj_vertices(std::string& text, const Polygon_soup& soup, Output_file& file)
 {
   for(const Kernel::Point_3& point : soup.points) {
+    pass_on(text, file);
     text += "v ";
     append_number(text, point.x());
     text += ' ';
@@ -78,9 +88,11 @@ private:
   std::vector<Side> m_sides;          // only if the chart was cut open
 };
 
-inline void append_obj_texture(std::string& text, const Chart& chart, const Flattening& flattening)
+inline void append_obj_texture(std::string& text, const Chart& chart, const Flattening& flattening,
+                               Output_file& file)
 {
   for(const Vertex v : chart.vertices) {
+    pass_on(text, file);
     const Kernel::Point_2& uv = flattening.uv[v];
     text += "vt ";
     append_number(text, uv.x());
@@ -90,9 +102,11 @@ inline void append_obj_texture(std::string& text, const Chart& chart, const Flat
   }
 }
 
-inline void append_obj_faces(std::string& text, const Polygon_soup& soup, const Texture_numbers& numbers)
+inline void append_obj_faces(std::string& text, const Polygon_soup& soup, const Texture_numbers& numbers,
+                             Output_file& file)
 {
   for(const Polygon& polygon : soup.polygons) {
+    pass_on(text, file);
     text += 'f';
     for(std::size_t corner = 0; corner < polygon.size(); ++corner) {
       text += ' ';
@@ -115,9 +129,9 @@ inline void write_obj(Output_file& file, const Polygon_soup& soup, const Mesh& m
 {
   std::string text =
       "# flattened by flatten_mesh: 'vt' are the coordinates in the plane, on the scale of the surface\n";
-  internal::append_obj_vertices(text, soup);
-  internal::append_obj_texture(text, chart, flattening);
-  internal::append_obj_faces(text, soup, internal::Texture_numbers(mesh, chart));
+  internal::append_obj_vertices(text, soup, file);
+  internal::append_obj_texture(text, chart, flattening, file);
+  internal::append_obj_faces(text, soup, internal::Texture_numbers(mesh, chart), file);
   file.write(text);
 }
 
