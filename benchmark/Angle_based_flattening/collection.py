@@ -22,6 +22,7 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"
 import angle_based_flattening as abf  # noqa: E402
 import numpy as np  # noqa: E402
 
+import isosurfaces  # noqa: E402
 import parametrize  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,7 +38,7 @@ def generated(random, seed):
     size = random.uniform(.3, 1.2)
     return [lambda: meshes.hill(int(24 * size) + 2, seed), lambda: meshes.torus(int(30 * size) + 3, int(14 * size) + 3, seed),
             lambda: meshes.sphere(int(random.integers(0, 4)), seed),
-            lambda: parametrize.isosurface(int(10 * size) + 4, random.choice([0, .02, .1]), seed)][random.integers(4)]()
+            lambda: isosurfaces.isosurface(int(10 * size) + 4, random.choice([0, .02, .1]), seed)][random.integers(4)]()
 
 
 def turned(vertices, random):

@@ -11,7 +11,6 @@
 #include "flatten_mesh/Failure.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Unfinished_files.h"
-#include "flatten_mesh/batch/Memory_bound.h"
 #include "flatten_mesh/batch/run_batch.h"
 #include "flatten_mesh/batch/summarize_reports.h"
 #include "flatten_mesh/help_text.h"
@@ -57,7 +56,6 @@ void keep_freed_memory()
 Exit_status run(const Command_line& command)
 {
   try {
-    const Memory_bound bound(command.batch.memory_bytes);
     return command.is_plain ? run_plain(command) : run_atlas(command);
   } catch(...) {
     return tell_failure(command, current_failure());

@@ -47,9 +47,14 @@ class Processes(Folder):
         self.assertEqual([self.report(name[3:])["status"] for name in self.names[:3]], ["TIMED_OUT", "OK", "OK"])
 
     def test_memory_is_used_up(self):
-        result = self.run_program(self.names[0], *OUTPUTS, "--memory", "1M", status=4)
-        self.assertRegex(result.stderr, "not enough memory")
-        self.assertEqual(self.report("model 0")["status"], "OUT_OF_MEMORY")
+        rows = 150
+        points = "".join(f"{i % rows} {i // rows} {i % 7}\n" for i in range(rows * rows))
+        faces = "".join(f"4 {i} {i + 1} {i + rows + 1} {i + rows}\n" for i in range(rows * (rows - 1)) if (i + 1) % rows)
+        (self.folder / self.names[1]).write_text(f"OFF\n{rows * rows} {(rows - 1)**2} 0\n{points}{faces}")
+        result = self.run_program(*self.names[:3], *OUTPUTS, "--quiet", "--memory", "30M", status=4)
+        self.assertRegex(result.stderr, "^flatten_mesh: 'in/b/model 0.off': OUT_OF_MEMORY: .*30M")
+        self.assertEqual([self.report(name[3:])["status"] for name in self.names[:3]], ["OK", "OUT_OF_MEMORY", "OK"])
+        self.assertFalse((self.folder / "out/in/b/model 0.obj").exists())
         self.run_program(self.names[0], *OUTPUTS, "--memory", "100G")
 
     def test_interrupted(self):
@@ -88,7 +93,7 @@ class Parts(Folder):
         for arguments, message in ((["--shard", "0/2"], "I/N"), (["--shard", "3/2"], "I/N"), (["--shard", "1"], "I/N"),
                                    (["--jobs", "0"], "--jobs"), (["--timeout", "0"], "--timeout"),
                                    (["--timeout", "nan"], "--timeout"), (["--memory", "4X"], "4X"),
-                                   (["--memory", "-1"], "-1"), (["--resume"], "--json"), (["-0"], "--list"),
+                                   (["--memory", "-1"], "-1"), (["--memory", "1M"], "1M"), (["--resume"], "--json"), (["-0"], "--list"),
                                    (["--list", "absent"], "absent"), (["--list", "empty"], "no name"),
                                    (["--summary", "in"], "without --"), (["--json", "%.json"], "--output-folder")):
             result = self.run_program(*self.names, *arguments, status=2)

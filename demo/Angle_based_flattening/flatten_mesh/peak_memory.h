@@ -3,8 +3,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The largest memory that the program has had, as both commands report it.
-
 #ifndef FLATTEN_MESH_PEAK_MEMORY_H
 #define FLATTEN_MESH_PEAK_MEMORY_H
 
@@ -13,17 +11,24 @@
 
 namespace flatten_mesh {
 
-// In megabytes, from Linux; 0 on other systems. (`getrusage()` also counts the program that started this one.)
-inline double peak_memory_mb()
+// In megabytes, from Linux; 0 on other systems, and for processes that have ended. `name` is VmHWM, the peak, or VmRSS,
+// what is held now; both without what is reserved but not used. (`getrusage()` also counts the program that started
+// this one.)
+inline double resident_memory_mb(const std::string& name, const std::string& process = "self")
 {
-  std::ifstream status("/proc/self/status");
+  std::ifstream status("/proc/" + process + "/status");
   for(std::string word; status >> word;) {
     double kilobytes;
-    if(word == "VmHWM:" && status >> kilobytes) {
+    if(word == name + ":" && status >> kilobytes) {
       return kilobytes / 1024;
     }
   }
   return 0;
+}
+
+inline double peak_memory_mb()
+{
+  return resident_memory_mb("VmHWM");
 }
 
 } // namespace flatten_mesh

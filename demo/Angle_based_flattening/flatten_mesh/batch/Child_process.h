@@ -9,6 +9,7 @@
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/Unfinished_files.h"
 #include "flatten_mesh/batch/Child_processes.h"
+#include "flatten_mesh/peak_memory.h"
 
 #include <array>
 #include <cerrno>
@@ -44,6 +45,13 @@ public:
     EXIT_STATUS,
     OUTPUT,
     ERRORS
+  };
+
+  enum Bound
+  {
+    NONE,
+    TIME,
+    MEMORY
   };
 
   // `run` is called in the new process.
@@ -120,18 +128,22 @@ public:
     }
   }
 
-  // Ends the process if its time is over: first by a signal that lets it remove its files.
-  void keep_deadline()
+  // Ends the process if its time is over, or it holds more memory: first by a signal that lets it remove its files.
+  void keep_bounds(const double megabytes)
   {
-    if(!has_ended() && Clock::now() >= m_deadline) {
-      ::kill(m_id, m_is_late ? SIGKILL : SIGTERM);
-      m_is_late = true;
+    if(has_ended()) {
+      return;
+    }
+    const bool is_late = Clock::now() >= m_deadline;
+    if(is_late || (m_exceeded == NONE && resident_memory_mb("VmRSS", std::to_string(m_id)) > megabytes)) {
+      ::kill(m_id, m_exceeded == NONE ? SIGTERM : SIGKILL);
+      m_exceeded = m_exceeded != NONE ? m_exceeded : is_late ? TIME : MEMORY;
       m_deadline = Clock::now() + std::chrono::milliseconds(100);
     }
   }
 
   Clock::time_point deadline() const { return m_deadline; }
-  bool is_late() const { return m_is_late; }
+  Bound exceeded() const { return m_exceeded; }
   const std::string& text(const Stream stream) const { return m_texts[stream]; }
 
   // Whether all its pipes are closed
@@ -191,7 +203,7 @@ private:
   std::vector<int> m_files; // -1 where it is closed
   std::array<std::string, 3> m_texts;
   Clock::time_point m_deadline;
-  bool m_is_late = false;
+  Bound m_exceeded = NONE;
 };
 
 } // namespace flatten_mesh

@@ -12,12 +12,14 @@
 #include "flatten_mesh/batch/output_names.h"
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/file_names.h"
+#include "flatten_mesh/peak_memory.h"
 #include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -48,6 +50,19 @@ inline std::size_t bytes_of(const std::string& text)
   return static_cast<std::size_t>(bytes);
 }
 
+// The program is as large before it reads a model.
+inline void check_memory(const Batch_options& batch)
+{
+  const double own = resident_memory_mb("VmRSS");
+  if(own == 0) {
+    throw Usage_error("--memory reads in /proc what a process holds, and this system has no such folder");
+  }
+  if(static_cast<double>(batch.memory_bytes) < own * (1 << 20)) {
+    throw Usage_error("--memory " + batch.memory + " is less than the program itself takes, " +
+                      format_number("%.0fM", std::ceil(own)));
+  }
+}
+
 inline void check_batch_numbers(Batch_options& batch)
 {
   if(batch.jobs < 1 || batch.jobs > Child_processes::largest_number) {
@@ -57,6 +72,9 @@ inline void check_batch_numbers(Batch_options& batch)
     throw Usage_error("--timeout takes a number of seconds above 0");
   }
   batch.memory_bytes = batch.memory.empty() ? 0 : bytes_of(batch.memory);
+  if(batch.memory_bytes > 0) {
+    check_memory(batch);
+  }
 }
 
 inline void check_summary(const boost::program_options::variables_map& values, const Command_line& command)

@@ -39,7 +39,7 @@ inline boost::program_options::options_description describe_batch_options(Batch_
   add("timeout", po::value(&batch.timeout)->value_name("SECONDS"),
       "bound for the time of each input, whose status is then TIMED_OUT");
   add("memory", po::value(&batch.memory)->value_name("BYTES"),
-      "bound for the address space of the process of each input, as in 500M or 4G; its status is then "
+      "bound for the memory that the process of each input holds, as in 500M or 4G; its status is then "
       "OUT_OF_MEMORY");
   add("summary", po::value(&batch.summary)->value_name("FOLDER"),
       "instead of flattening: a table (CSV) with a line for each --json below this folder, on standard "

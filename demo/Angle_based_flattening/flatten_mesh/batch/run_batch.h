@@ -24,6 +24,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -53,6 +54,13 @@ inline Failure crash(const Command_line& command, const std::string& reason)
   return {RUN_CRASHED, "CRASHED", command.title + ": CRASHED: " + reason};
 }
 
+inline Failure not_enough_memory(const Command_line& command)
+{
+  return {OUT_OF_MEMORY, "OUT_OF_MEMORY",
+          command.title + ": OUT_OF_MEMORY: not enough memory: " + command.batch.memory +
+              " do not suffice; --memory sets that bound"};
+}
+
 // The cause is known to the process that ended, if to anybody.
 inline std::optional<Failure> failure_of_run(const Command_line& command, const Child_process& process,
                                              const int result)
@@ -60,7 +68,10 @@ inline std::optional<Failure> failure_of_run(const Command_line& command, const 
   if(!process.text(Child_process::EXIT_STATUS).empty()) {
     return std::nullopt;
   }
-  if(process.is_late()) {
+  if(process.exceeded() == Child_process::MEMORY) {
+    return not_enough_memory(command);
+  }
+  if(process.exceeded() == Child_process::TIME) {
     return Failure{TIMED_OUT, "TIMED_OUT",
                    command.title + ": TIMED_OUT: not done after " +
                        format_number("%g s", command.batch.timeout) + "; --timeout sets that bound"};
@@ -166,12 +177,20 @@ private:
                               std::chrono::duration<double>((std::min)(m_whole.batch.timeout, longest)));
   }
 
-  // For output of a process, the end of one, or a deadline
+  double megabytes() const
+  {
+    return m_whole.batch.memory_bytes == 0 ? std::numeric_limits<double>::infinity()
+                                           : m_whole.batch.memory_bytes / (1024. * 1024);
+  }
+
+  // For output of a process, the end of one, a deadline, or a look at the memory of all
   void wait()
   {
     using Clock = Child_process::Clock;
     std::vector<pollfd> files;
-    Clock::time_point next = Clock::now() + std::chrono::hours(1);
+    Clock::time_point next =
+        Clock::now() + (m_whole.batch.memory_bytes == 0 ? Clock::duration(std::chrono::hours(1))
+                                                        : Clock::duration(std::chrono::milliseconds(5)));
     for(const auto& [number, process] : m_running) {
       process->append_to(files);
       next = (std::min)(next, process->deadline());
@@ -196,7 +215,7 @@ private:
         m_results.emplace(i->first, result_of(command_of(i->first), *i->second));
         i = m_running.erase(i);
       } else {
-        i->second->keep_deadline();
+        i->second->keep_bounds(megabytes());
         ++i;
       }
     }

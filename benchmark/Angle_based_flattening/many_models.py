@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures what the program costs for many small models: its start, the processor time of 1,000 models, what a second
+process at once gains, and how exactly bounds are kept: many_models.py --program FLATTEN_MESH."""
+
+import argparse
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+import isosurfaces
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "test/Angle_based_flattening/python"))
+import meshes  # noqa: E402
+import program  # noqa: E402
+
+WAYS = (("--plain",), ("--for", "few-charts"), ("--for", "texture"))
+
+
+def row(*cells):
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def head(*titles):
+    print()
+    row(*titles)
+    row("---", *["---:"] * (len(titles) - 1))
+
+
+def model(seed):
+    """Of about 1,264 triangles: a disk, a torus or a closed isosurface"""
+    return [lambda: meshes.hill(26, seed), lambda: meshes.torus(32, 20, seed),
+            lambda: isosurfaces.isosurface(12, 0, seed)][seed % 3]()
+
+
+def run(options, *arguments):
+    """The status, seconds and processor time of a call"""
+    before, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    status = subprocess.run([options.program, *arguments, "--threads", "1"], stdout=subprocess.DEVNULL,
+                            stderr=subprocess.DEVNULL, env=os.environ | {"OPENBLAS_NUM_THREADS": "1"}).returncode
+    seconds, after = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
+    return status, seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def peak_megabytes(*command):
+    """The largest resident memory of a process"""
+    watch = "import resource, subprocess, sys; subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL); " \
+            "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
+    return int(subprocess.run([sys.executable, "-c", watch, *map(str, command)], check=True,
+                              stdout=subprocess.PIPE).stdout) / 1024
+
+
+def start(options):
+    head("start", "ms", "processor time, ms", "MB")
+    runs = [run(options, "--version") for _ in range(20)]
+    row("--version", *(f"{1e3 * np.median([each[i] for each in runs]):.0f}" for i in (1, 2)),
+        f"{peak_megabytes(options.program, '--version'):.1f}")
+
+
+def collection(options, folder):
+    triangles = []
+    for seed in range(options.models):
+        vertices, faces = model(seed)
+        triangles.append(len(faces))
+        program.write_obj(folder / f"{seed:04d}.obj", vertices, faces)
+    names = folder / "models.txt"
+    names.write_text("".join(f"{file}\n" for file in sorted(folder.glob("*.obj"))))
+    print(f"\n{options.models} models, median of {np.median(triangles):,.0f} triangles")
+    head("way", "processor time, one at once, s", "seconds, one at once", "seconds, two at once", "one / two")
+    for way in WAYS:
+        results = [run(options, "--list", names, *way, "--quiet", "--jobs", str(jobs), "--output-folder",
+                       folder / f"results{jobs}", "--output", "%.obj", "--json", "%.json") for jobs in (1, 2)]
+        (_, one, cpu), (_, two, _) = results
+        row(" ".join(way), f"{cpu:.1f}", f"{one:.1f}", f"{two:.1f}", f"{one / two:.2f}")
+
+
+def bounds(options, folder):
+    """A bound and what was taken. Of memory, the bound is below what the run takes without it."""
+    file = folder / "hill.obj"
+    program.write_obj(file, *meshes.hill(500, 1))
+    head("bound", "status", "seconds")
+    for seconds in (.2, 1, 2):
+        status, taken, _ = run(options, file, "--quiet", "--timeout", str(seconds))
+        row(f"{seconds} s", str(status), f"{taken:.2f}")
+    head("bound", "status", "MB")
+    free = peak_megabytes(options.program, file, "--quiet", "--threads", "1")
+    for share in (.5, .8):
+        bound = round(share * free)
+        status, _, _ = run(options, file, "--quiet", "--memory", f"{bound}M")
+        row(f"{bound} MB", str(status), f"{peak_megabytes(options.program, file, '--quiet', '--threads', '1', '--memory', f'{bound}M'):.0f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True, help="flatten_mesh")
+    parser.add_argument("--models", type=int, default=1000)
+    options = parser.parse_args()
+    options.program = options.program.resolve()
+    print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")
+    start(options)
+    for part in (collection, bounds):
+        with tempfile.TemporaryDirectory() as folder:
+            part(options, Path(folder))
+
+
+if __name__ == "__main__":
+    main()
