@@ -36,7 +36,8 @@ PURPOSES = ("texture", "few-charts", "conformal")
 
 def generated(random, seed):
     size = random.uniform(.3, 1.2)
-    return [lambda: meshes.hill(int(24 * size) + 2, seed), lambda: meshes.torus(int(30 * size) + 3, int(14 * size) + 3, seed),
+    return [lambda: meshes.hill(int(24 * size) + 2, seed),
+            lambda: meshes.torus(int(30 * size) + 3, int(14 * size) + 3, seed),
             lambda: meshes.sphere(int(random.integers(0, 4)), seed),
             lambda: isosurfaces.isosurface(int(10 * size) + 4, random.choice([0, .02, .1]), seed)][random.integers(4)]()
 
@@ -121,9 +122,9 @@ def write(folder, demo, seed):
 def small_models(folder):
     """Those of triangles only"""
     def is_small(file):
-        text = file.read_text(errors="replace")
+        lines = [line for line in file.read_text(errors="replace").splitlines()[1:] if line[:1] != "#"]
         try:
-            numbers = np.array([word for line in text.splitlines()[1:] if line[:1] != "#" for word in line.split()], float)
+            numbers = np.array(" ".join(lines).split(), float)
             n, m = int(numbers[0]), int(numbers[1])
         except (IndexError, ValueError):
             return False
@@ -165,7 +166,8 @@ def main():
                             results, "--output", "%.obj", "--json", "%.json"], stderr=subprocess.DEVNULL)
         seconds, used = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
         atlases = sorted(results.rglob("*.obj"))
-        wrong = [file.name for file, is_wrong in zip(atlases, pool.map(has_wrong_map, atlases, chunksize=20)) if is_wrong]
+        are_wrong = pool.map(has_wrong_map, atlases, chunksize=20)
+        wrong = [file.name for file, is_wrong in zip(atlases, are_wrong) if is_wrong]
     reports = [json.loads(file.read_text()) for file in results.rglob("*.json")]
     print(f"{len(files):,} models, {sum(report.get('triangles', 0) for report in reports):,} triangles, "
           f"{seconds:.0f} s, processor time {used.ru_utime + used.ru_stime:.0f} s with the making of models\n")

@@ -51,8 +51,9 @@ def run(options, *arguments):
 
 
 def peak_megabytes(*command):
-    """The largest resident memory of a process"""
-    watch = "import resource, subprocess, sys; subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL); " \
+    """The largest resident memory of a process and those that it starts"""
+    watch = "import resource, subprocess, sys; null = subprocess.DEVNULL; " \
+            "subprocess.run(sys.argv[1:], stdout=null, stderr=null); " \
             "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
     return int(subprocess.run([sys.executable, "-c", watch, *map(str, command)], check=True,
                               stdout=subprocess.PIPE).stdout) / 1024
@@ -83,25 +84,27 @@ def collection(options, folder):
 
 
 def bounds(options, folder):
-    """A bound and what was taken. Of memory, the bound is below what the run takes without it."""
+    """Bounds, and what was taken. Those of memory are shares of what the run takes without them."""
     file = folder / "hill.obj"
-    program.write_obj(file, *meshes.hill(500, 1))
+    program.write_obj(file, *meshes.hill(options.side, 1))
     head("bound", "status", "seconds")
-    for seconds in (.2, 1, 2):
+    for seconds in (.2, .5, 1):
         status, taken, _ = run(options, file, "--quiet", "--timeout", str(seconds))
         row(f"{seconds} s", str(status), f"{taken:.2f}")
     head("bound", "status", "MB")
-    free = peak_megabytes(options.program, file, "--quiet", "--threads", "1")
-    for share in (.5, .8):
+    free = peak_megabytes(options.program, file, "--quiet", "--threads", "1", "--memory", "100G")
+    for share in (.5, .8, .95, 1.05):
         bound = round(share * free)
-        status, _, _ = run(options, file, "--quiet", "--memory", f"{bound}M")
-        row(f"{bound} MB", str(status), f"{peak_megabytes(options.program, file, '--quiet', '--threads', '1', '--memory', f'{bound}M'):.0f}")
+        arguments = (file, "--quiet", "--memory", f"{bound}M")
+        status, _, _ = run(options, *arguments)
+        row(f"{bound} MB", str(status), f"{peak_megabytes(options.program, *arguments, '--threads', '1'):.0f}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", type=Path, required=True, help="flatten_mesh")
     parser.add_argument("--models", type=int, default=1000)
+    parser.add_argument("--side", type=int, default=500, help="vertices along the sides of a large model (%(default)s)")
     options = parser.parse_args()
     options.program = options.program.resolve()
     print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")

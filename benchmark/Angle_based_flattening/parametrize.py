@@ -66,7 +66,8 @@ def read_triple(file):
     """Of an OBJ file"""
     lines = [line.split() for line in file.read_text().splitlines()]
     uvs = np.array([line[1:3] for line in lines if line[:1] == ["vt"]], float)
-    corners = np.array([[corner.split("/")[:2] for corner in line[1:4]] for line in lines if line[:1] == ["f"]], int) - 1
+    faces = [line[1:4] for line in lines if line[:1] == ["f"]]
+    corners = np.array([[corner.split("/")[:2] for corner in face] for face in faces], int) - 1
     vmapping = np.zeros(len(uvs), int)
     vmapping[corners[..., 1]] = corners[..., 0]
     return vmapping, corners[..., 1], uvs
