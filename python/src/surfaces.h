@@ -47,6 +47,10 @@ auto with_failures(const Function& f)
     throw;
   } catch(const std::bad_alloc&) {
     throw;
+  } catch(const flatten_mesh::Input_error& error) {
+    const flatten_mesh::Failure failure = flatten_mesh::current_failure();
+    throw Mesh_failure(failure.name, failure.message, {error.faces.begin(), error.faces.end()},
+                       {error.vertices.begin(), error.vertices.end()});
   } catch(...) {
     const flatten_mesh::Failure failure = flatten_mesh::current_failure();
     throw Mesh_failure(failure.name, failure.message);

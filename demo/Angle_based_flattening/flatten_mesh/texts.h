@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace flatten_mesh {
 
@@ -18,7 +20,12 @@ namespace flatten_mesh {
 // and the remedy. The program ends with status 2.
 struct Input_error : public std::runtime_error
 {
-  using std::runtime_error::runtime_error;
+  std::vector<std::size_t> faces, vertices; // of the file, from 0, that the text names
+
+  Input_error(const std::string& text, std::vector<std::size_t> faces = {},
+              std::vector<std::size_t> vertices = {})
+      : std::runtime_error(text), faces(std::move(faces)), vertices(std::move(vertices))
+  {}
 };
 
 struct Usage_error : public Input_error

@@ -88,6 +88,15 @@ def test_points_that_are_no_numbers(function):
         assert error.value.vertices.tolist() == [17]
 
 
+@pytest.mark.parametrize("function", [abf.flatten, abf.seams])
+def test_sheets_that_meet_in_a_vertex(function):
+    vertex = len(VERTICES) - 1
+    vertices, faces = np.concatenate([VERTICES, VERTICES[1:] + 2]), np.concatenate([FACES, FACES + vertex])
+    with pytest.raises(abf.MeshError) as error:
+        function(vertices, faces)
+    assert error.value.vertices.tolist() == [vertex]
+
+
 WRONG_ARRAYS = [
     (dict(vertices=VERTICES[:, :2]), r"vertices has the shape \(49, 2\), and must have the shape \(n, 3\)"),
     (dict(vertices=VERTICES.ravel()), r"vertices has the shape \(147,\)"),

@@ -34,14 +34,16 @@ inline std::string edge_name(const std::size_t v, const std::size_t w)
 [[noreturn]] inline void refuse_vertex(const std::size_t v)
 {
   throw Not_a_mesh("at " + vertex_name(v) +
-                   " parts of the surface touch at one vertex, so it is not a manifold; give each part "
-                   "its own vertex");
+                       " parts of the surface touch at one vertex, so it is not a manifold; give each part "
+                       "its own vertex",
+                   {}, {v});
 }
 
 [[noreturn]] inline void refuse_edge(const std::size_t v, const std::size_t w, const std::size_t faces)
 {
   throw Input_error(edge_name(v, w) + " has " + std::to_string(faces) +
-                    " faces, so the surface is not a manifold; remove or separate the surplus ones");
+                        " faces, so the surface is not a manifold; remove or separate the surplus ones",
+                    {}, {v, w});
 }
 
 // Throws if another polygon runs along an edge of the polygon in the same direction: either too many polygons share
@@ -64,8 +66,10 @@ inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std:
   }
   if(other != p) {
     throw Not_a_mesh("faces " + std::to_string((std::min)(p, other) + 1) + " and " +
-                     std::to_string((std::max)(p, other) + 1) + " are oriented differently: both run along " +
-                     edge_name(v, w) + " in the same direction; orient all faces alike");
+                         std::to_string((std::max)(p, other) + 1) +
+                         " are oriented differently: both run along " + edge_name(v, w) +
+                         " in the same direction; orient all faces alike",
+                     {p, other}, {v, w});
   }
 }
 
@@ -74,13 +78,14 @@ inline void check_polygon(const Polygon_soup& soup, const std::size_t p)
 {
   const Polygon& polygon = soup.polygons[p];
   if(polygon.size() < 3) {
-    throw Input_error(face_name(p) + " has fewer than three vertices; remove it");
+    throw Input_error(face_name(p) + " has fewer than three vertices; remove it", {p});
   }
   Polygon sorted(polygon);
   std::sort(sorted.begin(), sorted.end());
   const Polygon::const_iterator twice = std::adjacent_find(sorted.begin(), sorted.end());
   if(twice != sorted.end()) {
-    throw Input_error(face_name(p) + " names " + vertex_name(*twice) + " twice; remove degenerate faces");
+    throw Input_error(face_name(p) + " names " + vertex_name(*twice) + " twice; remove degenerate faces", {p},
+                      {*twice});
   }
 }
 
@@ -90,7 +95,8 @@ inline void check_points(const Polygon_soup& soup)
     const Kernel::Point_3& point = soup.points[v];
     if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
       throw Input_error(vertex_name(v) +
-                        " has a coordinate that is not a finite number; remove it or repair the scan");
+                            " has a coordinate that is not a finite number; remove it or repair the scan",
+                        {}, {v});
     }
   }
 }
@@ -103,7 +109,8 @@ inline std::vector<std::size_t> valences(const Polygon_soup& soup)
     for(const std::size_t v : soup.polygons[p]) {
       if(v >= soup.points.size()) {
         throw Input_error(face_name(p) + " names a vertex that does not exist: the file has only " +
-                          std::to_string(soup.points.size()) + "; export the mesh again");
+                              std::to_string(soup.points.size()) + "; export the mesh again",
+                          {p});
       }
       ++result[v];
     }
