@@ -88,8 +88,11 @@ endfunction()
 add_library(CGAL_Angle_based_flattening STATIC EXCLUDE_FROM_ALL
   ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_atlas.cpp
   ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_charts.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_creases.cpp
   ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_direct.cpp
   ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_hierarchical.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_seams.cpp
+  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_symmetry.cpp
   ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_texture.cpp)
 add_library(CGAL::Angle_based_flattening ALIAS CGAL_Angle_based_flattening)
 set_target_properties(CGAL_Angle_based_flattening PROPERTIES EXPORT_NAME Angle_based_flattening)

@@ -5,4 +5,3 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams_impl.h>

@@ -6,8 +6,8 @@
 #ifndef FLATTEN_MESH_CREASE_OPTION_H
 #define FLATTEN_MESH_CREASE_OPTION_H
 
-#include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
-#include <CGAL/Surface_mesh_parameterization/symmetrize_seams.h>
+#include <CGAL/Surface_mesh_parameterization/Crease_report.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetry_report.h>
 #include <CGAL/number_type_config.h>
 
 #include <charconv>

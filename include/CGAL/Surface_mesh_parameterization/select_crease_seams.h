@@ -10,18 +10,17 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/Crease_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_patches.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_division.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/merge_patches.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -31,33 +30,6 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// Options of `select_crease_seams()`.
-struct Crease_options
-{
-  /// A crease is an edge whose two faces differ by more than this angle, in radians: above 0, and below \f$\pi\f$.
-  double angle = 40 * CGAL_PI / 180;
-};
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// The report of `select_crease_seams()`.
-struct Crease_report : Report
-{
-  std::size_t number_of_patches = 0; ///< The number of patches between creases, given seams and borders.
-  std::size_t number_of_parts = 0;   ///< The number of parts between all seams, after patches were joined.
-
-  /// The share of the area that belongs to flat patches of at least two triangles, on surfaces with creases.
-  double flat_share = 0;
-
-  double seam_length = 0;          ///< The length of all seams, each counted once.
-  double relative_seam_length = 0; ///< `seam_length`, divided by the square root of the area.
-
-  /// Whether at least a tenth of the area is flat, between creases: so are machine parts, and hardly any scans.
-  bool is_hard_surface() const { return flat_share >= 0.1; }
-};
 
 /*!
 \ingroup PkgAngleBasedFlatteningRef
@@ -124,17 +96,12 @@ select_crease_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
   double area = 0, flat_area = 0;
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
   const auto applied = application.run([&](const ABF::Surface_part& part) {
-    ABF::Crease_patches patches = ABF::Crease_patch_finder(part.chart, part.cost, options.angle).run();
-    const auto count = static_cast<std::size_t>(
-        std::count_if(patches.patches.begin(), patches.patches.end(),
-                      [](const ABF::Crease_patch& patch) { return !patch.triangles.empty(); }));
-    report.number_of_patches += count;
-    for(const ABF::Crease_patch& patch : patches.patches) {
-      area += patch.area;
-      flat_area += count > 1 && patch.is_flat && patch.triangles.size() > 1 ? patch.area : 0;
-    }
+    ABF::Crease_division division = ABF::divide_at_creases(part.chart, part.cost, options.angle);
+    report.number_of_patches += division.number_of_patches;
+    area += division.area;
+    flat_area += division.flat_area;
     ABF::Seams result;
-    result.is_seam = ABF::Patch_merger(part.chart, std::move(patches)).run();
+    result.is_seam = std::move(division.is_seam);
     return result;
   });
   static_cast<Report&>(report) = applied;

@@ -11,9 +11,9 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/mirror_plane.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/mirror_seams.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_router.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetry_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/edge_graph.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -22,7 +22,6 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -33,30 +32,6 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// The report of `find_mirror_plane()`.
-struct Mirror_plane_report : Report
-{
-  std::array<double, 3> normal = {
-      1, 0, 0};      ///< The normal of the plane, of length 1. Its largest coordinate is positive.
-  double offset = 0; ///< The plane consists of the points whose scalar product with the normal is this.
-
-  /// The root mean square distance of the mirror image of the surface from the surface, in units of the diagonal of the
-  /// bounding box.
-  double deviation = 0;
-};
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// The report of `symmetrize_seams()`.
-struct Symmetry_report : Report
-{
-  /// The mean distance of the mirror images of the seams from the seams, in units of the diagonal of the bounding box.
-  double asymmetry = 0;
-  double seam_length = 0; ///< The length of all seams, each counted once.
-};
 
 #ifndef DOXYGEN_RUNNING
 namespace internal::ABF {
@@ -164,7 +139,7 @@ find_mirror_plane(const TriangleMesh& mesh, const NamedParameters& np = paramete
   internal::ABF::Mirrored_mesh<TriangleMesh> read_mesh;
   if(!read_mesh.read(mesh, np, report))
     return report;
-  const internal::ABF::Mirror_plane plane = internal::ABF::Mirror_plane_finder(read_mesh.arrays).run();
+  const internal::ABF::Mirror_plane plane = internal::ABF::fit_mirror_plane(read_mesh.arrays);
   report.normal = {plane.normal.x(), plane.normal.y(), plane.normal.z()};
   report.offset = plane.offset;
   report.deviation = plane.deviation / internal::ABF::diagonal_of(read_mesh.arrays.points);
@@ -227,8 +202,8 @@ symmetrize_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
     may_be = !may_be;
   const ABF::Edge_graph graph(read_mesh.arrays.points, read_mesh.ends);
   const ABF::Mirror_plane mirror = ABF::mirror_plane(plane);
-  const std::vector<char> is_seam = ABF::Seam_mirror(read_mesh.arrays, graph, mirror, may_be_seam)
-                                        .run(read_mesh.marks(seams), keeps_upper_side ? 1 : -1);
+  const std::vector<char> is_seam = ABF::mirror_seams(read_mesh.arrays, graph, mirror, may_be_seam,
+                                                      read_mesh.marks(seams), keeps_upper_side ? 1 : -1);
   ABF::measure_symmetry(graph, is_seam, mirror, report);
   for(std::size_t e = 0; e < is_seam.size(); ++e)
     put(seams, read_mesh.edge_descriptors[e], bool(is_seam[e]));

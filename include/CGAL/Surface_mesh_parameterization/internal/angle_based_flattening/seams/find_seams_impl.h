@@ -5,7 +5,7 @@
 
 // The bodies of the three functions of `find_seams.h`: topological cut, greedy terminals and shortening, on a coarse
 // copy if large. `apply_seams.h` and `atlas/part_atlas_builder.h` include it; the compiled library has it in
-// `angle_based_flattening_atlas.cpp`.
+// `angle_based_flattening_seams.cpp`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_IMPL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_FIND_SEAMS_IMPL_H

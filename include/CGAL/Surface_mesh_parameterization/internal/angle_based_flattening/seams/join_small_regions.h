@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_router.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/edge_graph.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 
 #include <algorithm>

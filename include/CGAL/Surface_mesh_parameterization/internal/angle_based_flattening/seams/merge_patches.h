@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Joins patches that unfold side by side in the plane, as the faces of a cube to a cross. `select_crease_seams.h` calls
-// it, with the patches of `crease_patches.h`.
+// Joins patches that unfold side by side in the plane, as the faces of a cube to a cross. `crease_division_impl.h`
+// calls it, with the patches of `crease_patches.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_MERGE_PATCHES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_MERGE_PATCHES_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The plane in which a surface is most nearly symmetric. Planes of many directions are fitted to the surface and its
-// mirror image, as by the iterative closest point method. `symmetrize_seams.h` finds it, and mirrors seams there.
+// mirror image, as by the iterative closest point method. `symmetry_impl.h` calls it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_MIRROR_PLANE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_MIRROR_PLANE_H
@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_objects.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 
 #include <CGAL/number_type_config.h>
@@ -26,16 +27,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-struct Mirror_plane
-{
-  Seam_kernel::Vector_3 normal{1, 0, 0}; // of length 1
-  double offset = 0;                     // of the points of the plane along the normal
-  double deviation = 0;                  // the root mean square distance of the mirror image from the surface
-
-  double height(const Seam_kernel::Point_3& p) const { return normal * (p - CGAL::ORIGIN) - offset; }
-  Seam_kernel::Point_3 mirrored(const Seam_kernel::Point_3& p) const { return p - 2 * height(p) * normal; }
-};
 
 class Mirror_plane_finder
 {

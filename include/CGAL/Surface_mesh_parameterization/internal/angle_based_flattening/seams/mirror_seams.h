@@ -3,20 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes seams symmetric: those on one side of a plane replace those on the other side. `symmetrize_seams.h` calls it.
+// Makes seams symmetric: those on one side of a plane replace those on the other side. `symmetry_impl.h` calls it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_MIRROR_SEAMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_MIRROR_SEAMS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/edge_graph.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/join_small_regions.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/mirror_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_objects.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_router.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
-
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,30 +24,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-inline double diagonal_of(const std::vector<Seam_kernel::Point_3>& points)
-{
-  CGAL::Bbox_3 box;
-  for(const Seam_kernel::Point_3& p : points)
-    box += p.bbox();
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
-}
-
-// On which side of the plane each vertex is: -1, 1, or 0. Of two vertices on different sides of the plane that an edge
-// joins, the nearer one counts as on the plane.
-inline std::vector<signed char> sides_of_vertices(const Edge_graph& graph, const Mirror_plane& plane)
-{
-  std::vector<double> height;
-  for(const Seam_kernel::Point_3& p : graph.points)
-    height.push_back(plane.height(p));
-  std::vector<signed char> side;
-  for(double h : height)
-    side.push_back(static_cast<signed char>((h > 0) - (h < 0)));
-  for(const auto& [a, b] : graph.ends)
-    if(height[a] * height[b] < 0)
-      side[std::abs(height[b]) < std::abs(height[a]) ? b : a] = 0;
-  return side;
-}
 
 // Draws the seams on one side of the plane again on the other one.
 class Seam_mirror
@@ -227,27 +202,6 @@ private:
   const double m_width;
   std::vector<char> m_result;
 };
-
-// The mean distance of the mirror images of seams from the seams
-inline double asymmetry_of_seams(const Edge_graph& graph, const std::vector<char>& is_seam,
-                                 const Mirror_plane& plane)
-{
-  std::vector<Seam_kernel::Segment_3> segments;
-  for(std::size_t e = 0; e < is_seam.size(); ++e)
-    if(is_seam[e] && graph.length(e) > 0)
-      segments.emplace_back(graph.points[graph.ends[e][0]], graph.points[graph.ends[e][1]]);
-  if(segments.empty())
-    return 0;
-  double sum = 0, length = 0;
-  const Nearest_objects<Seam_kernel::Segment_3> seams(segments);
-  for(const Seam_kernel::Segment_3& segment : segments) {
-    const double l = std::sqrt(segment.squared_length());
-    const Seam_kernel::Point_3 middle = CGAL::midpoint(segment.source(), segment.target());
-    sum += l * std::sqrt(seams.squared_distance(plane.mirrored(middle)));
-    length += l;
-  }
-  return sum / length;
-}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

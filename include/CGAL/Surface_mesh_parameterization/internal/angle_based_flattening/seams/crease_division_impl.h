@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The body of `divide_at_creases()`. `crease_division.h` includes it; the compiled library has it in
+// `angle_based_flattening_creases.cpp`.
+
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CREASE_DIVISION_IMPL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CREASE_DIVISION_IMPL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_division.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_patches.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/merge_patches.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE Crease_division divide_at_creases(const Chart& surface,
+                                                                     const std::vector<double>& cost,
+                                                                     double angle)
+{
+  Crease_patches patches = Crease_patch_finder(surface, cost, angle).run();
+  Crease_division result;
+  result.number_of_patches = static_cast<std::size_t>(
+      std::count_if(patches.patches.begin(), patches.patches.end(),
+                    [](const Crease_patch& patch) { return !patch.triangles.empty(); }));
+  for(const Crease_patch& patch : patches.patches) {
+    result.area += patch.area;
+    result.flat_area +=
+        result.number_of_patches > 1 && patch.is_flat && patch.triangles.size() > 1 ? patch.area : 0;
+  }
+  result.is_seam = Patch_merger(surface, std::move(patches)).run();
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_CREASE_DIVISION_IMPL_H
