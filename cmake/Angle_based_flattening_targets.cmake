@@ -62,6 +62,9 @@ if(ABF_SANITIZE)
   # MP_Float shifts negative numbers to the left, which is defined from C++20 on only.
   add_compile_options(-fsanitize=${ABF_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr,shift-base
                       -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1 -O1 -D_GLIBCXX_ASSERTIONS)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    add_compile_options(-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/unchecked_by_sanitizers.txt)
+  endif()
   add_link_options(-fsanitize=${ABF_SANITIZE})
 endif()
 
