@@ -526,7 +526,9 @@ BOOST_AUTO_TEST_CASE(overlaps_become_injective_or_are_separated)
 
 BOOST_AUTO_TEST_CASE(overlaps_of_larger_charts_are_predicted)
 {
-  for(double turns : {0.4, 0.8, 0.95, 1.15, 1.4, 2., 2.6}) {
+  const bool is_quick = std::getenv("ABF_TEST_QUICK") != nullptr;
+  for(double turns :
+      is_quick ? std::vector{0.95, 1.15, 2.} : std::vector{0.4, 0.8, 0.95, 1.15, 1.4, 2., 2.6}) {
     const Mesh mesh = mesh_of({component("staircase", test_charts::staircase(120, 24, turns, 0.1))});
     const Atlas_run run = make_atlas_of(mesh),
                     separated =

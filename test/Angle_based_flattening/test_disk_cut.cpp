@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
 {
   std::mt19937 random(1);
   std::map<Diagnosis, int> tally;
-  const unsigned int seeds = std::getenv("ABF_TEST_QUICK") ? 200 : 400;
+  const unsigned int seeds = std::getenv("ABF_TEST_QUICK") ? 150 : 400;
   for(unsigned int seed = 0; seed < seeds; ++seed) {
     const Surface surface = seam_surfaces::random_surface(seed);
     BOOST_TEST_CONTEXT(surface.name << ", seed " << seed)
