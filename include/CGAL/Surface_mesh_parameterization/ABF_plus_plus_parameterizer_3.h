@@ -296,7 +296,7 @@ public:
   /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border and
   /// `Flattening_options::holes` is `Flattening_options::REFUSE`;
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), no valid map was found, or
-  ///   a visitor stopped the computation;
+  ///   a visitor or `Flattening_options::time_limit` stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, no triangle has an area, there
   ///   are more than 153 million triangles, the importance of a face is out of its range, pins are not finite or not

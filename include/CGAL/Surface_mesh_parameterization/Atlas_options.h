@@ -28,6 +28,9 @@ struct Seam_options
 
   /// The largest number of terminals of each part: vertices that seams lead to because of their scale. At least 0.
   int maximum_number_of_terminals = 100;
+
+  /// The longest time that the computation may take, in seconds; see `Flattening_options::time_limit`.
+  double time_limit = std::numeric_limits<double>::infinity();
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef

@@ -51,7 +51,8 @@ struct Cone_options
   /// be `FREE`.
   double angle_multiple = 0;
 
-  /// The options of ABF++ in `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` only
+  /// The options of ABF++ in `flatten_with_cones()`. `Flattening_options::time_limit` bounds the whole time of
+  /// `select_cones()` or `flatten_with_cones()`. `ABF_plus_plus_options::equal_seam_lengths` may be `false` only
   /// with free angles.
   ABF_plus_plus_options parameterizer;
 };

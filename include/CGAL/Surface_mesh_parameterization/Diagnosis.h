@@ -74,6 +74,7 @@ enum class Diagnosis
   PRECISION_EXCEEDED,   ///< There is a valid map, but the number type of the coordinates cannot hold it.
   NOT_CERTIFIED,        ///< Exact predicates did not confirm the result.
   CANCELLED,            ///< A visitor or an exception stopped the computation.
+  TIMED_OUT,            ///< The computation took longer than its time limit.
 
   // Atlases
   STRETCH_BOUND_MISSED, ///< Each face has a chart, but some chart is not good.
@@ -149,6 +150,7 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "PRECISION_EXCEEDED",
                                    "NOT_CERTIFIED",
                                    "CANCELLED",
+                                   "TIMED_OUT",
                                    "STRETCH_BOUND_MISSED",
                                    "SOMETHING_SKIPPED",
                                    "NOTHING_FLATTENED",

@@ -84,6 +84,11 @@ struct Flattening_options
   /// If not null, this visitor follows the progress and may stop the computation. A coarse parameterizer and
   /// `Hierarchical_options::polish_options` have visitors of their own.
   Flattening_visitor* visitor = nullptr;
+
+  /// The longest time that the computation may take, in seconds, on a clock that never goes back; at least 0. After it,
+  /// the computation ends with the diagnosis `Diagnosis::TIMED_OUT`, and no property map is changed; see \ref
+  /// ABF_time_limits "the manual". The limit also holds for a coarse parameterizer, which may have a limit of its own.
+  double time_limit = (std::numeric_limits<double>::infinity)();
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -205,11 +210,12 @@ struct Hierarchical_options : Flattening_options
 
   /// Whether the direct solver starts from the angles of the refined map. This lowers the distortion to that of the
   /// direct method. For injective maps, Newton's method lowers the same energy by moving the vertices, so that the map
-  /// stays injective. It uses the same solver traits, and ignores `polish_options`.
+  /// stays injective. It uses the same solver traits, and ignores `polish_options` except for its time limit.
   bool polish = false;
 
   /// Options of the direct solver that polishes. The solver of its linear systems is a template parameter of the
-  /// parameterizer.
+  /// parameterizer. `Flattening_options::time_limit` of these options is no error: the map stays as it was before
+  /// (`Hierarchical_report::polishing_timed_out`).
   ABF_plus_plus_options polish_options;
 };
 

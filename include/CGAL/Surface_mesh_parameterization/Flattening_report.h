@@ -105,8 +105,8 @@ struct Flattening_report : Report
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// returns the code that `parameterize()` returns for a diagnosis. A run that a visitor stopped has no code of its
-/// own: its code is `ERROR_NO_1_TO_1_MAPPING`.
+/// returns the code that `parameterize()` returns for a diagnosis. A run that a visitor or a time limit stopped has
+/// no code of its own: its code is `ERROR_NO_1_TO_1_MAPPING`.
 ///
 /// \relates Flattening_report
 inline Error_code error_code(Diagnosis diagnosis)
@@ -273,6 +273,9 @@ struct Hierarchical_report : Flattening_report
   /// Whether polishing succeeded: the result is then that of the direct solver. For injective maps: whether Newton's
   /// method converged; if not, the map has the lowest energy that was reached.
   bool polished = false;
+  /// Whether polishing ended at its time limit (`Hierarchical_options::polish_options`): the map is that before it, or
+  /// before the last step for injective maps.
+  bool polishing_timed_out = false;
   /// Newton steps of polishing; for injective maps, all steps on the finest level towards the least energy of angles.
   int polish_iterations = 0;
   double constraint_residual = 0; ///< Largest violation of a constraint by the polished angles, in radians.

@@ -19,7 +19,8 @@ namespace Surface_mesh_parameterization {
 /// Base class of visitors that follow `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`, and may
 /// cancel them. If a function returns `false`, the computation ends. `parameterize()` then returns
 /// `ERROR_NO_1_TO_1_MAPPING` with the diagnosis `Diagnosis::CANCELLED`, and no property map is changed. The report then
-/// contains the size of the chart, but no steps. If a function throws an exception, the exception passes through
+/// contains the size of the chart, but no steps. `Flattening_options::time_limit` ends a computation in the same way,
+/// with `Diagnosis::TIMED_OUT`, and needs no visitor. If a function throws an exception, the exception passes through
 /// `parameterize()`, with the same effects.
 ///
 /// One thread at a time calls the functions. With \tbb and a number of threads in the options, this thread may differ

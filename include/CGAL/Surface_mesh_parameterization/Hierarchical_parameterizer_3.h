@@ -247,8 +247,8 @@ public:
   ///
   /// \return `OK` only if every triangle is positively oriented. Otherwise, `report()` contains the reason. The code is
   /// an error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING`
-  /// if there is no valid map, none was found, or a visitor stopped the computation. Errors of the coarse parameterizer
-  /// are not errors of this function.
+  /// if there is no valid map, none was found, or a visitor or `Flattening_options::time_limit` stopped the
+  /// computation. Errors of the coarse parameterizer are not errors of this function.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap vpmap)

@@ -9,7 +9,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Cone_selection.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/select_cones_of_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -79,7 +81,13 @@ Cone_selection<TriangleMesh> select_cones(const TriangleMesh& mesh, std::size_t 
                                           const Cone_options& options = Cone_options(),
                                           const NamedParameters& np = parameters::default_values())
 {
-  return internal::ABF::select_cones_of_mesh(mesh, n, options, np);
+  Cone_selection<TriangleMesh> selection;
+  const Report end = internal::ABF::run_bounded(options.parameterizer.time_limit, [&] {
+    selection = internal::ABF::select_cones_of_mesh(mesh, n, options, np);
+  });
+  if(!end)
+    static_cast<Report&>(selection) = end;
+  return selection;
 }
 
 } // namespace Surface_mesh_parameterization

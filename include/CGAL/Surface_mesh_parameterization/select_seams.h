@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/apply_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
@@ -96,9 +97,15 @@ Mesh_report<TriangleMesh, Seam_report> select_seams(const TriangleMesh& mesh, Ed
   }
   const ABF::Linear_solvers solvers = ABF::linear_solvers(np);
   ABF::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
-  report = application.run([&](const ABF::Surface_part& part) {
-    return ABF::find_seams(part.chart, part.cost, options, solvers);
+  const Report end = ABF::run_bounded(options.time_limit, [&] {
+    report = application.run([&](const ABF::Surface_part& part) {
+      return ABF::find_seams(part.chart, part.cost, options, solvers);
+    });
   });
+  if(!end) {
+    static_cast<Report&>(report) = end;
+    return report;
+  }
   report.bound_reached = report.predicted_stretch <= options.stretch_bound;
   return report;
 }

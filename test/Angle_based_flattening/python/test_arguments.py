@@ -166,6 +166,7 @@ WRONG_OPTIONS = [
     (dict(weld=1), TypeError, "weld is a int, and must be True or False"),
     (dict(isometric_charts="on"), TypeError, "isometric_charts is a str"),
     (dict(timeout=0), ValueError, "timeout is 0, and must be above 0"),
+    (dict(time_limit=1), TypeError, "time_limit"),
     (dict(progress=3), TypeError, "progress must be a function"),
     (dict(colour="red"), TypeError, "colour"),
     (dict(pack_into_square=False, seam_price=.1), ValueError, "seam_price is given, and goes without"),

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 
 #include <CGAL/centroid.h>
 
@@ -80,6 +81,7 @@ private:
     };
     reach(seed, 0);
     while(!queue.empty()) {
+      Deadline::ask();
       const auto [distance, t] = queue.top();
       queue.pop();
       if(distance > m_distance[t])

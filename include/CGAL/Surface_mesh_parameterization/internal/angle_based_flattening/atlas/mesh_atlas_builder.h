@@ -22,9 +22,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +45,7 @@ class Mesh_atlas_builder
   typedef Mesh_in_atlas<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap, NamedParameters> Read_mesh;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
   typedef Mesh_report<TriangleMesh, Atlas_report> Report;
+  typedef Visited_stage<Atlas_visitor> Stage;
 
 public:
   Mesh_atlas_builder(const Atlas_options& options, const NamedParameters& np) : m_options(options), m_np(np)
@@ -66,15 +66,13 @@ public:
       report.status = Diagnosis::WRONG_OPTION;
       return report;
     }
-    with_threads(m_options.threads, [&]() {
-      try {
-        report = make();
-      } catch(const Cancelled&) {
-        report = Report();
-        report.status = Diagnosis::CANCELLED;
-        report.message = "a visitor stopped the computation";
-      }
-    });
+    const auto end =
+        run_bounded(m_options.time_limit, [&] { with_threads(m_options.threads, [&] { report = make(); }); });
+    if(!end) {
+      report = Report();
+      report.status = end.status;
+      report.message = end.message;
+    }
     return report;
   }
 
@@ -82,13 +80,12 @@ private:
   Report make()
   {
     Report report;
-    Real_timer timer;
-    timer.start();
-    begin(Atlas_visitor::READ);
-    const bool is_read = read(report);
-    const double seconds = timer.time();
-    if(!is_read)
-      return report;
+    double seconds = 0;
+    {
+      const Stage stage(m_options.visitor, Atlas_visitor::READ, seconds);
+      if(!read(report))
+        return report;
+    }
     static_cast<Atlas_report&>(report) = make_charts();
     report.seconds.read = seconds;
     if(m_options.pack_into_square)
@@ -100,21 +97,15 @@ private:
     if(!report.has_atlas())
       return report;
     measure_seams(report);
-    timer.reset();
-    begin(Atlas_visitor::WRITE);
-    for(Read_mesh& mesh : m_meshes)
-      mesh.write();
-    report.seconds.write = timer.time();
+    {
+      const Stage stage(m_options.visitor, Atlas_visitor::WRITE, report.seconds.write);
+      for(Read_mesh& mesh : m_meshes)
+        mesh.write();
+    }
     return report;
   }
 
   bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
-
-  void begin(Atlas_visitor::Stage stage) const
-  {
-    if(m_options.visitor != nullptr && !m_options.visitor->start(stage))
-      throw Cancelled();
-  }
 
   // For messages
   std::string name_of_mesh(std::size_t number) const

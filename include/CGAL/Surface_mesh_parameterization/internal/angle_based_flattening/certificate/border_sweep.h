@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 
 #include <CGAL/Kernel_traits.h>
 
@@ -109,6 +110,7 @@ private:
     std::vector<typename Line::iterator> position(m_edges.size(), line.end());
     std::size_t inserted = 0, removed = 0;
     for(int rank = 0; rank < static_cast<int>(m_vertices.size()) && !m_touching; ++rank) {
+      Deadline::ask();
       for(; removed < by_right.size() && m_right[by_right[removed]] == rank && !m_touching; ++removed)
         remove(line, position[by_right[removed]]);
       const std::size_t first = inserted;

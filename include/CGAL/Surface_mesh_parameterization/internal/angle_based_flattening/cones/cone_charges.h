@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/scale_response.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
 
 #include <Eigen/Core>
@@ -88,6 +89,7 @@ public:
     if(is_closed())
       u = scale_without_cones();
     while(u && m_cones.size() < number_of_cones) {
+      Deadline::ask();
       int cone = -1;
       for(int v = 0; v < size(); ++v)
         if((cone < 0 || std::abs((*u)[v]) > std::abs((*u)[cone])) && is_free(v))

@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/dual_patch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
@@ -65,10 +66,22 @@ public:
 
   Cone_flattening<TriangleMesh> run(std::size_t number_of_cones)
   {
+    const Report end = run_bounded(m_options.time_limit, [&] { compute(number_of_cones); });
+    if(!end) {
+      ABF::fail(m_result.map, end.status, end.message);
+      static_cast<Report&>(m_result) = end;
+    }
+    m_result.map.peak_memory = peak_resident_size();
+    return std::move(m_result);
+  }
+
+private:
+  void compute(std::size_t number_of_cones)
+  {
     m_result.cones = select_cones_of_mesh(m_mesh, number_of_cones, m_cone_options, m_np);
     if(!m_result.cones) {
       fail(m_result.cones);
-      return std::move(m_result);
+      return;
     }
     for(const auto& e : edges(m_mesh))
       put(m_marks, e, false);
@@ -78,24 +91,15 @@ public:
     m_result.seams = seams;
     if(!seams) {
       fail(seams);
-      return std::move(m_result);
+      return;
     }
-    with_threads(m_options.threads, [&]() {
-      try {
-        flatten();
-      } catch(const Cancelled&) {
-        ABF::fail(m_result.map, Diagnosis::CANCELLED, "a visitor stopped the computation");
-      }
-    });
-    m_result.map.peak_memory = peak_resident_size();
+    with_threads(m_options.threads, [&] { flatten(); });
     if(!m_result.map) {
       m_result.status = m_result.map.status;
       m_result.message = m_result.map.message;
     }
-    return std::move(m_result);
   }
 
-private:
   template <typename PartReport>
   void fail(const PartReport& part)
   {

@@ -40,6 +40,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <algorithm>
@@ -324,17 +325,38 @@ private:
   void polish()
   {
     const Chart& chart = m_coarsening.mesh().chart();
-    const int most_steps = 10;
     const std::vector<double> beta = target_angles(chart);
     const Angle_objective objective(chart, beta, Angle_energy{m_options.barrier});
     Angle_descent sweeps(chart, m_options.barrier, m_uv);
-    while(succeeded() && m_report.polish_iterations < most_steps && !m_report.polished) {
-      const Stage stage(m_options.visitor, Flattening_visitor::POLISH, m_report.seconds.polish);
+    polish_by([&] {
       m_report.polished = descend(chart, objective, {polish_tolerance, 1, full_step_tolerance}, m_uv);
       sweeps.run(m_relaxation, 1, 0);
-      ++m_report.polish_iterations;
-    }
+    });
+    if(m_report.polishing_timed_out)
+      sweeps.run(m_relaxation, 0, 0); // finds the energy
     m_report.energy = sweeps.energy();
+  }
+
+  // A step for which there is no time left is undone.
+  template <typename Step>
+  void polish_by(const Step& step)
+  {
+    const int most_steps = 10;
+    const Deadline deadline(m_options.polish_options.time_limit);
+    while(succeeded() && m_report.polish_iterations < most_steps && !m_report.polished &&
+          !m_report.polishing_timed_out) {
+      const std::vector<Planar_point> before = m_uv;
+      m_report.polishing_timed_out = !deadline.allows([&] {
+        const Stage stage(m_options.visitor, Flattening_visitor::POLISH, m_report.seconds.polish);
+        step();
+      });
+      if(m_report.polishing_timed_out) {
+        m_uv = before;
+        m_report.polished = false;
+      } else {
+        ++m_report.polish_iterations;
+      }
+    }
   }
 
   Merged_weights m_weights;

@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>
@@ -77,6 +78,7 @@ public:
   {
     m_has_converged = false;
     for(int step = 0; step < limits.steps; ++step) {
+      Deadline::ask();
       // Ranges are fixed at the start of a step, so that the energy does not change its definition during the step.
       Planar_border border(m_cycles, uv);
       const double before = energy(uv, border);

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 
 #include <cmath>
 #include <limits>
@@ -64,6 +65,7 @@ void widen_crushed_triangles(const Chart& chart, const std::vector<Planar_point>
     return;
   const std::vector<double> beta = is_isometric ? target_angles(chart) : std::vector<double>();
   for(int round = 0; round < most_rounds; ++round) {
+    Deadline::ask();
     const std::vector<int> vertices = vertices_to_widen(chart, chart_points(uv), is_isometric);
     if(vertices.empty())
       return;

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
+
 #include <Eigen/Core>
 
 #include <limits>
@@ -56,6 +58,7 @@ Iterative_solution conjugate_gradients(const Matrix& a, const Eigen::VectorXd& b
   auto& [residual, correction, direction, product] = vectors;
   double previous = 0, goal = 0;
   for(int step = 0;; ++step) {
+    Deadline::ask();
     if(!preconditioner.solve(residual, correction))
       return {Iterative_solution::FAILED, step};
     const double norm = residual.dot(correction);

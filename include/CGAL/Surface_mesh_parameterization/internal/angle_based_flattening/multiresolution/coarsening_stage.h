@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/collapse_cost.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
@@ -70,6 +71,7 @@ public:
     const int n = number_of_vertices();
     int removed = 0;
     for(int begin = 0; begin < n; begin += block_of_vertices) {
+      Deadline::ask();
       const int end = n - begin < block_of_vertices ? n : begin + block_of_vertices;
       const int allowed = static_cast<int>(std::int64_t(quota) * end / n);
       for(int i : ranked(candidates, begin, end)) {

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
@@ -152,6 +153,7 @@ public:
     Star star = empty;
     for(Block& result : results) {
       for(int v : result.deferred) {
+        Deadline::ask();
         star.gather(mesh(), m_uv, v);
         relax(star, v, result);
       }

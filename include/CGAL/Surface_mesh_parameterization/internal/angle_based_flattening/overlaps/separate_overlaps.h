@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/minimum_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/sheets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/triangle_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 
 #include <algorithm>
@@ -147,6 +148,7 @@ private:
     std::vector<Task> tasks;
     tasks.push_back(std::move(first));
     while(!tasks.empty() && m_result.status == Separation::DONE) {
+      Deadline::ask();
       Task task = std::move(tasks.back());
       tasks.pop_back();
       if(task.pairs.empty())

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/occupied_cells.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/scaled_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,7 @@ public:
   // The place that a chart takes, if there is one
   std::optional<Chart_place> place(int c)
   {
+    Deadline::ask();
     const double texels = m_scaled.needed_texels(c);
     if(!m_scaled.charts().is_small(c) || texels < alike * m_texels_at_first_row) {
       m_texels_at_first_row = texels;

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
+
 #include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
@@ -52,16 +54,21 @@ private:
   void (*m_call)(const void*, int);
 };
 
-// An exception in one thread also stops the loops that others run at the time within the same loop. They would go on
-// behind a loop that was not done.
+// Asks for the deadline in each call. An exception in one thread also stops the loops that others run at the time within
+// the same loop. They would go on behind a loop that was not done.
 inline void run_loop(int n, bool is_parallel, const Loop_body& body)
 {
   if(n < 2 || !is_parallel) {
-    for(int b = 0; b < n; ++b)
+    for(int b = 0; b < n; ++b) {
+      Deadline::ask();
       body(b);
+    }
     return;
   }
+  Deadline* const deadline = Deadline::current();
   CGAL::for_each<CGAL::Parallel_if_available_tag>(boost::irange(0, n), [&](int b) {
+    const Deadline::Worker worker(deadline);
+    Deadline::ask();
     body(b);
     return true;
   });
@@ -117,7 +124,11 @@ void with_threads(int threads, const Function& f)
 #ifdef CGAL_LINKED_WITH_TBB
   if(threads > 0) {
     tbb::task_arena arena((std::min)(threads, tbb::this_task_arena::max_concurrency()));
-    arena.execute(f);
+    Deadline* const deadline = Deadline::current();
+    arena.execute([&] {
+      const Deadline::Worker worker(deadline); // may be another thread
+      f();
+    });
     return;
   }
 #else

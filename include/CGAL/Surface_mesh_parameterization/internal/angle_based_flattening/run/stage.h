@@ -3,31 +3,66 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a visitor hears of a run: the start of a stage, Newton's steps, levels. It also times stages, and stops the run
-// if told to. `solve_angles.h`, `coarsen.h`, `flatten_injectively.h`, the strategies and the stages of an atlas report
-// through it.
+// What a visitor hears of a run: the start of a stage, Newton's steps, levels. It also times stages, and ends the run
+// if the visitor or the deadline says so. `solve_angles.h`, `coarsen.h`, `flatten_injectively.h`, the strategies and
+// the stages of an atlas report through it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <CGAL/Real_timer.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+inline const char* name_of(Flattening_visitor::Stage stage)
+{
+  constexpr const char* names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
+                                   "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
+  return names[stage];
+}
+
+inline const char* name_of(Atlas_visitor::Stage stage)
+{
+  constexpr const char* names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
+  return names[stage];
+}
+
+// Runs `f`, and returns what ended it, if anything did.
+template <typename Function>
+Report run_bounded(double time_limit, const Function& f)
+{
+  const Deadline deadline(time_limit);
+  try {
+    f();
+  } catch(const Cancelled&) {
+    return {Diagnosis::CANCELLED, "a visitor stopped the computation"};
+  } catch(const Deadline::Passed& passed) {
+    if(passed.deadline != &deadline)
+      throw;
+    return {Diagnosis::TIMED_OUT, passed.message};
+  }
+  return {};
+}
+
 // Tells a visitor that a stage starts, and adds the time until the end of the scope to `seconds`.
 template <typename Visitor>
 class Visited_stage
 {
 public:
-  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, double& seconds) : m_seconds(seconds)
+  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, double& seconds)
+      : m_stage(name_of(stage)), m_seconds(seconds)
   {
     if(visitor != nullptr && !visitor->start(stage))
       throw Cancelled();
+    Deadline::ask();
     m_timer.start();
   }
 
@@ -37,6 +72,7 @@ public:
   Visited_stage& operator=(const Visited_stage&) = delete;
 
 private:
+  const Deadline::Stage m_stage;
   double& m_seconds;
   Real_timer m_timer;
 };
@@ -47,12 +83,14 @@ inline void visit_step(Flattening_visitor* visitor, const ABF_plus_plus_step& st
 {
   if(visitor != nullptr && !visitor->step(step))
     throw Cancelled();
+  Deadline::ask();
 }
 
 inline void visit_level(Flattening_visitor* visitor, int vertices, int all_vertices)
 {
   if(visitor != nullptr && !visitor->level(vertices, all_vertices))
     throw Cancelled();
+  Deadline::ask();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -24,6 +24,11 @@ inline constexpr double smallest_tolerance = 1e-14;
 // More sweeps take time and change nothing.
 inline constexpr int most_sweeps = 1000;
 
+inline std::string wrong_time_limit(double time_limit)
+{
+  return time_limit >= 0 ? std::string() : "the time limit must be at least 0 seconds";
+}
+
 // Returns what is wrong with the options, or an empty string.
 inline std::string wrong_option(const Flattening_options& options)
 {
@@ -40,7 +45,7 @@ inline std::string wrong_option(const Flattening_options& options)
     return "the weight of pins must be positive";
   if(options.threads < 0)
     return "the number of threads must not be negative";
-  return std::string();
+  return wrong_time_limit(options.time_limit);
 }
 
 inline std::string wrong_option(const ABF_plus_plus_options& options)

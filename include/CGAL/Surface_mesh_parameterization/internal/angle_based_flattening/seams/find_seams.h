@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ inline std::string wrong_option(const Seam_options& options)
   if(options.maximum_number_of_terminals < 0)
     return "the number of terminals is at most " + std::to_string(options.maximum_number_of_terminals) +
            ", and must not be negative";
-  return "";
+  return wrong_time_limit(options.time_limit);
 }
 
 struct Seams

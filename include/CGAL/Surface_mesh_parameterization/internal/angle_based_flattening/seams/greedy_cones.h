@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/grounded_laplacian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
@@ -147,6 +148,7 @@ private:
     Nearest_seams nearest(m_surface, m_cost);
     Eigen::VectorXd u;
     for(;;) {
+      Deadline::ask();
       if(!m_laplacian.solve(border_vertices(m_surface), m_log_scale.sources(), u))
         return Seams::LINEAR_SYSTEM_FAILED;
       m_stretch = m_log_scale.stretch(u);

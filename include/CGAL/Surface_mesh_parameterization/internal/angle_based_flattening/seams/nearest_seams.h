@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sector_graph.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shortest_paths.h>
 
@@ -147,6 +148,7 @@ private:
   void spread(Path_queue& queue, double bound = forbidden)
   {
     while(!queue.empty()) {
+      Deadline::ask();
       const int x = queue.top();
       queue.pop();
       ++m_visits;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Dimension.h>
@@ -72,6 +73,7 @@ public:
     place(3 * first + 2);
     add(first);
     while(!queue.empty()) {
+      Deadline::ask();
       const int c = queue.top().second, across = m_surface.opposite[c];
       queue.pop();
       if(m_is_laid_out[c / 3])

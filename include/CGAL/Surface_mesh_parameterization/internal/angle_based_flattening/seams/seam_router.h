@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/edge_graph.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_objects.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
@@ -62,6 +63,7 @@ public:
     };
     reach(from, 0, no_edge);
     while(!queue.empty() && queue.top().second != to) {
+      Deadline::ask();
       const auto [cost, v] = queue.top();
       queue.pop();
       if(cost > m_cost[v])

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sector_graph.h>
 
 #include <boost/graph/detail/d_ary_heap.hpp>
@@ -100,6 +101,7 @@ public:
     for(int x : sources)
       reach(x, 0, -1, queue);
     while(!queue.empty()) {
+      Deadline::ask();
       const int x = queue.top();
       queue.pop();
       ++m_visited;

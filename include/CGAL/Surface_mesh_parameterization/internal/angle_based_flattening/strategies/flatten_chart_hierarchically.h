@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/certify_refined_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
@@ -72,7 +73,10 @@ inline void polish(const Chart& chart, const Hierarchical_options& options, cons
                    Flattening<Hierarchical_report>& result)
 {
   const Stage stage(options.visitor, Flattening_visitor::POLISH, result.report.seconds.polish);
-  Polished_map map = polish(chart, result.uv, options.polish_options, solvers);
+  const Deadline deadline(options.polish_options.time_limit);
+  Polished_map map;
+  result.report.polishing_timed_out =
+      !deadline.allows([&] { map = polish(chart, result.uv, options.polish_options, solvers); });
   result.report.polish_iterations = map.iterations;
   result.report.constraint_residual = map.constraint_residual;
   result.report.polished = !map.uv.empty();

@@ -209,13 +209,9 @@ Outcome<TriangleMesh, Report> run_parameterizer(
     const Stage stage(options.visitor, Flattening_visitor::WRITE, report.seconds.write);
     write_chart(reader, flattening.uv, uvmap);
   };
-  with_threads(options.threads, [&] {
-    try {
-      run();
-    } catch(const Cancelled&) {
-      fail(report, Diagnosis::CANCELLED, "a visitor stopped the computation");
-    }
-  });
+  const auto end = run_bounded(options.time_limit, [&] { with_threads(options.threads, run); });
+  if(!end)
+    fail(report, end.status, end.message);
   report.peak_memory = peak_resident_size();
   return outcome;
 }
