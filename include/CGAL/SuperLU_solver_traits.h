@@ -21,6 +21,7 @@
 #include <CGAL/Eigen_vector.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
+#include <CGAL/Solver_interface/internal/SuperLU_flag.h>
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_preconditioner.h>
 #include <CGAL/Solver_interface/internal/SuperLU_sparse_matrix.h>
@@ -270,8 +271,9 @@ public:
   /// returns the number of entries of both factors, and 0 without a factorization.
   std::size_t factor_nonzeros() const { return is_factored() ? m_factorization->nonzeros() : 0; }
 
-  /// returns whether the last call of `factor()` failed because memory ran out.
-  bool lacks_memory() const { return m_lacks_memory; }
+  /// returns whether memory ran out in the last call of `factor()`, or in a call of `linear_solver()` after it, which
+  /// then returned `false`.
+  bool lacks_memory() const { return m_lacks_memory.get(); }
 
   /// returns whether the last call of `factor()` could use the ordering of an earlier one.
   bool ordering_reused() const { return m_ordering_reused; }
@@ -286,12 +288,12 @@ private:
     m_factorization.reset();
     m_transposed.reset();
     m_ordering_reused = false;
-    m_lacks_memory = false;
+    m_lacks_memory.set(false);
     try {
       if(factor())
         return true;
     } catch(const std::bad_alloc&) {
-      m_lacks_memory = true;
+      m_lacks_memory.set(true);
     }
     m_factorization.reset();
     m_transposed.reset();
@@ -366,6 +368,7 @@ private:
       }
       return true;
     } catch(const std::bad_alloc&) {
+      m_lacks_memory.set(true);
       return false;
     }
   }
@@ -376,7 +379,7 @@ private:
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   std::shared_ptr<Spare_memory> m_memory;      // shared with copies
   bool m_ordering_reused = false;
-  bool m_lacks_memory = false;
+  internal::SuperLU_flag m_lacks_memory;
 };
 
 #ifndef DOXYGEN_RUNNING

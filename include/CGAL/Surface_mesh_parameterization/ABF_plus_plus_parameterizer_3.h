@@ -312,16 +312,16 @@ public:
     internal::ABF::Prescriptions<Triangle_mesh> prescriptions = m_prescriptions;
     prescriptions.pins =
         internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_prescriptions.pins, uvmap, vpmap);
-    Outcome outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
+    const auto outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_solvers,
         internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           return internal::ABF::flatten_chart(chart, m_options, m_solvers, round, last.get());
         });
-    if(outcome.angles == nullptr)
-      outcome.angles = last;
+    if(outcome->angles == nullptr)
+      outcome->angles = last;
     m_outcome.set(outcome);
-    return error_code(outcome.report.status);
+    return error_code(outcome->report.status);
   }
 
   /// returns whether the map is one-to-one on the connected component of `bhd`, in the sense of `is_injective()`: no

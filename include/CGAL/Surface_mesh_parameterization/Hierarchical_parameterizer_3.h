@@ -259,7 +259,7 @@ public:
     prescriptions.equal_seam_lengths = false;
     prescriptions.points = m_points;
     prescriptions.pins = internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap);
-    const Outcome outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
+    const auto outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_linear_algebra,
         internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
         [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
@@ -269,7 +269,7 @@ public:
               m_linear_algebra, round);
         });
     m_outcome.set(outcome);
-    return error_code(outcome.report.status);
+    return error_code(outcome->report.status);
   }
 
   /// returns whether the map is one-to-one on the connected component of `bhd`; see

@@ -23,10 +23,12 @@
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 /// \file flatten_surface.h
 
@@ -54,6 +56,23 @@ halfedge_on_border(const TriangleMesh& mesh, const Vertex_points<TriangleMesh>& 
   const auto any = std::find_if(all.begin(), all.end(), [&](auto h) { return CGAL::is_border(h, mesh); });
   return any == all.end() ? longest : *any;
 }
+
+// Notes coordinates for a property map of the caller's, which is written when nothing can fail any more.
+template <typename VertexUVMap>
+struct Noted_map
+{
+  typedef typename boost::property_traits<VertexUVMap>::key_type key_type;
+  typedef typename boost::property_traits<VertexUVMap>::value_type value_type;
+  typedef value_type reference;
+  typedef boost::writable_property_map_tag category;
+
+  std::vector<std::pair<key_type, value_type>>* notes;
+
+  friend void put(const Noted_map& map, const key_type& key, const value_type& value)
+  {
+    map.notes->emplace_back(key, value);
+  }
+};
 
 } // namespace internal::ABF
 #endif // DOXYGEN_RUNNING
@@ -111,8 +130,13 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameteriz
     parameterizer.set_points(parameters::get_parameter(np, internal_np::vertex_point));
   const auto border = internal::ABF::halfedge_on_border(mesh, internal::ABF::given_points<TriangleMesh>(np));
   if(border != boost::graph_traits<TriangleMesh>::null_halfedge()) {
-    parameterize(mesh, parameterizer, border, uvmap);
-    return parameterizer.report();
+    typedef internal::ABF::Noted_map<VertexUVMap> Noted_map;
+    std::vector<std::pair<typename Noted_map::key_type, typename Noted_map::value_type>> notes;
+    parameterize(mesh, parameterizer, border, Noted_map{&notes});
+    auto report = parameterizer.report();
+    for(const auto& [vertex, point] : notes)
+      put(uvmap, vertex, point);
+    return report;
   }
   std::decay_t<decltype(parameterizer.report())> report;
   if(faces(mesh).empty())

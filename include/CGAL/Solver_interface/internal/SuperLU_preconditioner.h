@@ -13,6 +13,7 @@
 #include <CGAL/Eigen_vector.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
+#include <CGAL/Solver_interface/internal/SuperLU_flag.h>
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_pivots.h>
 #include <CGAL/Solver_interface/internal/SuperLU_sparse_matrix.h>
@@ -63,6 +64,7 @@ public:
   {
     D = 1;
     m_factors.reset();
+    m_lacks_memory.set(false);
     try {
       const Columns& a = A.eigen_object();
       FT sign = 1;
@@ -74,6 +76,7 @@ public:
       m_factors = factors;
       return true;
     } catch(const std::bad_alloc&) {
+      m_lacks_memory.set(true);
       return false;
     }
   }
@@ -89,9 +92,13 @@ public:
       m_factors->solve_with_lower_factor(typename Factors::Block(x.data(), x.rows(), 1));
       return superlu_largest(x.data(), x.size()) < std::numeric_limits<double>::infinity();
     } catch(const std::bad_alloc&) {
+      m_lacks_memory.set(true);
       return false;
     }
   }
+
+  // As of `SuperLU_solver_traits`
+  bool lacks_memory() const { return m_lacks_memory.get(); }
 
 private:
   // Returns `false` if the matrix is not definite. Keeps the ordering if the pattern was analyzed before.
@@ -110,6 +117,7 @@ private:
   std::shared_ptr<const Factors> m_factors;
   std::shared_ptr<const SuperLU_analysis> m_analysis;
   std::shared_ptr<typename Factors::Spare_memory> m_memory; // shared with copies
+  SuperLU_flag m_lacks_memory;
 };
 
 } // namespace CGAL_SUPERLU_TYPES

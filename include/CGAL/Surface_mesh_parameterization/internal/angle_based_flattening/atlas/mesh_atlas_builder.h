@@ -100,6 +100,8 @@ private:
     {
       const Stage stage(m_options.visitor, Atlas_visitor::WRITE, report.seconds.write);
       for(Read_mesh& mesh : m_meshes)
+        mesh.prepare_to_write();
+      for(Read_mesh& mesh : m_meshes)
         mesh.write();
     }
     return report;

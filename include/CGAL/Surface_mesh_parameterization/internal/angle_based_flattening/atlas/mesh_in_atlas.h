@@ -180,10 +180,23 @@ public:
     }
   }
 
+  // Before coordinates are written, which tell the seams that are kept, and while memory may run out
+  void prepare_to_write()
+  {
+    if constexpr(has_seams)
+      for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+        const Surface_part& part = m_reader.parts()[i];
+        for(int c = 0; m_atlas[i].succeeded() && c < part.chart.number_of_corners(); ++c)
+          if(is_seam(part, m_atlas[i], c))
+            m_new_seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
+      }
+  }
+
   void write()
   {
     if constexpr(has_seams)
-      write_seams();
+      for(edge_descriptor e : m_new_seams)
+        put(m_seams, e, true);
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
       const Part_atlas& atlas = m_atlas[i];
@@ -275,20 +288,6 @@ private:
     return part.chart.opposite[c] >= 0 || (!CGAL::is_border(e, m_mesh) && is_given_seam(e));
   }
 
-  // Before coordinates are written, which tell the seams that are kept
-  void write_seams()
-  {
-    std::vector<edge_descriptor> seams;
-    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
-      for(int c = 0; m_atlas[i].succeeded() && c < part.chart.number_of_corners(); ++c)
-        if(is_seam(part, m_atlas[i], c))
-          seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
-    }
-    for(edge_descriptor e : seams)
-      put(m_seams, e, true);
-  }
-
   void write_charts() const
   {
     typedef typename boost::property_traits<FaceChartMap>::value_type Number;
@@ -312,6 +311,7 @@ private:
   Mesh_components<TriangleMesh, Vertex_point_map> m_components;
   std::vector<Part_atlas> m_atlas;        // of each part
   std::vector<std::size_t> m_first_chart; // of each part
+  std::vector<edge_descriptor> m_new_seams;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

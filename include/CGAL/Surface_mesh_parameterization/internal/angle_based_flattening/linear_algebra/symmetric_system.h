@@ -62,8 +62,7 @@ struct Has_const_solution<SolverTraits,
                               std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
 {};
 
-// Whether they tell that memory ran out, as `SuperLU_solver_traits` do. Others throw, or do not know. Their counterpart
-// of lower precision does not tell it: where it fails, they are asked next.
+// Whether they tell that memory ran out, as `SuperLU_solver_traits` do. Others throw, or do not know.
 template <typename SolverTraits, typename = void>
 struct Has_lacks_memory : std::false_type
 {};
@@ -88,7 +87,7 @@ public:
   // Analyzes the pattern of the blocks if that can be done before there are values; copies know it then.
   virtual void analyze_pattern(const Block_matrix<2>& blocks) = 0;
 
-  // Returns `false` on failure, also if the solution is not finite.
+  // Returns `false` on failure, also if the solution is not finite. Throws as above.
   virtual bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) = 0;
 
   // A solver of the same kind, for another matrix
@@ -178,12 +177,13 @@ public:
     const double scale = right_hand_side_scale(right_hand_side);
     for(int i = 0; i < n; ++i)
       b[i] = static_cast<NT>(right_hand_side[i] / scale);
-    if constexpr(Has_factor<SolverTraits>::value) {
-      if(!m_traits.linear_solver(b, x))
-        return false;
-    } else if(!m_traits.linear_solver(***m_matrix, b, x, m_denominator)) {
-      return false;
-    }
+    bool done;
+    if constexpr(Has_factor<SolverTraits>::value)
+      done = m_traits.linear_solver(b, x);
+    else
+      done = m_traits.linear_solver(***m_matrix, b, x, m_denominator);
+    if(!done)
+      return fail();
     solution.resize(n);
     for(int i = 0; i < n; ++i)
       solution[i] = x[i] / m_denominator * scale;
@@ -216,11 +216,16 @@ private:
         (**m_matrix).reset();
       m_matrix.reset();
     }
+    return done || fail();
+  }
+
+  bool fail() const
+  {
     if constexpr(Has_lacks_memory<SolverTraits>::value) {
-      if(!done && m_traits.lacks_memory())
+      if(m_traits.lacks_memory())
         throw std::bad_alloc();
     }
-    return done;
+    return false;
   }
 
   // `fill` sets a matrix of Eigen's to what `result` becomes. If memory runs out, `result` is null.

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_cost.h>
@@ -88,14 +89,16 @@ public:
       return report;
     std::vector<Seams> results;
     for(const Surface_part& part : m_reader.parts()) {
+      Deadline::ask();
       results.push_back(find(part));
       if(results.back().status != Seams::DONE) {
         explain_failure(part, results.back().status, report);
         return report;
       }
     }
-    mark(results);
     measure(results, report);
+    Deadline::ask();
+    mark(results); // last, and without memory: seams are as they were if anything fails
     return report;
   }
 

@@ -51,10 +51,10 @@ struct Outcome
   std::shared_ptr<const Planar_angles> angles; // of the last map, if a later run is to start there
 
   // That of a run which an exception ends
-  static Outcome interrupted()
+  static std::shared_ptr<const Outcome> interrupted()
   {
-    Outcome outcome;
-    fail(outcome.report, Diagnosis::CANCELLED, "an exception ended the computation");
+    const auto outcome = std::make_shared<Outcome>();
+    fail(outcome->report, Diagnosis::CANCELLED, "an exception ended the computation");
     return outcome;
   }
 
@@ -69,14 +69,15 @@ struct Outcome
 };
 
 // The outcome of a parameterizer's last run. As functions of CGAL take parameterizers by value, a copy passes its
-// outcome on to what it was copied from. Several copies may do so at once.
+// outcome on to what it was copied from. Several copies may do so at once. That takes no memory, which might run out
+// when the coordinates are written already.
 template <typename Outcome>
 class Last_outcome
 {
   struct Link
   {
     std::mutex mutex;
-    Outcome outcome;
+    std::shared_ptr<const Outcome> outcome = std::make_shared<const Outcome>();
     std::shared_ptr<Link> original;
   };
 
@@ -98,15 +99,15 @@ public:
     return *this;
   }
 
-  const Outcome& get() const { return m_link->outcome; }
+  const Outcome& get() const { return *m_link->outcome; }
 
   std::shared_ptr<const Planar_angles> angles() const
   {
     const std::lock_guard<std::mutex> lock(m_link->mutex);
-    return m_link->outcome.angles;
+    return m_link->outcome->angles;
   }
 
-  void set(const Outcome& outcome)
+  void set(const std::shared_ptr<const Outcome>& outcome)
   {
     for(Link* link = m_link.get(); link != nullptr; link = link->original.get()) {
       const std::lock_guard<std::mutex> lock(link->mutex);
@@ -165,13 +166,13 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
 // may be null if there are no pins.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Options, typename Flatten>
-Outcome<TriangleMesh, Report> run_parameterizer(
+std::shared_ptr<Outcome<TriangleMesh, Report>> run_parameterizer(
     const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
     VertexUVmap uvmap, VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
     const Options& options, const Linear_solvers& solvers, Pin_function<Report> pin, const Flatten& flatten)
 {
-  Outcome<TriangleMesh, Report> outcome;
-  Report& report = outcome.report;
+  const auto outcome = std::make_shared<Outcome<TriangleMesh, Report>>();
+  Report& report = outcome->report;
   std::string wrong = wrong_option(options);
   if(wrong.empty())
     wrong = missing_strategy(options);
@@ -187,7 +188,7 @@ Outcome<TriangleMesh, Report> run_parameterizer(
           read_prescribed_chart(mesh, bhd, vimap, prescriptions, options.holes, reader, report);
       if(defect) {
         fail(report, defect.status, defect.message);
-        outcome.name_offenders(reader, defect.vertices, defect.triangles);
+        outcome->name_offenders(reader, defect.vertices, defect.triangles);
         return;
       }
     }
@@ -201,9 +202,9 @@ Outcome<TriangleMesh, Report> run_parameterizer(
     flattening.report.seconds += report.seconds;
     flattening.report.degenerate_triangles = report.degenerate_triangles;
     report = std::move(flattening.report);
-    outcome.angles = std::move(flattening.angles);
+    outcome->angles = std::move(flattening.angles);
     if(report.status != Diagnosis::NOTHING_WRONG) {
-      outcome.name_offenders(reader, flattening.offending_vertices, flattening.invalid);
+      outcome->name_offenders(reader, flattening.offending_vertices, flattening.invalid);
       return;
     }
     const Stage stage(options.visitor, Flattening_visitor::WRITE, report.seconds.write);
