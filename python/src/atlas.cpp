@@ -21,6 +21,8 @@
 #include "flatten_mesh/peak_memory.h"
 #include "flatten_mesh/weld_option.h"
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
+
 #include <pybind11/stl.h>
 
 #include <algorithm>

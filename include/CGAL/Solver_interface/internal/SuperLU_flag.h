@@ -18,9 +18,9 @@ class SuperLU_flag
 {
 public:
   SuperLU_flag() = default;
-  SuperLU_flag(const SuperLU_flag& other) : m_value(other.get()) {}
+  SuperLU_flag(const SuperLU_flag& other) noexcept : m_value(other.get()) {}
 
-  SuperLU_flag& operator=(const SuperLU_flag& other)
+  SuperLU_flag& operator=(const SuperLU_flag& other) noexcept
   {
     set(other.get());
     return *this;
