@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetry_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/edge_graph.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sides_of_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 

@@ -12,7 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_objects.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sides_of_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 
 #include <CGAL/number_type_config.h>

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/join_small_regions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_objects.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/seam_router.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sides_of_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 
 #include <algorithm>

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/mirror_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/mirror_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_objects.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/sides_of_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/triangle_arrays.h>
 
