@@ -6,16 +6,16 @@ process at once gains, and how exactly bounds are kept: many_models.py --program
 
 import argparse
 import os
-import resource
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import numpy as np
 
 import isosurfaces
+import side_by_side
+from side_by_side import head, row
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "test/Angle_based_flattening/python"))
@@ -25,29 +25,16 @@ import program  # noqa: E402
 WAYS = (("--plain",), ("--for", "few-charts"), ("--for", "texture"))
 
 
-def row(*cells):
-    print("| " + " | ".join(cells) + " |", flush=True)
-
-
-def head(*titles):
-    print()
-    row(*titles)
-    row("---", *["---:"] * (len(titles) - 1))
-
-
 def model(seed):
     """Of about 1,264 triangles: a disk, a torus or a closed isosurface"""
     return [lambda: meshes.hill(26, seed), lambda: meshes.torus(32, 20, seed),
             lambda: isosurfaces.isosurface(12, 0, seed)][seed % 3]()
 
 
-def run(options, *arguments):
-    """The status, seconds and processor time of a call"""
-    before, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    status = subprocess.run([options.program, *arguments, "--threads", "1"], stdout=subprocess.DEVNULL,
-                            stderr=subprocess.DEVNULL, env=os.environ | {"OPENBLAS_NUM_THREADS": "1"}).returncode
-    seconds, after = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return status, seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+def run_program(options, *arguments):
+    """The status, seconds and processor time of a call with one thread"""
+    process, seconds, cpu = side_by_side.run(options.program, *arguments, "--threads", "1")
+    return process.returncode, seconds, cpu
 
 
 def peak_megabytes(*command):
@@ -61,7 +48,7 @@ def peak_megabytes(*command):
 
 def start(options):
     head("start", "ms", "processor time, ms", "MB")
-    runs = [run(options, "--version") for _ in range(20)]
+    runs = [run_program(options, "--version") for _ in range(20)]
     row("--version", *(f"{1e3 * np.median([each[i] for each in runs]):.0f}" for i in (1, 2)),
         f"{peak_megabytes(options.program, '--version'):.1f}")
 
@@ -77,7 +64,7 @@ def collection(options, folder):
     print(f"\n{options.models} models, median of {np.median(triangles):,.0f} triangles")
     head("way", "processor time, one at once, s", "seconds, one at once", "seconds, two at once", "one / two")
     for way in WAYS:
-        results = [run(options, "--list", names, *way, "--quiet", "--jobs", str(jobs), "--output-folder",
+        results = [run_program(options, "--list", names, *way, "--quiet", "--jobs", str(jobs), "--output-folder",
                        folder / f"results{jobs}", "--output", "%.obj", "--json", "%.json") for jobs in (1, 2)]
         (_, one, cpu), (_, two, _) = results
         row(" ".join(way), f"{cpu:.1f}", f"{one:.1f}", f"{two:.1f}", f"{one / two:.2f}")
@@ -89,14 +76,14 @@ def bounds(options, folder):
     program.write_obj(file, *meshes.hill(options.side, 1))
     head("bound", "status", "seconds")
     for seconds in (.2, .5, 1):
-        status, taken, _ = run(options, file, "--quiet", "--timeout", str(seconds))
+        status, taken, _ = run_program(options, file, "--quiet", "--timeout", str(seconds))
         row(f"{seconds} s", str(status), f"{taken:.2f}")
     head("bound", "status", "MB")
     free = peak_megabytes(options.program, file, "--quiet", "--threads", "1", "--memory", "100G")
     for share in (.5, .8, .95, 1.05):
         bound = round(share * free)
         arguments = (file, "--quiet", "--memory", f"{bound}M")
-        status, _, _ = run(options, *arguments)
+        status, _, _ = run_program(options, *arguments)
         row(f"{bound} MB", str(status), f"{peak_megabytes(options.program, *arguments, '--threads', '1'):.0f}")
 
 

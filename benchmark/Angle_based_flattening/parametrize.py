@@ -7,8 +7,6 @@ called with an OBJ file to read and one to write. Both results are measured in t
 
 import argparse
 import os
-import resource
-import subprocess
 import tempfile
 import time
 from pathlib import Path
@@ -18,25 +16,27 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"
 import angle_based_flattening as abf  # noqa: E402
 import numpy as np  # noqa: E402
 
+import side_by_side  # noqa: E402
 from isosurfaces import isosurface  # noqa: E402
+from side_by_side import row  # noqa: E402
 
 MODELS = ("cow", "homer", "camel", "armadillo", "bunny00", "refined_elephant")
 
 
-def components(count, faces):
-    """The least vertex of the component of each face"""
+def least_connected(count, groups):
+    """The least element that each of the elements is connected with by groups, which are rows"""
     least, before = np.arange(count), None
     while before is None or (least != before).any():
         before = least.copy()
-        np.minimum.at(least, faces, least[faces].min(axis=1)[:, None])
+        np.minimum.at(least, groups, least[groups].min(axis=1)[:, None])
         least = least[least]
-    return least[faces[:, 0]]
+    return least
 
 
 def measured(vertices, vmapping, indices, uvs):
     """Charts, seams and faults of a triple. Charts that are mirrored as a whole are turned first."""
     uvs, faces = uvs.astype(float), np.asarray(vmapping)[indices]
-    chart = components(len(uvs), indices)
+    chart = least_connected(len(uvs), indices)[indices[:, 0]]
     p, q, r = (uvs[indices[:, k]] for k in range(3))
     area = np.cross(q - p, r - p)
     mirrored = np.bincount(chart, area, len(uvs)) < 0
@@ -89,11 +89,8 @@ class Other:
             mesh, result = Path(folder) / "mesh.obj", Path(folder) / "atlas.obj"
             mesh.write_text("".join([*(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices.tolist()),
                                      *(f"f {a} {b} {c}\n" for a, b, c in (faces + 1).tolist())]))
-            before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            if subprocess.run([self.path, mesh, result], stdout=subprocess.DEVNULL).returncode != 0:
-                return None, None
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            return read_triple(result), after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+            process, _, cpu = side_by_side.run(self.path, mesh, result)
+            return (read_triple(result), cpu) if process.returncode == 0 else (None, None)
 
 
 def ours(vertices, faces):
@@ -108,10 +105,6 @@ def meshes(options):
     for size in options.sizes:
         for noise in (0, 1 / size):
             yield f"isosurface, {'noisy' if noise else 'smooth'}", *isosurface(size, noise)
-
-
-def row(*cells):
-    print("| " + " | ".join(cells) + " |", flush=True)
 
 
 def main():

@@ -7,9 +7,7 @@ models Dask flattens: python_module.py --program FLATTEN_MESH, with the module i
 import argparse
 import json
 import os
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
 import time
@@ -21,39 +19,23 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"
 import angle_based_flattening as abf  # noqa: E402
 import numpy as np  # noqa: E402
 
+from side_by_side import head, row, run  # noqa: E402
+
 ROOT = Path(__file__).resolve().parents[2]
 sys.path += [str(ROOT / "test/Angle_based_flattening/python"), str(ROOT / "examples/Angle_based_flattening/python")]
 import meshes  # noqa: E402
 import program  # noqa: E402
 
 
-def row(*cells):
-    print("| " + " | ".join(cells) + " |", flush=True)
-
-
-def head(*titles):
-    print()
-    row(*titles)
-    row("---", *["---:"] * (len(titles) - 1))
-
-
 def hill_of(triangles, seed=1):
     return meshes.hill(round((triangles / 2)**.5) + 1, seed)
 
 
-def run_program(*arguments):
-    """What the program writes, its seconds, and its processor time"""
-    before, begin = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    output = subprocess.run(arguments, check=True, stdout=subprocess.PIPE).stdout
-    seconds, after = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return output, seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
 def of_program(path, file):
     """The seconds of the program but for its start and for reading, and its processor time"""
-    _, start, _ = run_program(path, "--version")
-    output, seconds, cpu = run_program(path, file, "--quiet", "--threads", "1", "--json", "-")
-    return seconds - start - json.loads(output)["seconds"]["read"], cpu
+    _, start, _ = run(path, "--version")
+    process, seconds, cpu = run(path, file, "--quiet", "--threads", "1", "--json", "-")
+    return seconds - start - json.loads(process.stdout)["seconds"]["read"], cpu
 
 
 def of_module(vertices, faces):

@@ -93,7 +93,8 @@ class Parts(Folder):
         for arguments, message in ((["--shard", "0/2"], "I/N"), (["--shard", "3/2"], "I/N"), (["--shard", "1"], "I/N"),
                                    (["--jobs", "0"], "--jobs"), (["--timeout", "0"], "--timeout"),
                                    (["--timeout", "nan"], "--timeout"), (["--memory", "4X"], "4X"),
-                                   (["--memory", "-1"], "-1"), (["--memory", "1M"], "1M"), (["--resume"], "--json"), (["-0"], "--list"),
+                                   (["--memory", "-1"], "-1"), (["--memory", "1M"], "1M"),
+                                   (["--resume"], "--json"), (["-0"], "--list"),
                                    (["--list", "absent"], "absent"), (["--list", "empty"], "no name"),
                                    (["--summary", "in"], "without --"), (["--json", "%.json"], "--output-folder")):
             result = self.run_program(*self.names, *arguments, status=2)

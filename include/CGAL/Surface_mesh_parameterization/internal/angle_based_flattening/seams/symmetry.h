@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The interface of symmetric seams on flat arrays, without a mesh. `symmetrize_seams.h` includes it. Without the compiled
-// library it brings in `symmetry_impl.h`.
+// The interface of symmetric seams on flat arrays, without a mesh. `symmetrize_seams.h` includes it. Without the
+// compiled library it brings in `symmetry_impl.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SYMMETRY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_SEAMS_SYMMETRY_H
