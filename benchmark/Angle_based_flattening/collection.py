@@ -156,6 +156,8 @@ def has_wrong_map(file):
     faces = np.array([[c[1] for c in face] for face in corners if all(len(c) > 1 and c[1] for c in face)], int) - 1
     if not len(faces):
         return False
+    uvs, place = np.unique(uvs, axis=0, return_inverse=True)  # the program joins vertices, and files keep them apart
+    faces = place.reshape(-1)[faces]
     vertices, fans = np.unique(fans_of(faces), return_inverse=True)
     uvs = uvs[faces.reshape(-1)[vertices]]
     return not abf.certify(np.pad(uvs, ((0, 0), (0, 1))), fans.reshape(-1, 3), uvs)
