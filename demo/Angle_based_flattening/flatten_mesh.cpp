@@ -18,16 +18,13 @@
 #include "flatten_mesh/atlas/run_atlas.h"
 #include "flatten_mesh/parts/check_parts.h"
 #include "flatten_mesh/plain/run_plain.h"
+#include "flatten_mesh/process_memory.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/assertions_behaviour.h>
 
 #include <cstdlib>
 #include <iostream>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace flatten_mesh {
 
@@ -40,17 +37,6 @@ namespace {
   std::cout.flush();
   std::cerr.flush();
   std::_Exit(status);
-}
-
-// Charts take arrays of the same sizes many times. What glibc returns to the system in between, the system clears
-// before it gives it again.
-void keep_freed_memory()
-{
-#ifdef __GLIBC__
-  const int megabyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 32 * megabyte); // its largest value
-  mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
-#endif
 }
 
 Exit_status run(const Command_line& command)

@@ -18,7 +18,7 @@
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/face_options.h"
-#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/weld_option.h"
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_options.h>

@@ -6,7 +6,7 @@
 #ifndef ABF_BENCHMARK_MEASUREMENT_H
 #define ABF_BENCHMARK_MEASUREMENT_H
 
-#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/process_memory.h"
 
 #include <CGAL/Real_timer.h>
 

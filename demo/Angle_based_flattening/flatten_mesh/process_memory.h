@@ -3,11 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_PEAK_MEMORY_H
-#define FLATTEN_MESH_PEAK_MEMORY_H
+#ifndef FLATTEN_MESH_PROCESS_MEMORY_H
+#define FLATTEN_MESH_PROCESS_MEMORY_H
 
 #include <fstream>
 #include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace flatten_mesh {
 
@@ -31,6 +35,25 @@ inline double peak_memory_mb()
   return resident_memory_mb("VmHWM");
 }
 
+// Charts take arrays of the same sizes many times. What glibc returns to the system in between, the system clears
+// before it gives it again.
+inline void keep_freed_memory()
+{
+#ifdef __GLIBC__
+  const int megabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * megabyte); // its largest value
+  mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+#endif
+}
+
+// After much was freed that nothing else will take
+inline void return_freed_memory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 } // namespace flatten_mesh
 
-#endif // FLATTEN_MESH_PEAK_MEMORY_H
+#endif // FLATTEN_MESH_PROCESS_MEMORY_H

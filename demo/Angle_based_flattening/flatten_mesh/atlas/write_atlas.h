@@ -24,7 +24,7 @@
 #include "flatten_mesh/model/write_model.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
-#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/texts.h"

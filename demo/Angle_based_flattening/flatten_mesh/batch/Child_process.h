@@ -9,7 +9,7 @@
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/Unfinished_files.h"
 #include "flatten_mesh/batch/Child_processes.h"
-#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/process_memory.h"
 
 #include <array>
 #include <cerrno>

@@ -12,7 +12,7 @@
 #include "flatten_mesh/batch/output_names.h"
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/file_names.h"
-#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/texts.h"
 
 #include <boost/program_options.hpp>

@@ -50,6 +50,7 @@ inline std::vector<Index> polygons_of_faces(const Model& model, const Mesh& mesh
                                             const Corner_origins& origins)
 {
   std::vector<Index> polygons;
+  polygons.reserve(mesh.number_of_faces());
   for(const Face f : mesh.faces()) {
     polygons.push_back(model.polygon_of_corner(origins.corners[mesh.halfedge(f).idx()]));
   }

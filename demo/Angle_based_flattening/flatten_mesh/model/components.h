@@ -29,6 +29,9 @@ inline std::vector<std::vector<Face>> components_by_size(Mesh& mesh)
     components[component[f]].push_back(f);
   }
   mesh.remove_property_map(component);
+  for(std::vector<Face>& faces : components) {
+    faces.shrink_to_fit();
+  }
   std::stable_sort(components.begin(), components.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return components;

@@ -208,10 +208,11 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
 
 } // namespace
 
-void measure(const Mesh& mesh, const Chart& chart, Flattening& flattening)
+void measure(Mesh& mesh, const Chart& chart, Flattening& flattening)
 {
   CGAL::Real_timer timer;
   timer.start();
+  flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
   flattening.measures = SMP::measure_flattening(
       mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
         flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
@@ -226,7 +227,6 @@ Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& com
 {
   Flattening flattening;
   flattening.uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
-  flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
   SMP::ABF_plus_plus_options options = command.options;
   options.visitor = &progress;
   choose_method(mesh, chart, command, options, flattening.uv, flattening);

@@ -14,7 +14,7 @@
 namespace flatten_mesh {
 
 // Measures the map of a chart.
-void measure(const Mesh& mesh, const Chart& chart, Flattening& flattening);
+void measure(Mesh& mesh, const Chart& chart, Flattening& flattening);
 
 Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command, Progress& progress);
 

@@ -12,7 +12,7 @@
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/Progress.h"
-#include "flatten_mesh/peak_memory.h"
+#include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/plain/Seamed_component.h"
 #include "flatten_mesh/model/build_mesh.h"
@@ -64,8 +64,8 @@ struct Surface
   std::optional<Polygon_soup> repaired; // if it is not as in the model
   bool has_polygons = false;            // of more than three corners
   Mesh input;
-  Corner_origins origins;      // of the input, in the model
-  std::vector<Index> polygons; // of each face of the input, in the model
+  Corner_origins origins;                     // of the input, in the model
+  std::vector<Index> polygons_of_split_faces; // of each face of the input, in the model, if edges were split
   std::vector<Skipped_part> skipped;
   Component component;
   std::optional<Seamed_component> seamed; // if it is cut open
@@ -73,8 +73,42 @@ struct Surface
   Chart chart;
 
   Polygon_soup soup() const { return repaired ? *repaired : polygon_soup(model); }
+  std::vector<Index> polygons() const
+  {
+    return polygons_of_split_faces.empty() ? polygons_of_faces(model, input, origins)
+                                           : polygons_of_split_faces;
+  }
+  // If nothing was repaired, the mesh has the points and corners of the model, too, until edges are split. Large surfaces
+  // need their memory.
+  void release_model(const Command_line& command)
+  {
+    if(!repaired && !prescribes_angles(command)) {
+      points = model.points.size();
+      corners = model.vertices.size();
+      model.points = std::vector<Kernel::Point_3>();
+      model.vertices = std::vector<Index>();
+    }
+  }
+
+  void restore_model()
+  {
+    if(corners > 0) {
+      model.points.assign(input.points().begin(),
+                          input.points().begin() + static_cast<std::ptrdiff_t>(points));
+      model.vertices.resize(corners);
+      for(std::size_t h = 0; h < origins.corners.size(); ++h) {
+        if(origins.corners[h] != no_index) {
+          model.vertices[origins.corners[h]] = input.target(Halfedge(static_cast<Mesh::size_type>(h)));
+        }
+      }
+    }
+  }
+
   Mesh& mesh() { return chart.is_cut() ? cut.mesh : input; }
   const Mesh& mesh() const { return chart.is_cut() ? cut.mesh : input; }
+
+private:
+  std::size_t points = 0, corners = 0; // of the released model
 };
 
 Surface read_surface(const Command_line& command, Notes& notes)
@@ -92,9 +126,10 @@ Surface read_surface(const Command_line& command, Notes& notes)
       surface.repaired = std::move(soup);
     }
     soup = Polygon_soup(); // large surfaces need its memory
+    return_freed_memory();
     surface.input = std::move(built.mesh);
     surface.origins = std::move(built.origins);
-    surface.polygons = polygons_of_faces(surface.model, surface.input, surface.origins);
+    surface.release_model(command);
     surface.component = choose_component(surface.input, static_cast<std::size_t>(command.component));
     if(is_cut(command, surface.input, surface.component)) {
       if(prescribes_angles(command)) {
@@ -137,7 +172,7 @@ void write_surface(Output_file& file, const std::string& name, Surface& surface,
   if(is_obj_output(name)) {
     Polygon_soup soup = with_split_sides(surface.soup(), surface.input, surface.chart);
     if(divides) {
-      divide_polygons(soup, surface.input, surface.polygons, is_divided);
+      divide_polygons(soup, surface.input, surface.polygons(), is_divided);
     }
     write_obj(file, soup, surface.mesh(), surface.chart, flattening);
     return;
@@ -178,7 +213,7 @@ Output_files write_files(const Command_line& command, Surface& surface, const st
 #ifdef ABF_WITH_THREE
   if(!command.report.empty() && record.flattening.succeeded()) {
     open(command.report)
-        .write(report_page(contents_of_chart(command, surface.input, surface.polygons, surface.mesh(),
+        .write(report_page(contents_of_chart(command, surface.input, surface.polygons(), surface.mesh(),
                                              surface.chart, record),
                            command.options.threads));
   }
@@ -293,6 +328,7 @@ Flattening flatten_cut_surface(const Command_line& command, Surface& surface, Ru
 Flattening flatten_with_angles(const Command_line& command, Surface& surface, Run_record& record,
                                Progress& progress, Notes& notes)
 {
+  std::vector<Index> polygons = surface.polygons();
   if(const auto failure = prescribe_angles(surface.input, surface.chart, command, progress)) {
     return *failure;
   }
@@ -305,7 +341,7 @@ Flattening flatten_with_angles(const Command_line& command, Surface& surface, Ru
                       " split in the middle, which only OBJ output can hold: choose a name that ends with "
                       ".obj, or other corners");
   }
-  surface.polygons = polygons_of_parts(std::move(surface.polygons), surface.input, surface.chart);
+  surface.polygons_of_split_faces = polygons_of_parts(std::move(polygons), surface.input, surface.chart);
   record.vertices = surface.chart.vertices.size();
   record.triangles = surface.chart.faces.size();
   if(record.split_edges > 0) {
@@ -437,6 +473,7 @@ Exit_status run_plain(const Command_line& command)
   if(command.split_overlaps && record.flattening.succeeded()) {
     split_surface(surface, record, progress);
   }
+  surface.restore_model();
   const std::vector<bool> is_divided = polygons_to_divide(command, surface, record.flattening);
   if(const std::string text = polygons_text(mended, is_divided); !text.empty()) {
     notes.add(text);

@@ -104,10 +104,11 @@ inline double scale_of_charts(const Wedge_mesh& mesh, const abf::Chart& chart, c
 inline Triangle_measures measure_triangles(const Wedge_mesh& mesh)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const abf::Chart chart = chart_of_wedges(mesh);
+  abf::Chart chart = chart_of_wedges(mesh);
+  chart.targets.assign(chart.vertex.size(), 1); // of the energy, which is not asked for
   const internal::Scaled_plane plane = internal::scaled_plane(mesh);
   const double scale = internal::scale_of_charts(mesh, chart, plane);
-  const std::vector<double> no_targets(chart.vertex.size(), 1); // of the energy, which is not asked for
+  const abf::Target_angles targets(chart);
   const std::size_t triangles = mesh.triangles.size();
   Triangle_measures measures;
   measures.scale = plane.scale / chart.scale / scale;
@@ -119,7 +120,7 @@ inline Triangle_measures measure_triangles(const Wedge_mesh& mesh)
     for(int t = begin; t < end; ++t) {
       const auto i = static_cast<std::size_t>(t);
       const CGAL::Surface_mesh_parameterization::Flattening_face_measures face =
-          abf::measure_triangle(chart, no_targets, plane.uv, scale, t);
+          abf::measure_triangle(chart, targets, plane.uv, scale, t);
       const bool has_area = face.scale > 0;
       measures.angle_change[i] = face.mean_angle_change * 180 / CGAL_PI;
       measures.area_change[i] = has_area ? 2 * std::log2(face.scale) : none;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -35,9 +36,25 @@ inline double surface_angle(const Chart& chart, int c)
   return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
 }
 
-// The optimal angles beta of Eq. 1, of each corner: the surface's own angles, scaled around every interior vertex to
-// the sum 2 pi that the plane demands, and around any other node to its sum. At the vertices of holes they are the
-// surface's.
+// By what the surface's angles at each node are multiplied, given their sum: around every interior vertex so that they
+// have the sum 2 pi that the plane demands, and around any other node its sum. At the vertices of holes they are kept.
+inline std::vector<double> target_factors(const Chart& chart, std::vector<double> sum)
+{
+  for(int i = 0; i < static_cast<int>(sum.size()); ++i) {
+    const double wanted = chart.nodes[i].angle_sum;
+    sum[i] = i < chart.number_of_free_nodes() && wanted > 0 && sum[i] > 0 ? wanted / sum[i] : 1;
+  }
+  return sum;
+}
+
+// The optimal angle beta of Eq. 1 at corner `c`, where the surface has the angle `angle`
+inline double target_angle(const Chart& chart, const std::vector<double>& factors, int c, double angle)
+{
+  const int i = chart.node_of_corner(c);
+  return std::clamp(i < 0 ? angle : angle * factors[i], least_target_angle, pi - least_target_angle);
+}
+
+// The optimal angles of all corners
 inline std::vector<double> target_angles(const Chart& chart)
 {
   if(!chart.targets.empty())
@@ -51,16 +68,47 @@ inline std::vector<double> target_angles(const Chart& chart)
   for(int c = 0; c < chart.number_of_corners(); ++c)
     if(const int i = chart.node_of_corner(c); i >= 0)
       sum[i] += beta[c];
+  const std::vector<double> factors = target_factors(chart, std::move(sum));
   parallel_for_blocks(chart.number_of_corners(), [&](int begin, int end) {
-    for(int c = begin; c < end; ++c) {
-      const int i = chart.node_of_corner(c);
-      if(i >= 0 && i < chart.number_of_free_nodes() && chart.nodes[i].angle_sum > 0 && sum[i] > 0)
-        beta[c] *= chart.nodes[i].angle_sum / sum[i];
-      beta[c] = (std::min)((std::max)(beta[c], least_target_angle), pi - least_target_angle);
-    }
+    for(int c = begin; c < end; ++c)
+      beta[c] = target_angle(chart, factors, c, beta[c]);
   });
   return beta;
 }
+
+// The same angles one at a time, for a sixth of the memory
+class Target_angles
+{
+public:
+  explicit Target_angles(const Chart& chart) : m_chart(chart)
+  {
+    if(!chart.targets.empty())
+      return;
+    const int corners = chart.number_of_corners(), batch = 64 * block_size;
+    std::vector<double> angle((std::min)(corners, batch)), sum(chart.nodes.size(), 0.);
+    for(int first = 0, size; first < corners; first += size) {
+      size = (std::min)(batch, corners - first);
+      parallel_for_blocks(size, [&](int begin, int end) {
+        for(int i = begin; i < end; ++i)
+          angle[i] = surface_angle(chart, first + i);
+      });
+      for(int i = 0; i < size; ++i)
+        if(const int node = chart.node_of_corner(first + i); node >= 0)
+          sum[node] += angle[i];
+    }
+    m_factors = target_factors(chart, std::move(sum));
+  }
+
+  // At corner `c`, where the surface has the angle `angle`
+  double operator()(int c, double angle) const
+  {
+    return m_chart.targets.empty() ? target_angle(m_chart, m_factors, c, angle) : m_chart.targets[c];
+  }
+
+private:
+  const Chart& m_chart;
+  std::vector<double> m_factors; // of each node
+};
 
 // Angles near the targets whose sum is pi in every triangle (Eq. 2): where the solver starts.
 inline std::vector<double> starting_angles(const std::vector<double>& beta)

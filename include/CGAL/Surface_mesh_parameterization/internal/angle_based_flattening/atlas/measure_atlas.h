@@ -107,7 +107,7 @@ private:
   // Each relative to the scale of its chart
   void measure_triangles(const Part_atlas& part, const std::vector<Stretch_sums>& sums)
   {
-    const std::vector<double> beta = target_angles(part.chart);
+    const Target_angles target(part.chart);
     const int triangles = part.chart.number_of_triangles(), batch = 64 * block_size;
     std::vector<Flattening_face_measures> faces((std::min)(triangles, batch));
     for(int first = 0; first < triangles; first += batch) {
@@ -115,8 +115,8 @@ private:
       parallel_for_blocks(size, [&](int begin, int end) {
         for(int i = begin; i < end; ++i) {
           const Stretch_sums& sum = sums[part.piece[first + i]];
-          faces[i] =
-              measure_triangle(part.chart, beta, part.uv, std::sqrt(sum.surface() / sum.plane()), first + i);
+          faces[i] = measure_triangle(part.chart, target, part.uv, std::sqrt(sum.surface() / sum.plane()),
+                                      first + i);
         }
       });
       for(int i = 0; i < size; ++i) {

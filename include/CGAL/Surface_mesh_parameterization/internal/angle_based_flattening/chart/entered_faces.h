@@ -28,6 +28,7 @@ class Entered_faces
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int>>::const_type Ranks;
 
 public:
   explicit Entered_faces(const TriangleMesh& mesh) : m_mesh(mesh) {}
@@ -44,6 +45,9 @@ public:
     m_entries.reserve(number);
     return number;
   }
+
+  // Returns the memory of the ranks, when they are not asked for any more.
+  void forget_ranks() { m_ranks = Ranks(); }
 
   int size() const { return static_cast<int>(m_entries.size()); }
 
@@ -104,7 +108,7 @@ public:
 
 private:
   const TriangleMesh& m_mesh;
-  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int>>::const_type m_ranks;
+  Ranks m_ranks;
   std::vector<halfedge_descriptor> m_entries; // of each triangle
 };
 

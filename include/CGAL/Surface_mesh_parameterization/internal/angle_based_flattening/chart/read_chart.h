@@ -179,6 +179,9 @@ public:
     return read(bhd, vimap);
   }
 
+  // Returns memory that is needed only to read, after all seams are linked.
+  void end() { m_faces.forget_ranks(); }
+
   // Sets which corners are across a seam. `across` maps an inner halfedge at the border to that on the other side, or
   // to the null halfedge. A seam between two components has no other side here.
   template <typename Across>
@@ -269,6 +272,7 @@ private:
   {
     const auto points = get(CGAL::vertex_point, m_mesh);
     double largest = 0;
+    vertex_descriptors.shrink_to_fit();
     chart.points.reserve(vertex_descriptors.size());
     for(vertex_descriptor v : vertex_descriptors) {
       chart.points.push_back(m_points ? m_points(v, m_mesh) : point_in_doubles(get(points, v)));

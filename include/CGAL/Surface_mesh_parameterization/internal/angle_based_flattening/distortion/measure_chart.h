@@ -57,16 +57,17 @@ inline void measure_differential(const Triangle_differential& map, double scale,
 }
 
 // Computes the measures of one triangle that depend on angles.
-inline void measure_angles(const Chart& chart, const std::vector<double>& beta,
+inline void measure_angles(const Chart& chart, const Target_angles& target,
                            const std::vector<Chart::Point_2>& uv, int t, Flattening_face_measures& face)
 {
   face.smallest_angle = pi;
   double squares = 0;
   for(int c = 3 * t; c < 3 * t + 3; ++c) {
-    const double alpha = planar_angle(chart, uv, c), change = std::abs(alpha - surface_angle(chart, c));
+    const double alpha = planar_angle(chart, uv, c), angle = surface_angle(chart, c),
+                 change = std::abs(alpha - angle);
     face.mean_angle_change += change / 3;
     squares += change * change / 3;
-    face.angular_distortion += Angle_energy{0}.value(alpha, beta[c]) / 3;
+    face.angular_distortion += Angle_energy{0}.value(alpha, target(c, angle)) / 3;
     face.smallest_angle = (std::min)(face.smallest_angle, alpha);
   }
   face.rms_angle_change = std::sqrt(squares);
@@ -166,7 +167,7 @@ private:
 };
 
 // `scale` enlarges the plane to the area of the surface.
-inline Flattening_face_measures measure_triangle(const Chart& chart, const std::vector<double>& beta,
+inline Flattening_face_measures measure_triangle(const Chart& chart, const Target_angles& target,
                                                  const std::vector<Chart::Point_2>& uv, double scale, int t)
 {
   const int* v = &chart.vertex[3 * t];
@@ -177,7 +178,7 @@ inline Flattening_face_measures measure_triangle(const Chart& chart, const std::
     set_not_a_number(face);
     return face;
   }
-  measure_angles(chart, beta, uv, t, face);
+  measure_angles(chart, target, uv, t, face);
   measure_differential(Triangle_differential(chart, uv, t), scale, face);
   return face;
 }
@@ -188,14 +189,14 @@ template <typename Visitor>
 void measure_triangles(const Chart& chart, const std::vector<Chart::Point_2>& uv, double scale,
                        Measure_totals& totals, Visitor&& visit)
 {
-  const std::vector<double> beta = target_angles(chart);
+  const Target_angles target(chart);
   const int triangles = chart.number_of_triangles(), batch = 64 * block_size;
   std::vector<Flattening_face_measures> faces((std::min)(triangles, batch));
   for(int first = 0; first < triangles; first += batch) {
     const int size = (std::min)(batch, triangles - first);
     parallel_for_blocks(size, [&](int begin, int end) {
       for(int i = begin; i < end; ++i)
-        faces[i] = measure_triangle(chart, beta, uv, scale, first + i);
+        faces[i] = measure_triangle(chart, target, uv, scale, first + i);
     });
     for(int i = 0; i < size; ++i) {
       totals.add(faces[i]);

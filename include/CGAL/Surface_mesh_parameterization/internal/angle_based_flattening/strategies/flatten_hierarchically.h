@@ -56,6 +56,7 @@ public:
     const bool is_solved = solve_coarse();
     const bool is_refined = refine(is_solved);
     Flattening<Hierarchical_report> result;
+    result.uv.reserve(m_uv.size());
     for(const Planar_point& p : m_uv)
       result.uv.emplace_back(p.x(), p.y());
     result.report = std::move(m_report);

@@ -150,6 +150,7 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
     });
     defect = find_wrong_seam(reader.chart);
   }
+  reader.end();
   if(!defect)
     defect = prescriptions.find_conflict();
   if(!defect && prescriptions.wants_equal_seams() && prescriptions.equalize != nullptr)
