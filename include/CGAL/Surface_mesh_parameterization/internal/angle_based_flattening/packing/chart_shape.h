@@ -58,6 +58,18 @@ public:
     return cells_along(m_width, side) <= width / side && cells_along(m_height, side) <= height / side;
   }
 
+  // Turned counterclockwise by a right angle: where whole cells of `side`^2 texels hold it, they turn with it.
+  Chart_shape quarter_turn(int side) const
+  {
+    Chart_shape result = *this;
+    result.m_cosine = -m_sine;
+    result.m_sine = m_cosine;
+    result.m_width = m_height;
+    result.m_height = m_width;
+    result.m_shift = {side * cells_along(m_height, side) - m_shift.y(), m_shift.x()};
+    return result;
+  }
+
   // The cells of `side`^2 texels that the chart touches, or comes nearer to than `gutter` texels, in a mask that is
   // larger by `margin` cells on all sides
   Texel_mask cells(int side, int gutter = 0, int margin = 0) const
@@ -112,8 +124,7 @@ private:
       return;
     }
     visit_texels(
-        std::array<Planar_point, 2>{p, q}, tolerance,
-        [&](int y, int first, int last) { mask.add(first, last + 1, y); }, neighbours);
+        p, q, tolerance, [&](int y, int first, int last) { mask.add(first, last + 1, y); }, neighbours);
   }
 
   static void cross_rows(const Planar_point& p, const Planar_point& q, std::vector<Crossing>& crossings)

@@ -119,10 +119,11 @@ private:
   {
     if(!m_scaled.shape(c, direction))
       return;
-    const Texel_mask& mask = m_scaled.shape(c, direction)->cells;
-    const double height = m_rule.height_weight * mask.height();
-    const std::optional<Texel> place =
-        m_occupied.find_place(mask, m_first_row, [&](int y) { return y + height > best.height; });
+    const Scaled_charts::Shape& shape = *m_scaled.shape(c, direction);
+    const double height = m_rule.height_weight * shape.cells.height();
+    const int last_row =
+        static_cast<int>((std::min)(std::floor(best.height - height), double(largest_resolution)));
+    const std::optional<Texel> place = m_occupied.find_place(shape.cells, shape.runs, m_first_row, last_row);
     if(place && (place->y + height < best.height || place->x < best.place.x))
       best = {direction, *place, place->y + height};
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/turned_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
@@ -67,6 +68,22 @@ public:
   const Chart_outline& outline(int c) const { return m_outlines[c]; }
   const std::vector<double>& directions(int c) const { return m_angles[c]; }
   const Packing_options& options() const { return m_options; }
+
+  // The numbers of all directions: those that differ by right angles are together, counterclockwise.
+  std::vector<std::vector<int>> quarter_turns(int c) const
+  {
+    const int directions = static_cast<int>(m_angles[c].size()), first = is_turned(c) && directions > 1,
+              turns = (directions - first) % 4 == 0 ? 4 : 1, step = (directions - first) / turns;
+    std::vector<std::vector<int>> result;
+    if(first == 1)
+      result.push_back({0});
+    for(int i = first; i < first + step; ++i) {
+      result.emplace_back();
+      for(int turn = 0; turn < turns; ++turn)
+        result.back().push_back(i + turn * step);
+    }
+    return result;
+  }
 
   double scale() const { return m_scale; } // if it is given
   double number_of_pages() const
@@ -158,6 +175,7 @@ public:
   {
     Chart_shape texels;
     Texel_mask cells;
+    std::vector<Row_run> runs;
   };
 
   // `is_allowed` tells the directions to try of each chart.
@@ -175,18 +193,18 @@ public:
   // all allowed ones.
   void make_shapes(const std::vector<char>& is_wanted)
   {
-    std::vector<std::pair<int, int>> missing;
+    std::vector<Turned_shapes> missing;
     for(int c : m_order)
-      for(std::size_t i = 0; i < m_shapes[c].size(); ++i)
-        if(!m_shapes[c][i] && m_is_allowed[c][i] && (c == m_order.front() ? is_wanted[i] : !m_is_made))
-          missing.emplace_back(c, static_cast<int>(i));
-    parallel_for(static_cast<int>(missing.size()), [&](int i) {
-      const auto [c, direction] = missing[i];
-      const Chart_shape shape(m_charts.outline(c), m_charts.directions(c)[direction],
-                              m_charts.scale_of(c, m_scale));
-      if(shape.fits(m_charts.options().resolution, m_charts.options().number_of_rows()))
-        m_shapes[c][direction].emplace(Shape{shape, shape.cells(m_cell)});
-    });
+      for(const std::vector<int>& directions : m_charts.quarter_turns(c)) {
+        Turned_shapes shapes{c, {}};
+        for(std::size_t turns = 0; turns < directions.size(); ++turns)
+          if(const int i = directions[turns];
+             !m_shapes[c][i] && m_is_allowed[c][i] && (c == m_order.front() ? is_wanted[i] : !m_is_made))
+            shapes.directions.emplace_back(i, static_cast<int>(turns));
+        if(!shapes.directions.empty())
+          missing.push_back(std::move(shapes));
+      }
+    parallel_for(static_cast<int>(missing.size()), [&](int i) { make_shapes(missing[i]); });
     m_is_made = true;
   }
 
@@ -201,6 +219,34 @@ public:
   const std::optional<Shape>& shape(int c, int direction) const { return m_shapes[c][direction]; }
 
 private:
+  // Of a chart, in directions that differ by right angles
+  struct Turned_shapes
+  {
+    int chart;
+    std::vector<std::pair<int, int>> directions; // with the number of right angles
+  };
+
+  // One is drawn, and the others are made from it.
+  void make_shapes(const Turned_shapes& shapes)
+  {
+    auto [first, turns] = shapes.directions.front();
+    Chart_shape texels(m_charts.outline(shapes.chart), m_charts.directions(shapes.chart)[first],
+                       m_charts.scale_of(shapes.chart, m_scale));
+    std::optional<Texel_mask> cells;
+    for(const auto& [direction, wanted_turns] : shapes.directions) {
+      for(; turns < wanted_turns; ++turns) {
+        texels = texels.quarter_turn(m_cell);
+        if(cells)
+          cells = quarter_turn(*cells);
+      }
+      if(!texels.fits(m_charts.options().resolution, m_charts.options().number_of_rows()))
+        continue;
+      if(!cells)
+        cells = texels.cells(m_cell);
+      m_shapes[shapes.chart][direction].emplace(Shape{texels, *cells, longest_runs(*cells)});
+    }
+  }
+
   // By the areas of the hulls: a ring comes before what may be put inside it.
   void sort()
   {

@@ -107,12 +107,19 @@ public:
         continue;
       }
       longest = longest_run_of(word, (std::max)(longest, run + lowest_bit(~word)));
-      run = word_size - 1 - static_cast<int>(boost::integer_log2(~word));
+      run = word_size - 1 - highest_bit(~word);
     }
     return (std::max)(longest, run);
   }
 
-  static int lowest_bit(Word word) { return static_cast<int>(boost::integer_log2(word & (~word + 1))); }
+  // Of a word that is not 0; a search for bits costs more than most of what is done with them
+#ifdef __GNUC__
+  static int lowest_bit(Word word) { return __builtin_ctzll(word); }
+  static int highest_bit(Word word) { return word_size - 1 - __builtin_clzll(word); }
+#else
+  static int lowest_bit(Word word) { return highest_bit(word & (~word + 1)); }
+  static int highest_bit(Word word) { return static_cast<int>(boost::integer_log2(word)); }
+#endif
 
 private:
   // Of the bits of a word, or `least` if no run is longer. A shift by n shortens all runs by n, if n is not above what
@@ -143,6 +150,24 @@ private:
   int m_width, m_height, m_stride;
   std::vector<Word> m_words;
 };
+
+// Texels of a row that are next to each other
+struct Row_run
+{
+  int y, length;
+};
+
+// The longest ones of some rows of a mask, the longest first
+inline std::vector<Row_run> longest_runs(const Texel_mask& mask)
+{
+  const int rows = 8;
+  std::vector<Row_run> runs;
+  for(int i = 0, last = -1; i < rows; ++i)
+    if(const int y = (mask.height() - 1) * i / (rows - 1); y != last)
+      runs.push_back({last = y, mask.longest_run(y, false)});
+  std::sort(runs.begin(), runs.end(), [](const Row_run& a, const Row_run& b) { return a.length > b.length; });
+  return runs;
+}
 
 // Adds each texel of a row a second time, `distance` columns further on.
 inline void add_moved(Texel_mask::Word* words, int number_of_words, int distance)

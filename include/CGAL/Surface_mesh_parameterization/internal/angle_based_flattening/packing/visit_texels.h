@@ -31,25 +31,22 @@ inline int floor_of(double x)
   return i - (x < i);
 }
 
-// Calls `visit(y, first, last)` for each row with texels that a triangle or a segment touches, or comes nearer to than
-// `tolerance`, which is at least the one above: an interval of each row, which may be longer by up to two tolerances at
-// the ends. Whole `neighbours` in all directions count as well.
-template <std::size_t N, typename Visit>
-void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, const Visit& visit,
-                  double neighbours = 0)
+// Calls `visit(y, first, last)` for each row with texels that a triangle touches, or comes nearer to than `tolerance`,
+// which is at least the one above: an interval of each row, which may be longer by up to two tolerances at the ends.
+template <typename Visit>
+void visit_texels(const std::array<Planar_point, 3>& corners, double tolerance, const Visit& visit)
 {
-  const double reach = neighbours + tolerance;
   double bottom = corners[0].y(), top = bottom;
   for(const Planar_point& p : corners) {
     bottom = (std::min)(bottom, p.y());
     top = (std::max)(top, p.y());
   }
-  const int first_row = floor_of(bottom - reach), last_row = floor_of(top + reach);
+  const int first_row = floor_of(bottom - tolerance), last_row = floor_of(top + tolerance);
   for(int y = first_row; y <= last_row; ++y) {
-    const double lower = y - reach, upper = y + 1 + reach;
+    const double lower = y - tolerance, upper = y + 1 + tolerance;
     double left = std::numeric_limits<double>::infinity(), right = -left;
-    for(std::size_t i = 0; i < (N == 2 ? 1 : N); ++i) {
-      const Planar_point *p = &corners[i], *q = &corners[(i + 1) % N];
+    for(std::size_t i = 0; i < 3; ++i) {
+      const Planar_point *p = &corners[i], *q = &corners[(i + 1) % 3];
       if(q->y() < p->y())
         std::swap(p, q);
       if(q->y() < lower || p->y() > upper)
@@ -62,7 +59,28 @@ void visit_texels(const std::array<Planar_point, N>& corners, double tolerance, 
       right = (std::max)(right, (std::max)(a, b));
     }
     if(left <= right)
-      visit(y, floor_of(left - reach - tolerance), floor_of(right + reach + tolerance));
+      visit(y, floor_of(left - 2 * tolerance), floor_of(right + 2 * tolerance));
+  }
+}
+
+// The same for a segment, with one division for all rows. Whole `neighbours` in all directions count as well. The slope
+// may be steep, but what it is multiplied with is no more than the difference of heights it was divided by.
+template <typename Visit>
+void visit_texels(const Planar_point& first, const Planar_point& second, double tolerance, const Visit& visit,
+                  double neighbours = 0)
+{
+  const double reach = neighbours + tolerance, margin = reach + tolerance;
+  const bool is_upward = first.y() <= second.y();
+  const Planar_point &p = is_upward ? first : second, &q = is_upward ? second : first;
+  const double slope = p.y() < q.y() ? (q.x() - p.x()) / (q.y() - p.y()) : 0;
+  const int first_row = floor_of(p.y() - reach), last_row = floor_of(q.y() + reach);
+  for(int y = first_row; y <= last_row; ++y) {
+    const double lower = y - reach, upper = y + 1 + reach;
+    if(q.y() < lower || p.y() > upper)
+      continue;
+    const double a = p.y() < lower ? p.x() + (lower - p.y()) * slope : p.x(),
+                 b = q.y() > upper ? p.x() + (upper - p.y()) * slope : q.x();
+    visit(y, floor_of((a < b ? a : b) - margin), floor_of((a < b ? b : a) + margin));
   }
 }
 
