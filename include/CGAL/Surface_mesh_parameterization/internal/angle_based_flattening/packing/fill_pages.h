@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/charts_to_pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/place_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/scaled_charts.h>

@@ -44,7 +44,7 @@ public:
   {
     m_cells.add(mask, x, y);
     for(int row = y; row < y + mask.height(); ++row)
-      m_longest_free_run[row] = m_cells.longest_run(row, true);
+      m_longest_free_run[row] = m_cells.longest_run(row, true, m_longest_free_run[row]);
   }
 
   // The first place for the lower left corner of a mask, by rows from `first_row` to `last_row`, and in them from the
@@ -91,9 +91,8 @@ private:
     for(;; ++y) {
       while(y <= last_row && free_of_longest[y] < longest)
         ++y;
-      if(y > last_row || std::none_of(runs.begin() + 1, runs.end(), [&](const Row_run& run) {
-           return free_run[y + run.y] < run.length;
-         }))
+      if(y > last_row || std::none_of(runs.begin() + 1, runs.end(),
+                                      [&](const Row_run& run) { return free_run[y + run.y] < run.length; }))
         return y;
     }
   }
@@ -130,7 +129,8 @@ private:
       for(int j = first; j < mask.height(); j += 8) {
         const Word *row = m_cells.row(y + m_margin + j) + left / word_size, *cells = mask.row(j);
         for(int i = 0; i < words; ++i)
-          if(const Word both = cells[i] & (row[i] >> shift | row[i + 1] << 1 << (word_size - 1 - shift)); both != 0)
+          if(const Word both = cells[i] & (row[i] >> shift | row[i + 1] << 1 << (word_size - 1 - shift));
+             both != 0)
             return Texel{i * word_size + Texel_mask::lowest_bit(both), j};
       }
     return std::nullopt;

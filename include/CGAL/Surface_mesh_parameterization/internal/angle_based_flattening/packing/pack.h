@@ -23,11 +23,12 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Turns, scales and moves charts so that they fill the unit square, as large as is possible with one scale, or, with
 // `texels_per_unit`, as many pages as they need. `corners` are three points for each triangle, `chart` is the chart of
-// each triangle, and `area` is its area: a chart is scaled to the sum of its areas.
+// each triangle, and `area` is its area: a chart is scaled to the sum of its areas. Where charts of one scale do not
+// cover more than `least_share` of the page, there are too many: that is found out sooner than how much they cover.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>& corners,
                                                 const std::vector<int>& chart,
                                                 const std::vector<double>& area, int number_of_charts,
-                                                const Packing_options& options);
+                                                const Packing_options& options, double least_share = 0);
 
 // The charts that are larger than a page with the given `texels_per_unit`; none if `pack()` finds something else wrong
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<int>

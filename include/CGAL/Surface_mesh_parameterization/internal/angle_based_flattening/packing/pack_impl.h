@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/certify_packing_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_outline.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/charts_to_pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/fill_pages.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/place_charts.h>
@@ -81,9 +82,10 @@ inline Similarity similarity(const Chart_outline& outline, const Chart_place& pl
 }
 
 // The places of all charts at the largest scale that is found, which is returned; 0 if there is none
-inline double search_scale(const Charts_to_pack& charts, std::vector<Chart_place>& places, Packing& packing)
+inline double search_scale(const Charts_to_pack& charts, double least_share, std::vector<Chart_place>& places,
+                           Packing& packing)
 {
-  Scale_search search(charts);
+  Scale_search search(charts, least_share);
   const bool is_found = search.run();
   packing.number_of_attempts = search.number_of_attempts();
   if(!is_found) {
@@ -171,7 +173,7 @@ inline std::vector<Chart_outline> checked_outlines(const std::vector<Planar_poin
 CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>& corners,
                                                 const std::vector<int>& chart,
                                                 const std::vector<double>& area, int number_of_charts,
-                                                const Packing_options& options)
+                                                const Packing_options& options, double least_share)
 {
   Packing packing;
   if(!wrong_option(options).empty()) {
@@ -190,7 +192,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Packing pack(const std::vector<Planar_point>&
   if(scale > 0)
     fill_pages(charts, places, packing);
   else
-    scale = search_scale(charts, places, packing);
+    scale = search_scale(charts, least_share, places, packing);
   packing.texels *= options.block;
   if(packing.status != Packing::DONE)
     return packing;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/charts_to_pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/occupied_cells.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/scaled_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
@@ -47,13 +48,16 @@ struct Placement_rule
 inline std::vector<Placement_rule> placement_rules(const Charts_to_pack& charts)
 {
   const double height_weights[] = {1, 0.5, 1.5, 0};
-  int directions = 0;
-  for(int c = 0; c < charts.number_of_charts(); ++c)
-    directions += static_cast<int>(charts.directions(c).size());
+  int directions = 0, most = 0;
+  for(int c = 0; c < charts.number_of_charts(); ++c) {
+    const int number = static_cast<int>(charts.directions(c).size());
+    directions += number;
+    most = (std::max)(most, 4 * (1 + number));
+  }
   std::vector<Placement_rule> result;
-  const int many_directions = 8192, least = directions > many_directions ? 4 : 10;
+  const int tries = 1 << 15, many_directions = 1 << 13, least = directions > many_directions ? 4 : 10;
   const int number =
-      charts.number_of_charts() == 1 ? 1 : std::clamp(many_directions / directions, least, 130);
+      charts.number_of_charts() == 1 ? 1 : (std::min)(most, (std::max)(least, tries / directions));
   for(int i = 0; i < number; ++i)
     result.push_back({height_weights[i % 4], i / 4 - 1});
   return result;
@@ -133,8 +137,7 @@ private:
   {
     const Scaled_charts::Shape& scaled = *m_scaled.shape(c, direction);
     const Chart_shape& shape = scaled.texels;
-    m_occupied.add(m_cell == 1 ? dilated(scaled.cells, m_gutter) : shape.cells(m_cell, m_gutter, m_margin),
-                   at.x, at.y);
+    m_occupied.add(scaled.cells_with_gutter(m_gutter, m_margin), at.x, at.y);
     Chart_place result;
     result.direction = direction;
     result.cosine = shape.cosine();

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The charts of a packing before and after they have a scale: directions to try, order, and masks of their cells.
+// The charts of a packing at one scale: their order, and masks of their cells in all directions.
 // `place_charts.h` takes the masks from it. `search_scale.h` keeps those of the last scale, as the next attempt may
 // have the same.
 
@@ -12,16 +12,15 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_outline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/charts_to_pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/turned_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -29,153 +28,34 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// A chart is not made smaller than that, in texels.
-inline constexpr double least_extent = 1. / 16;
-
-// All directions are tried for charts of at least this share of the area, four for others and along axes.
-inline constexpr double least_turned_share = 0.02;
-
-// Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts
-// are smaller by `alike`.
-inline constexpr double largest_small_share = 0.002, alike = 0.75;
-
-// The charts before they have a scale
-class Charts_to_pack
-{
-public:
-  // `scale` are the texels of the length 1 if charts have that scale, or 0. Options have blocks of one texel.
-  Charts_to_pack(const std::vector<Chart_outline>& outlines, const Packing_options& options, double scale = 0)
-      : m_outlines(outlines), m_options(options), m_scale(scale),
-        m_pages((std::max)(1., scale / side_of_page() * (scale / side_of_page())))
-  {
-    const double texels_of_chart = side_of_page() / std::sqrt(static_cast<double>(outlines.size()) / m_pages);
-    for(const auto& [cells, cells_of_chart] : finenesses)
-      if(const int cell = (std::max)(1, static_cast<int>((std::min)(std::ceil(side_of_page() / cells),
-                                                                    texels_of_chart / cells_of_chart)));
-         m_cells.empty() || cell < m_cells.back())
-        m_cells.push_back(cell);
-    for(int c = 0; c < number_of_charts(); ++c) {
-      m_is_turned.push_back(share(c) >= least_turned_share && !keeps_axes(c));
-      m_angles.push_back(angles(c));
-      if(scale > 0 && m_pages <= most_pages && !m_is_turned[c] && !fits(c, 1)) {
-        m_is_turned[c] = true;
-        m_angles[c] = angles(c);
-      }
-    }
-  }
-
-  int number_of_charts() const { return static_cast<int>(m_outlines.size()); }
-  const Chart_outline& outline(int c) const { return m_outlines[c]; }
-  const std::vector<double>& directions(int c) const { return m_angles[c]; }
-  const Packing_options& options() const { return m_options; }
-
-  // The numbers of all directions: those that differ by right angles are together, counterclockwise.
-  std::vector<std::vector<int>> quarter_turns(int c) const
-  {
-    const int directions = static_cast<int>(m_angles[c].size()), first = is_turned(c) && directions > 1,
-              turns = (directions - first) % 4 == 0 ? 4 : 1, step = (directions - first) / turns;
-    std::vector<std::vector<int>> result;
-    if(first == 1)
-      result.push_back({0});
-    for(int i = first; i < first + step; ++i) {
-      result.emplace_back();
-      for(int turn = 0; turn < turns; ++turn)
-        result.back().push_back(i + turn * step);
-    }
-    return result;
-  }
-
-  double scale() const { return m_scale; } // if it is given
-  double number_of_pages() const
-  {
-    return m_pages;
-  } // that charts of this scale would fill; 1 for other scales
-
-  // The texels along the sides of a square of the size of a page
-  double side_of_page() const
-  {
-    return std::sqrt(static_cast<double>(m_options.resolution) * m_options.number_of_rows());
-  }
-
-  // Whether a page can hold the chart at the given scale, in one of its directions and in such cells
-  bool fits(int c, int cell) const
-  {
-    const int border = 2 * ((m_options.number_of_gutter_texels() + 1) / 2);
-    return std::any_of(m_angles[c].begin(), m_angles[c].end(), [&](double angle) {
-      return Chart_shape(m_outlines[c], angle, scale_of(c, m_scale))
-          .fits(m_options.resolution - border, m_options.number_of_rows() - border, cell);
-    });
-  }
-
-  // Charts are placed by cells of this many texels along a side, first by large cells. If there are many texels, even
-  // the last cells have several.
-  const std::vector<int>& texels_of_cells() const { return m_cells; }
-
-  double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
-  bool is_turned(int c) const { return m_is_turned[c]; }
-  bool is_small(int c) const { return share(c) * m_pages < largest_small_share; }
-  bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent; }
-
-  // Of the outline, where a texel has the length 1. `scale` are the texels of the length 1.
-  double scale_of(int c, double scale) const
-  {
-    return (std::max)(m_outlines[c].length * scale, least_extent);
-  }
-
-  // About the texels that a chart takes with its share of the gutter
-  double needed_texels(int c, double scale) const
-  {
-    const double s = scale_of(c, scale), wide = m_options.number_of_gutter_texels() + 1;
-    return m_outlines[c].area * s * s + m_outlines[c].perimeter * s * wide / 2 + wide * wide;
-  }
-
-private:
-  // The most cells along a side of the page, and the least along a side of a chart
-  static constexpr std::pair<double, double> finenesses[] = {{256, 12}, {512, 18}, {1024, 24}};
-
-  // Charts with axes lie along them, except for strips and the like, which may need the diagonal.
-  bool keeps_axes(int c) const
-  {
-    const Chart_outline& outline = m_outlines[c];
-    if(!outline.has_axes)
-      return false;
-    const double side = outline.length * turned_extent(outline.hull, outline.angle_of_rectangle).maxCoeff();
-    return side <= longest_side || share(c) >= least_share_of_square * side * side;
-  }
-
-  static constexpr double longest_side = 1.2, least_share_of_square = 0.29; // where all areas together are 1
-
-  // That of the smallest page first, if the chart is one of few
-  std::vector<double> angles(int c) const
-  {
-    const double full_turn = 4 * std::acos(0.);
-    const int number =
-        is_turned(c) ? m_options.number_of_rotations : (std::min)(4, m_options.number_of_rotations);
-    std::vector<double> result;
-    if(is_turned(c) && number > 1)
-      result.push_back(angle_of_smallest_page(m_outlines[c].hull, aspect_ratio(m_options)));
-    for(int i = 0; i < number; ++i)
-      result.push_back(m_outlines[c].angle_of_rectangle + full_turn * i / number);
-    return result;
-  }
-
-  const std::vector<Chart_outline>& m_outlines;
-  const Packing_options& m_options;
-  const double m_scale, m_pages;
-  std::vector<char> m_is_turned; // of each chart
-  std::vector<std::vector<double>> m_angles;
-  std::vector<int> m_cells;
-};
-
 // The charts at one scale, in all directions, the largest first, and the cells of `cell`^2 texels that they touch
 class Scaled_charts
 {
 public:
-  struct Shape
+  class Shape
   {
-    Chart_shape texels;
-    Texel_mask cells;
-    std::vector<Row_run> runs;
+  public:
+    Shape(const Chart_shape& texels, int cell, Texel_mask&& cells)
+        : texels(texels), cells(std::move(cells)), runs(longest_runs(this->cells)), m_cell(cell)
+    {}
+
+    // The cells with those that are as near as the gutter, in a mask that is larger by `margin` on all sides. It is made
+    // when a rule needs it first.
+    const Texel_mask& cells_with_gutter(int gutter, int margin) const
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(!m_with_gutter)
+        m_with_gutter.emplace(m_cell == 1 ? dilated(cells, gutter) : texels.cells(m_cell, gutter, margin));
+      return *m_with_gutter;
+    }
+
+    const Chart_shape texels;
+    const Texel_mask cells;
+    const std::vector<Row_run> runs; // of some rows of the cells
+  private:
+    const int m_cell;
+    mutable std::mutex m_mutex;
+    mutable std::optional<Texel_mask> m_with_gutter;
   };
 
   // `is_allowed` tells the directions to try of each chart.
@@ -184,9 +64,8 @@ public:
       : m_charts(charts), m_is_allowed(is_allowed), m_scale(scale), m_cell(cell)
   {
     sort();
-    m_shapes.resize(m_order.size());
-    for(int c : m_order)
-      m_shapes[c].resize(charts.directions(c).size());
+    for(int c = 0; c < charts.number_of_charts(); ++c)
+      m_shapes.emplace_back(charts.directions(c).size());
   }
 
   // Makes missing shapes: of the largest chart in those of the allowed directions that are wanted, of other charts in
@@ -243,7 +122,7 @@ private:
         continue;
       if(!cells)
         cells = texels.cells(m_cell);
-      m_shapes[shapes.chart][direction].emplace(Shape{texels, *cells, longest_runs(*cells)});
+      m_shapes[shapes.chart][direction].emplace(texels, m_cell, Texel_mask(*cells));
     }
   }
 

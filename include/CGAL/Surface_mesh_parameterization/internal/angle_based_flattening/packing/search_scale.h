@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/charts_to_pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/place_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/scaled_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -30,9 +31,10 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Scale_search
 {
 public:
-  // The areas of the charts are 1 together.
-  explicit Scale_search(const Charts_to_pack& charts)
-      : m_charts(charts), m_side(charts.side_of_page()), m_rules(placement_rules(charts))
+  // The areas of the charts are 1 together. Charts that cover no more than `least_share` of the page are not wanted.
+  Scale_search(const Charts_to_pack& charts, double least_share)
+      : m_charts(charts), m_side(charts.side_of_page()),
+        m_wanted(m_side * std::sqrt(least_share) * (1 + last_step)), m_rules(placement_rules(charts))
   {
     double largest = 0;
     for(int c = 0; c < charts.number_of_charts(); ++c)
@@ -52,58 +54,67 @@ public:
       return false;
     for(int cell : m_charts.texels_of_cells()) {
       m_cell = cell;
-      if(!m_places.empty())
-        climb();
-      else if(bracket())
-        try_all_rules();
-      if(!m_places.empty() && cell != m_charts.texels_of_cells().back())
-        keep_best_rules(cell == m_charts.texels_of_cells().front() ? 8 : 4);
+      if(!m_found.empty()) {
+        keep_best_rules();
+        climb(0, m_rules.size(), precision - 1);
+      } else if(const std::size_t tried = m_wanted > 0 ? climb_from_wanted() : bisect_usual(); tried > 0)
+        try_rules_from(tried);
     }
-    if(m_places.empty())
+    if(m_found.empty())
       return false;
     for(double step = (precision - 1) / 2; step > last_step; step /= 2)
-      attempt(m_scale * (1 + step), m_best_rule, m_best_rule + 1);
+      attempt(m_scale * (1 + step), 0, m_rules.size());
     return true;
   }
 
   double scale() const { return m_scale; } // the texels of the length 1
   int number_of_attempts() const { return m_attempts; }
-  const std::vector<Chart_place>& places() const { return m_places; }
+  const std::vector<Chart_place>& places() const { return m_found.front().places; }
 
 private:
-  static constexpr double precision = 1.003, first_step = 0.06, last_step = 0.0004;
-  static constexpr std::size_t rules_of_bisection = 2, rules_at_once = 8;
+  static constexpr double rough_precision = 1.015, precision = 1.003, first_step = 0.04, last_step = 0.0004;
+  static constexpr double usual_share = 0.75; // of the texels that charts need
+  static constexpr std::size_t rules_at_once = 16, best_rules = 4;
 
-  // With large cells, all rules and directions are tried, and with smaller ones those that were best or nearly so.
-  static constexpr double nearly = 0.99;
-
-  // Sets a scale that fits, and one above that does not, if there is one.
-  bool bracket()
+  struct Found
   {
-    const std::size_t rules = (std::min)(rules_of_bisection, m_rules.size());
-    double scale = (std::max)(scale_of_needed_share(0.8), m_least);
+    std::size_t rule;
+    std::vector<Chart_place> places;
+  };
+
+  // Returns the number of rules that were tried; none if no scale fits.
+  std::size_t bisect_usual()
+  {
+    const std::size_t rules = (std::min)(rules_at_once, m_rules.size());
+    double scale = (std::max)(m_charts.scale_of_needed_share(usual_share), m_least);
     if(attempt(scale, 0, rules)) {
-      for(double step = first_step; m_scale < m_side; step *= 2) {
-        m_above = (std::min)((1 + step) * m_scale, m_side);
-        if(!attempt(m_above, 0, rules))
-          return true;
-      }
-      m_above = m_scale;
-      return true;
+      climb(0, rules, first_step);
+      return rules;
     }
     for(double step = first_step; scale > m_least; step *= 2) {
       m_above = scale;
       scale = (std::max)(scale / (1 + step), m_least);
-      if(attempt(scale, 0, rules))
-        return true;
+      if(attempt(scale, 0, rules)) {
+        bisect(0, rules);
+        return rules;
+      }
     }
-    return false;
+    return 0;
   }
 
-  void try_all_rules()
+  // The same for scales that are large enough. Rules that do not fit at the wanted scale are not tried at larger ones.
+  std::size_t climb_from_wanted()
   {
-    const std::size_t first = (std::min)(rules_of_bisection, m_rules.size());
-    bisect(first);
+    if(!attempt(m_wanted, 0, m_rules.size()))
+      return 0;
+    const std::size_t first = m_found.front().rule, end = (std::min)(first + rules_at_once, m_rules.size());
+    climb(first, end, precision - 1);
+    return end;
+  }
+
+  // Each counts at the largest scale that was found before.
+  void try_rules_from(std::size_t first)
+  {
     for(std::size_t i = first; i < m_rules.size(); i += rules_at_once) {
       const std::size_t end = (std::min)(i + rules_at_once, m_rules.size());
       for(double step = precision - 1; attempt(m_scale * (1 + step), i, end);)
@@ -111,37 +122,34 @@ private:
     }
   }
 
-  void bisect(std::size_t rules)
+  // To the limit only if no other rules follow, which find larger scales mostly
+  void bisect(std::size_t begin, std::size_t end)
   {
-    while(m_above > precision * m_scale)
-      if(const double middle = std::sqrt(m_above * m_scale); !attempt(middle, 0, rules))
+    const double enough = end == m_rules.size() ? precision : rough_precision;
+    while(m_above > enough * m_scale)
+      if(const double middle = std::sqrt(m_above * m_scale); !attempt(middle, begin, end))
         m_above = middle;
   }
 
   // From the scale for which there are places already
-  void climb()
+  void climb(std::size_t begin, std::size_t end, double step)
   {
-    double step = precision - 1;
-    for(m_above = (1 + step) * m_scale; attempt(m_above, 0, m_rules.size()); m_above = (1 + step) * m_scale)
+    for(m_above = (1 + step) * m_scale; attempt(m_above, begin, end); m_above = (1 + step) * m_scale)
       step *= 2;
-    bisect(m_rules.size());
+    bisect(begin, end);
   }
 
-  // That many, and at most half of them
-  void keep_best_rules(std::size_t most)
+  // Those that found places at the largest scales; charts may take directions as there.
+  void keep_best_rules()
   {
-    most = (std::min)(most, (m_rules.size() + 1) / 2);
-    const auto places = places_by_rules(nearly * m_scale);
-    std::vector<Placement_rule> best = {m_rules[m_best_rule]};
+    std::vector<Placement_rule> best;
     forbid_turning();
-    allow_directions(m_places);
-    for(std::size_t i = 0; i < m_rules.size() && best.size() < most; ++i)
-      if(i != m_best_rule && places[i]) {
-        best.push_back(m_rules[i]);
-        allow_directions(*places[i]);
-      }
+    for(Found& found : m_found) {
+      best.push_back(m_rules[found.rule]);
+      found.rule = best.size() - 1;
+      allow_directions(found.places);
+    }
     m_rules = std::move(best);
-    m_best_rule = 0;
   }
 
   // Charts that are tried in few directions keep them.
@@ -178,23 +186,22 @@ private:
       for(int least = first; places[i] && i < least && !first.compare_exchange_weak(least, i);)
         ;
     });
-    if(const auto found = static_cast<std::size_t>(first); found < places.size()) {
-      m_places = std::move(*places[found]);
-      m_scale = scale;
-      m_best_rule = begin + found;
-      return true;
-    }
-    return false;
+    const auto found = static_cast<std::size_t>(first);
+    if(found == places.size())
+      return false;
+    m_scale = scale;
+    remember({begin + found, std::move(*places[found])});
+    return true;
   }
 
-  // The places by each of the rules, if all charts fit
-  std::vector<std::optional<std::vector<Chart_place>>> places_by_rules(double scale)
+  void remember(Found&& found)
   {
-    prepare(scale, 0, m_rules.size());
-    std::vector<std::optional<std::vector<Chart_place>>> places(m_rules.size());
-    parallel_for(static_cast<int>(places.size()),
-                 [&](int i) { places[i] = Chart_placer(*m_scaled, m_rules[i]).run(); });
-    return places;
+    m_found.erase(
+        std::remove_if(m_found.begin(), m_found.end(), [&](const Found& f) { return f.rule == found.rule; }),
+        m_found.end());
+    m_found.insert(m_found.begin(), std::move(found));
+    if(m_found.size() > best_rules)
+      m_found.pop_back();
   }
 
   void prepare(double scale, std::size_t begin, std::size_t end)
@@ -218,31 +225,17 @@ private:
     return is_wanted;
   }
 
-  // The scale at which charts need about this share of the texels; near 0 if they always need more
-  double scale_of_needed_share(double share) const
-  {
-    double lower = 0, upper = m_side;
-    for(int i = 0; i < 40; ++i) {
-      const double scale = (lower + upper) / 2;
-      double texels = 0;
-      for(int c = 0; c < m_charts.number_of_charts(); ++c)
-        texels += m_charts.needed_texels(c, scale);
-      (texels < share * m_side * m_side ? lower : upper) = scale;
-    }
-    return lower;
-  }
-
   const Charts_to_pack& m_charts;
-  const double m_side; // of a square of the size of the page
+  const double m_side;   // of a square of the size of the page
+  const double m_wanted; // the least scale, or 0
   std::vector<Placement_rule> m_rules;
   int m_cell = 1;     // texels along the side of a cell
   double m_least = 0; // of which no chart is larger than the least extent
   double m_scale = 0, m_above = 0;
-  std::size_t m_best_rule = 0;
   int m_attempts = 0;
   std::vector<std::vector<char>> m_is_allowed; // of each chart, each direction
   std::optional<Scaled_charts> m_scaled;       // of the last attempt: the next one may have the same scale
-  std::vector<Chart_place> m_places;
+  std::vector<Found> m_found; // with different rules, at the largest scales: the last one first
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

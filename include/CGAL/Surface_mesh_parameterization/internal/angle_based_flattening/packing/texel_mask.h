@@ -61,7 +61,7 @@ public:
   void add(int x, int end, int y)
   {
     Word* words = row(y);
-    visit_words(x, end, [&](int i, Word bits) { words[i] |= bits; });
+    visit_words(x, end, [&](unsigned i, Word bits) { words[i] |= bits; });
   }
 
   // Whether any of the texels x, ..., end - 1 of a row is in the set
@@ -69,7 +69,7 @@ public:
   {
     Word found = 0;
     const Word* words = row(y);
-    visit_words(x, end, [&](int i, Word bits) { found |= words[i] & bits; });
+    visit_words(x, end, [&](unsigned i, Word bits) { found |= words[i] & bits; });
     return found != 0;
   }
 
@@ -94,19 +94,23 @@ public:
     }
   }
 
-  // The most texels of a row, next to each other, that are all in the set or, if `is_free`, all not in it
-  int longest_run(int y, bool is_free) const
+  // The most texels of a row, next to each other, that are all in the set or, if `is_free`, all not in it. There are no
+  // more than `most`.
+  int longest_run(int y, bool is_free, int most) const
   {
+    const Word outside = is_free ? ~Word(0) : Word(0);
+    const Word* words = row(y);
     int longest = 0, run = 0;
-    for(int first = 0; first < m_width; first += word_size) {
+    for(int first = 0; first < m_width && longest < most; first += word_size, ++words) {
       const int size = (std::min)(word_size, m_width - first);
-      const Word word =
-          (is_free ? ~row(y)[first / word_size] : row(y)[first / word_size]) & ~Word(0) >> (word_size - size);
+      const Word word = (*words ^ outside) & ~Word(0) >> (word_size - size);
       if(word == ~Word(0)) {
         run += word_size;
         continue;
       }
-      longest = longest_run_of(word, (std::max)(longest, run + lowest_bit(~word)));
+      longest = (std::max)(longest, run + lowest_bit(~word));
+      if(word != 0)
+        longest = longest_run_of(word, longest);
       run = word_size - 1 - highest_bit(~word);
     }
     return (std::max)(longest, run);
@@ -114,11 +118,23 @@ public:
 
   // Of a word that is not 0; a search for bits costs more than most of what is done with them
 #ifdef __GNUC__
-  static int lowest_bit(Word word) { return __builtin_ctzll(word); }
-  static int highest_bit(Word word) { return word_size - 1 - __builtin_clzll(word); }
+  static int lowest_bit(Word word)
+  {
+    return __builtin_ctzll(word);
+  }
+  static int highest_bit(Word word)
+  {
+    return word_size - 1 - __builtin_clzll(word);
+  }
 #else
-  static int lowest_bit(Word word) { return highest_bit(word & (~word + 1)); }
-  static int highest_bit(Word word) { return static_cast<int>(boost::integer_log2(word)); }
+  static int lowest_bit(Word word)
+  {
+    return highest_bit(word & (~word + 1));
+  }
+  static int highest_bit(Word word)
+  {
+    return static_cast<int>(boost::integer_log2(word));
+  }
 #endif
 
 private:
@@ -140,11 +156,13 @@ private:
   template <typename Visit>
   static void visit_words(int x, int end, const Visit& visit)
   {
-    for(int next; x < end; x = next) {
-      next = (std::min)((x / word_size + 1) * word_size, end);
-      visit(x / word_size,
-            ~Word(0) << (x % word_size) & ~Word(0) >> (word_size - 1 - (next - 1) % word_size));
-    }
+    if(x >= end)
+      return;
+    const unsigned size = word_size, first = static_cast<unsigned>(x), last = static_cast<unsigned>(end - 1);
+    Word bits = ~Word(0) << first % size;
+    for(unsigned i = first / size; i < last / size; ++i, bits = ~Word(0))
+      visit(i, bits);
+    visit(last / size, bits & ~Word(0) >> (size - 1 - last % size));
   }
 
   int m_width, m_height, m_stride;
@@ -164,7 +182,7 @@ inline std::vector<Row_run> longest_runs(const Texel_mask& mask)
   std::vector<Row_run> runs;
   for(int i = 0, last = -1; i < rows; ++i)
     if(const int y = (mask.height() - 1) * i / (rows - 1); y != last)
-      runs.push_back({last = y, mask.longest_run(y, false)});
+      runs.push_back({last = y, mask.longest_run(y, false, mask.width())});
   std::sort(runs.begin(), runs.end(), [](const Row_run& a, const Row_run& b) { return a.length > b.length; });
   return runs;
 }
