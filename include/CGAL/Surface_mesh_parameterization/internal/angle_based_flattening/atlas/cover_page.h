@@ -51,7 +51,7 @@ public:
     read();
     if(best_cutter() == m_parts.size())
       return;
-    double best = value(), length = 0, best_length = 0;
+    double best = value(-infinity), length = 0, best_length = 0;
     int worse = 0; // values in a row
     const auto is_hopeless = [&] {
       return worse >= most_worse && (length - best_length) * m_options.seam_price > least_waste;
@@ -65,7 +65,7 @@ public:
         break;
       if(!is_tried(cuts))
         continue;
-      const double now = value() - m_options.seam_price * length;
+      const double price = m_options.seam_price * length, now = value(best + price) - price;
       worse = now > best ? 0 : worse + 1;
       if(now > best) {
         best = now;
@@ -123,8 +123,8 @@ private:
   // The more cuts there are, the fewer numbers of cuts are tried.
   static bool is_tried(int cuts) { return cuts <= 4 || cuts % (cuts <= 8 ? 2 : 4) == 0; }
 
-  // The logarithm of the share that the charts cover on a coarse page
-  double value() const
+  // The logarithm of the share that the charts cover on a coarse page, if it is more than `least`
+  double value(double least) const
   {
     std::vector<int> chart;
     int charts = 0;
@@ -143,9 +143,8 @@ private:
     coarse.height = static_cast<int>(128 / aspect);
     coarse.gutter = 0;
     coarse.number_of_rotations = (std::min)(8, m_options.number_of_rotations);
-    const Packing packing = pack(m_corners, chart, m_areas, charts, coarse);
-    return packing.status == Packing::DONE ? std::log(packing.covered_share)
-                                           : -(std::numeric_limits<double>::infinity)();
+    const Packing packing = pack(m_corners, chart, m_areas, charts, coarse, std::exp(least));
+    return packing.status == Packing::DONE ? std::log(packing.covered_share) : -infinity;
   }
 
   void open()
@@ -158,6 +157,7 @@ private:
   static constexpr double least_share = 0.01; // of the area that a piece has
   static constexpr double least_waste =
       0.01; // many strips may have to be cut before the page is covered better
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr int most_charts = 256, most_cuts = 64, most_worse = 3;
 
   const std::vector<Surface_part>& m_parts;
