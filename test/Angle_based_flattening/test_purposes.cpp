@@ -120,7 +120,8 @@ BOOST_AUTO_TEST_CASE(densities_are_those_of_the_coordinates)
   }
 }
 
-// On the same charts, maps that keep areas have more of the energy that ABF++ minimizes.
+// On the same charts, maps that keep areas have more of the energy that ABF++ minimizes. Charts are not cut for the page:
+// ABF++ does not map the pieces anew.
 BOOST_AUTO_TEST_CASE(conformal_charts_keep_the_angles)
 {
   for(unsigned seed = 0; seed < 4; ++seed)
@@ -128,6 +129,7 @@ BOOST_AUTO_TEST_CASE(conformal_charts_keep_the_angles)
     {
       Atlas_options options(Atlas_options::CONFORMAL);
       options.equal_seam_lengths = false;
+      options.seam_price = std::numeric_limits<double>::infinity();
       const Atlas_run conformal = atlas(surface(seed), options, 1.1);
       options.isometric_charts = true;
       const Atlas_run isometric = atlas(surface(seed), options, 1.1);
