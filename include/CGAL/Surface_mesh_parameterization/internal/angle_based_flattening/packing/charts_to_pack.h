@@ -78,11 +78,11 @@ public:
     return result;
   }
 
-  double scale() const { return m_scale; } // if it is given
-  double number_of_pages() const
-  {
-    return m_pages;
-  } // that charts of this scale would fill; 1 for other scales
+  // The scale if it is given, or 0
+  double scale() const { return m_scale; }
+
+  // That charts of the given scale would fill; 1 if none is given
+  double number_of_pages() const { return m_pages; }
 
   // The texels along the sides of a square of the size of a page
   double side_of_page() const
