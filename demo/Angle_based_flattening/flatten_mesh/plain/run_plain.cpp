@@ -78,13 +78,12 @@ struct Surface
     return polygons_of_split_faces.empty() ? polygons_of_faces(model, input, origins)
                                            : polygons_of_split_faces;
   }
+
   // If nothing was repaired, the mesh has the points and corners of the model, too, until edges are split. Large surfaces
   // need their memory.
   void release_model(const Command_line& command)
   {
     if(!repaired && !prescribes_angles(command)) {
-      points = model.points.size();
-      corners = model.vertices.size();
       model.points = std::vector<Kernel::Point_3>();
       model.vertices = std::vector<Index>();
     }
@@ -92,23 +91,20 @@ struct Surface
 
   void restore_model()
   {
-    if(corners > 0) {
-      model.points.assign(input.points().begin(),
-                          input.points().begin() + static_cast<std::ptrdiff_t>(points));
-      model.vertices.resize(corners);
-      for(std::size_t h = 0; h < origins.corners.size(); ++h) {
-        if(origins.corners[h] != no_index) {
-          model.vertices[origins.corners[h]] = input.target(Halfedge(static_cast<Mesh::size_type>(h)));
-        }
+    if(!model.vertices.empty()) { // it was not released
+      return;
+    }
+    model.points.assign(input.points().begin(), input.points().end());
+    model.vertices.resize(model.first_corners.back());
+    for(std::size_t h = 0; h < origins.corners.size(); ++h) {
+      if(origins.corners[h] != no_index) {
+        model.vertices[origins.corners[h]] = input.target(Halfedge(static_cast<Mesh::size_type>(h)));
       }
     }
   }
 
   Mesh& mesh() { return chart.is_cut() ? cut.mesh : input; }
   const Mesh& mesh() const { return chart.is_cut() ? cut.mesh : input; }
-
-private:
-  std::size_t points = 0, corners = 0; // of the released model
 };
 
 Surface read_surface(const Command_line& command, Notes& notes)
