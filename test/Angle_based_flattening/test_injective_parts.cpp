@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/definite_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 
@@ -150,6 +151,64 @@ BOOST_AUTO_TEST_CASE(energies_have_the_derivatives_that_they_tell)
     for(double theta : {0., 0.005, 0.5, 1.})
       check_derivatives(abf::Area_objective(chart, theta), t, x);
     check_derivatives(abf::Angle_objective(chart, beta, abf::Angle_energy{0.1}), t, x);
+  }
+}
+
+// Energies of triangles, and of vertices that are none, sum up as dense matrices do. The pattern stays while there is
+// room in it.
+BOOST_AUTO_TEST_CASE(hessians_sum_up_all_that_is_coupled)
+{
+  typedef abf::Definite_hessian::Triple Triple;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Chart chart = random_chart(30, random);
+  const int n = static_cast<int>(chart.points.size());
+  const auto random_triple = [&] {
+    Triple triple;
+    for(int& v : triple)
+      v = static_cast<int>(random() % n);
+    return triple;
+  };
+  const auto derivatives = [&] {
+    abf::Triangle_derivatives result;
+    result.gradient = result.gradient.NullaryExpr([&] { return unit(random); });
+    result.hessian = result.gradient * result.gradient.transpose();
+    return result;
+  };
+  abf::Definite_hessian hessian(chart);
+  BOOST_TEST(!hessian.has_pattern());
+  for(int round = 0; round < 20; ++round) {
+    std::vector<Triple> triples(round);
+    for(Triple& triple : triples)
+      do
+        triple = random_triple();
+      while(triple[0] == triple[1] || triple[1] == triple[2] || triple[2] == triple[0]);
+    hessian.couple(triples);
+    const std::vector<int> rows = hessian.matrix().row;
+    for(int taken : {round, round / 2}) {
+      Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+      Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * n);
+      const auto add = [&](const int* vertices, const abf::Triangle_derivatives& d) {
+        for(int k = 0; k < 3; ++k) {
+          gradient.segment<2>(2 * vertices[k]) += d.gradient.segment<2>(2 * k);
+          for(int l = 0; l < 3; ++l)
+            expected.block<2, 2>(2 * vertices[k], 2 * vertices[l]) += d.hessian.block<2, 2>(2 * k, 2 * l);
+        }
+      };
+      for(int t = 0; t < chart.number_of_triangles(); ++t)
+        add(&chart.vertex[3 * t], hessian.of_triangle(t) = derivatives());
+      hessian.clear_triples();
+      for(int i = 0; i < taken; ++i) {
+        BOOST_TEST_REQUIRE(hessian.couples(triples[i]));
+        add(triples[i].data(), hessian.of_triple(triples[i]) = derivatives());
+      }
+      hessian.sum_up();
+      const Eigen::MatrixXd sum = abf::eigen_matrix<double>(hessian.matrix());
+      BOOST_TEST((sum - expected).cwiseAbs().maxCoeff() < 1e-12);
+      BOOST_TEST((hessian.gradient() - gradient).cwiseAbs().maxCoeff() < 1e-12);
+      BOOST_TEST((hessian.matrix().row == rows));
+    }
+    BOOST_TEST(!hessian.couples({n, n, n}));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "test_charts.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -14,6 +15,13 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 
 #include <atomic>
 #include <cstddef>
@@ -62,6 +70,7 @@ BOOST_AUTO_TEST_SUITE(test_memory)
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace abf = SMP::internal::ABF;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef SMP::ABF_plus_plus_options Options;
@@ -208,6 +217,48 @@ BOOST_AUTO_TEST_CASE(a_second_call_allocates_less)
     allocations = count.get();
   }
   BOOST_TEST(4 * counts[1] <= 3 * counts[0]);
+}
+
+// Newton's method on the whole chart, where only SuperLU allocates, and the checks before it; and sweeps over single
+// vertices
+BOOST_AUTO_TEST_CASE(steps_and_sweeps_of_injective_maps_allocate_no_array)
+{
+  const double area_weight = 0.5, clearance = 0.1;
+  abf::Chart chart = test_charts::flat_grid(60, 1);
+  const std::size_t array = chart.points.size() * sizeof(double) / 10;
+  const abf::Linear_solvers solvers = CGAL::SuperLU_solver_traits<>();
+  std::vector<abf::Planar_point> uv = abf::Tutte_map(chart).run(solvers).value();
+  const abf::Area_objective objective(chart, area_weight);
+  const int steps = 4;
+  const auto allocations = [&](const auto& run) {
+    const Allocation_count count(array);
+    for(int i = 0; i < steps; ++i)
+      run();
+    return count.get();
+  };
+  abf::Injective_descent<abf::Area_objective> descent(chart, objective, clearance, solvers);
+  const auto step = [&] { BOOST_TEST_REQUIRE(descent.run(uv, {0, 1})); };
+  allocations(step);
+  const long of_steps = allocations(step);
+  BOOST_TEST(descent.steps() == 2 * steps);
+
+  abf::Definite_hessian hessian(chart);
+  hessian.couple({});
+  for(int t = 0; t < chart.number_of_triangles(); ++t)
+    hessian.of_triangle(t) = {Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 6>::Identity()};
+  hessian.sum_up();
+  abf::Preconditioning_system system(solvers, solvers->low_precision());
+  const auto factor = [&] { BOOST_TEST_REQUIRE(system.set_matrix(hessian.matrix())); };
+  allocations(factor);
+  BOOST_TEST(of_steps == allocations(factor));
+
+  const abf::Coarsening coarsening(chart);
+  abf::Border_keeper border(clearance);
+  abf::Relaxation<abf::Border_keeper> relaxation(coarsening, uv, border);
+  const auto sweep = [&] { relaxation.sweep(abf::Area_star(area_weight)); };
+  allocations(sweep);
+  BOOST_TEST(allocations(sweep) == 0);
+  BOOST_TEST(relaxation.moves() > 0);
 }
 
 BOOST_AUTO_TEST_CASE(factorizations_use_the_arrays_of_earlier_ones)

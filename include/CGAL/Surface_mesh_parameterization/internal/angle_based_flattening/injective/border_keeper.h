@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 
-#include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -47,15 +46,15 @@ public:
   explicit Border_keeper(double clearance) : m_clearance(clearance) {}
 
   int rejections() const { return m_rejections; }
-  Border_contact contact() const { return measure_contact(*m_border, m_clearance); }
+  Border_contact contact() const { return measure_contact(m_border, m_clearance); }
 
   // Takes the current border vertices, and all positions.
   void take(const Coarsening& coarsening, const std::vector<Planar_point>& uv)
   {
-    m_border.emplace(coarsening.borders(), uv);
+    m_border.set(coarsening.borders(), uv);
   }
 
-  bool touches_at(int v) const { return m_border->touches_at(m_border->number(v)); }
+  bool touches_at(int v) const { return m_border.touches_at(m_border.number(v)); }
 
   bool has_moved(int v, const Planar_point&, const Planar_point& now) { return try_to_move(v, now); }
 
@@ -65,8 +64,8 @@ public:
   {
     if(!star.on_border)
       return relax_vertex_repeatedly(star, position, [](const Planar_point&) { return true; }) < 1;
-    const int i = m_border->number(v);
-    m_barrier.gather(*m_border, i, m_clearance, m_clearance * m_border->local_length(i));
+    const int i = m_border.number(v);
+    m_barrier.gather(m_border, i, m_clearance, m_clearance * m_border.local_length(i));
     const auto accept = [&](const Planar_point& x) { return try_to_move(v, x); };
     if(m_barrier.empty())
       return relax_vertex_repeatedly(star, position, accept) < 1;
@@ -77,18 +76,18 @@ private:
   // Moves a vertex on the border to `x` if its edges touch nothing there. Returns whether it did.
   bool try_to_move(int v, const Planar_point& x)
   {
-    const int i = m_border->number(v);
-    const Planar_point before = m_border->point(i);
-    m_border->move(i, x);
-    if(!m_border->touches_at(i))
+    const int i = m_border.number(v);
+    const Planar_point before = m_border.point(i);
+    m_border.move(i, x);
+    if(!m_border.touches_at(i))
       return true;
-    m_border->move(i, before);
+    m_border.move(i, before);
     ++m_rejections;
     return false;
   }
 
   double m_clearance;
-  std::optional<Planar_border> m_border;
+  Planar_border m_border;
   Vertex_barrier m_barrier;
   int m_rejections = 0;
 };

@@ -15,10 +15,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -31,79 +36,95 @@ struct Triangle_derivatives
 };
 
 // The gradient and the projected Hessian of a sum of energies of three vertices each, by the positions of all vertices.
-// The three need not be a triangle: parts of the border that repel each other are coupled too.
+// The three need not be a triangle: parts of the border that repel each other are coupled too. The pattern has room for
+// more of these than there are at a time, so that it and its analysis serve for many steps.
 class Definite_hessian
 {
-  typedef Block_matrix<2>::Block Block;
-
-  struct Entry
-  {
-    int row;
-    Block block;
-  };
-
 public:
-  explicit Definite_hessian(const Chart& chart)
-      : m_columns(chart.points.size()), m_gradient(Eigen::VectorXd::Zero(2 * chart.points.size()))
-  {}
+  typedef std::array<int, 3> Triple;
 
-  void add(const int* vertices, const Triangle_derivatives& derivatives)
+  explicit Definite_hessian(const Chart& chart)
+      : m_triangles(chart.number_of_triangles()), m_unknown(chart.points.size()), m_vertex(chart.vertex)
   {
-    for(int k = 0; k < 3; ++k) {
-      const auto& [gradient, hessian] = derivatives;
-      add_to_block({{gradient[2 * k], gradient[2 * k + 1]}}, vertices[k], m_gradient);
-      for(int l = 0; l < 3; ++l)
-        add(m_columns[vertices[k]], vertices[l],
-            {{hessian(2 * l, 2 * k), hessian(2 * l + 1, 2 * k), hessian(2 * l, 2 * k + 1),
-              hessian(2 * l + 1, 2 * k + 1)}});
-    }
+    std::iota(m_unknown.begin(), m_unknown.end(), 0);
+  }
+
+  Definite_hessian(const Definite_hessian&) = delete; // the assembly refers to vertices
+  Definite_hessian& operator=(const Definite_hessian&) = delete;
+
+  // Whether the pattern has room for an energy of these vertices.
+  bool couples(const Triple& vertices) const
+  {
+    return std::binary_search(m_triples.begin(), m_triples.end(), vertices);
+  }
+
+  bool has_pattern() const { return m_assembly.has_value(); }
+
+  // Makes room for energies of these vertices, besides those of triangles. There is no pattern before.
+  void couple(std::vector<Triple> triples)
+  {
+    m_triples = std::move(triples);
+    std::sort(m_triples.begin(), m_triples.end());
+    m_triples.erase(std::unique(m_triples.begin(), m_triples.end()), m_triples.end());
+    m_vertex.resize(3 * m_triangles);
+    for(const Triple& triple : m_triples)
+      m_vertex.insert(m_vertex.end(), triple.begin(), triple.end());
+    m_derivatives.resize(m_triangles + m_triples.size());
+    m_assembly.emplace(m_vertex, m_unknown, static_cast<int>(m_unknown.size()));
+  }
+
+  void clear_triples()
+  {
+    const Triangle_derivatives none = {Eigen::Matrix<double, 6, 1>::Zero(),
+                                       Eigen::Matrix<double, 6, 6>::Zero()};
+    std::fill(m_derivatives.begin() + m_triangles, m_derivatives.end(), none);
+  }
+
+  Triangle_derivatives& of_triangle(int t) { return m_derivatives[t]; }
+
+  // The pattern must couple the vertices.
+  Triangle_derivatives& of_triple(const Triple& vertices)
+  {
+    const auto found = std::lower_bound(m_triples.begin(), m_triples.end(), vertices);
+    return m_derivatives[m_triangles + (found - m_triples.begin())];
+  }
+
+  void sum_up()
+  {
+    m_gradient = Eigen::VectorXd::Zero(2 * m_unknown.size());
+    for(std::size_t c = 0; c < m_vertex.size(); ++c)
+      m_gradient.segment<2>(2 * m_vertex[c]) += m_derivatives[c / 3].gradient.segment<2>(2 * (c % 3));
+    m_assembly->assemble([&](int c) {
+      Triangle_assembly<2>::Local_columns columns;
+      std::copy_n(&m_derivatives[c / 3].hessian(0, 2 * (c % 3)), 12, columns.entry);
+      return columns;
+    });
   }
 
   const Eigen::VectorXd& gradient() const { return m_gradient; }
-
-  Block_matrix<2> matrix() const
-  {
-    Block_matrix<2> result;
-    std::vector<Entry> column;
-    for(std::size_t v = 0; v < m_columns.size(); ++v) {
-      column = m_columns[v];
-      std::sort(column.begin(), column.end(), [](const Entry& e, const Entry& f) { return e.row < f.row; });
-      for(const Entry& entry : column) {
-        result.row.push_back(entry.row);
-        result.block.push_back(entry.block);
-      }
-      result.begin.push_back(static_cast<int>(result.row.size()));
-    }
-    return result;
-  }
+  const Block_matrix<2>& matrix() const { return m_assembly->matrix(); }
 
 private:
-  static void add(std::vector<Entry>& column, int row, const Block& block)
-  {
-    for(Entry& entry : column)
-      if(entry.row == row) {
-        entry.block += block;
-        return;
-      }
-    column.push_back({row, block});
-  }
-
-  std::vector<std::vector<Entry>> m_columns;
+  int m_triangles;
+  std::vector<int> m_unknown, m_vertex;
+  std::vector<Triple> m_triples; // sorted
+  std::vector<Triangle_derivatives> m_derivatives;
+  std::optional<Triangle_assembly<2>> m_assembly;
   Eigen::VectorXd m_gradient;
 };
 
-// Adds a fraction of the diagonal to a matrix.
-inline Block_matrix<2> damped(Block_matrix<2> matrix, double fraction)
+// Sets `result` to a matrix with a fraction of its diagonal added.
+inline void damp(const Block_matrix<2>& matrix, double fraction, Block_matrix<2>& result)
 {
+  result = matrix;
   for(int v = 0; v < matrix.columns_of_blocks(); ++v)
     for(int e = matrix.begin[v]; e < matrix.begin[v + 1]; ++e)
       if(matrix.row[e] == v) {
-        Block_matrix<2>::Block& block = matrix.block[e];
+        Block_matrix<2>::Block& block = result.block[e];
         const double damping = fraction * (block(0, 0) + block(1, 1));
         block(0, 0) += damping;
         block(1, 1) += damping;
       }
-  return matrix;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -33,6 +33,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -61,7 +62,7 @@ public:
   Injective_descent(const Chart& chart, const Objective& objective, double clearance,
                     const Linear_solvers& solvers)
       : m_chart(chart), m_objective(objective), m_clearance(clearance), m_solvers(solvers),
-        m_factors(solvers, solvers->low_precision()), m_cycles(border_cycles(chart)),
+        m_factors(solvers, solvers->low_precision()), m_hessian(chart),
         m_barrier_weight(chart.points.size(), 0.)
   {
     std::vector<int> triangles(chart.points.size(), 0);
@@ -77,19 +78,20 @@ public:
   bool run(Positions& uv, const Descent_limits& limits)
   {
     m_has_converged = false;
+    m_border.set(border_cycles(m_chart), uv);
     for(int step = 0; step < limits.steps; ++step) {
       Deadline::ask();
       // Ranges are fixed at the start of a step, so that the energy does not change its definition during the step.
-      Planar_border border(m_cycles, uv);
-      const double before = energy(uv, border);
+      m_border.take(uv);
+      const double before = energy(uv);
       if(!std::isfinite(before))
         return true;
-      if(!find_direction(uv, border))
+      if(!find_direction(uv))
         return false;
       ++m_steps;
       const double expected = m_slope / 2, distortion = before - m_least_energy;
       m_has_converged = expected < limits.tolerance * distortion;
-      const double length = search(uv, border, before);
+      const double length = search(uv, before);
       if(length == 1)
         m_has_converged = m_has_converged || expected < limits.tolerance_of_full_step * distortion;
       if(length == 0 || m_has_converged)
@@ -109,7 +111,7 @@ private:
     return {uv[m_chart.vertex[3 * t]], uv[m_chart.vertex[3 * t + 1]], uv[m_chart.vertex[3 * t + 2]]};
   }
 
-  double energy(const Positions& uv, const Planar_border& border) const
+  double energy(const Positions& uv) const
   {
     const double sum = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const std::array<Planar_point, 3> x = corners(uv, t);
@@ -117,44 +119,66 @@ private:
                                                  : (std::numeric_limits<double>::infinity)();
     });
     double barrier = 0;
-    for_each_gap(border, [&](const Border_pair& pair, const Border_gap& gap) {
+    for_each_gap([&](const Border_pair& pair, const Border_gap& gap) {
       barrier +=
-          m_barrier_weight[border.vertex(pair.vertex)] * Barrier_function(pair.range, gap.distance).value;
+          m_barrier_weight[m_border.vertex(pair.vertex)] * Barrier_function(pair.range, gap.distance).value;
     });
     return sum + barrier;
   }
 
   template <typename Visitor>
-  void for_each_gap(const Planar_border& border, const Visitor& visit) const
+  void for_each_gap(const Visitor& visit) const
   {
     std::vector<Border_pair> pairs;
-    const auto at = [&](int i) { return border.point(i); };
-    for(int i = 0; i < border.size(); ++i) {
+    const auto at = [&](int i) { return m_border.point(i); };
+    for(int i = 0; i < m_border.size(); ++i) {
       pairs.clear();
-      add_pairs_of_vertex(border, i, m_clearance, pairs);
+      add_pairs_of_vertex(m_border, i, m_clearance, pairs);
       for(const Border_pair& pair : pairs)
-        visit_gap(border, pair, at, [&](const Border_gap& gap) { visit(pair, gap); });
+        visit_gap(m_border, pair, at, [&](const Border_gap& gap) { visit(pair, gap); });
     }
   }
 
-  // Sets the direction of Newton's method. Returns `false` if the linear solver fails.
-  bool find_direction(const Positions& uv, const Planar_border& border)
+  Definite_hessian::Triple vertices(const Border_pair& pair) const
   {
-    Definite_hessian hessian(m_chart);
-    const int n = m_chart.number_of_triangles();
-    std::vector<Triangle_derivatives> derivatives(n);
-    parallel_for_blocks(n, [&](int begin, int end) {
+    return {m_border.vertex(pair.vertex), m_border.vertex(pair.edge),
+            m_border.vertex(m_border.next(pair.edge))};
+  }
+
+  // Makes room in the pattern for parts of the border that repel each other, and for those that soon may.
+  void couple_border()
+  {
+    constexpr double margin = 2;
+    bool is_coupled = m_hessian.has_pattern();
+    for_each_gap([&](const Border_pair& pair, const Border_gap&) {
+      is_coupled = is_coupled && m_hessian.couples(vertices(pair));
+    });
+    if(is_coupled)
+      return;
+    std::vector<Border_pair> pairs;
+    for(int i = 0; i < m_border.size(); ++i)
+      add_pairs_of_vertex(m_border, i, margin * m_clearance, pairs);
+    std::vector<Definite_hessian::Triple> triples;
+    for(const Border_pair& pair : pairs)
+      triples.push_back(vertices(pair));
+    m_hessian.couple(std::move(triples));
+  }
+
+  // Sets the direction of Newton's method. Returns `false` if the linear solver fails.
+  bool find_direction(const Positions& uv)
+  {
+    couple_border();
+    parallel_for_blocks(m_chart.number_of_triangles(), [&](int begin, int end) {
       for(int t = begin; t < end; ++t)
-        derivatives[t] = m_objective.triangle_derivatives(t, corners(uv, t));
+        m_hessian.of_triangle(t) = m_objective.triangle_derivatives(t, corners(uv, t));
     });
-    for(int t = 0; t < n; ++t)
-      hessian.add(&m_chart.vertex[3 * t], derivatives[t]);
-    for_each_gap(border, [&](const Border_pair& pair, const Border_gap& gap) {
-      const std::array<int, 3> vertices = {border.vertex(pair.vertex), border.vertex(pair.edge),
-                                           border.vertex(border.next(pair.edge))};
-      hessian.add(vertices.data(), barrier_derivatives(pair, gap, m_barrier_weight[vertices.front()]));
+    m_hessian.clear_triples();
+    for_each_gap([&](const Border_pair& pair, const Border_gap& gap) {
+      const double weight = m_barrier_weight[m_border.vertex(pair.vertex)];
+      m_hessian.of_triple(vertices(pair)) = barrier_derivatives(pair, gap, weight);
     });
-    return solve(hessian);
+    m_hessian.sum_up();
+    return solve();
   }
 
   static Triangle_derivatives barrier_derivatives(const Border_pair& pair, const Border_gap& gap,
@@ -170,39 +194,44 @@ private:
 
   // The energy does not change if the map is moved or turned as a whole, and hardly if it is mapped conformally. Single
   // precision needs more of the diagonal to factor such a matrix.
-  bool solve(const Definite_hessian& hessian)
+  bool solve()
   {
-    const Block_matrix<2> undamped = hessian.matrix(), matrix = damped(undamped, 1e-8);
-    const Eigen::VectorXd right_hand_side = -hessian.gradient();
     const Iterative_accuracy accuracy = {1e-2};
     const int max_steps = 50;
-    bool done =
-        m_solvers->keeps_factors && m_factors.set_matrix(damped(undamped, 1e-6)) &&
-        conjugate_gradients(matrix, right_hand_side, m_factors, accuracy, max_steps, m_direction).status ==
-            Iterative_solution::SOLVED;
+    m_right_hand_side = -m_hessian.gradient();
+    damp(m_hessian.matrix(), 1e-6, m_damped);
+    bool done = m_solvers->keeps_factors && m_factors.set_matrix(m_damped);
+    damp(m_hessian.matrix(), 1e-8, m_damped);
+    if(done) {
+      m_direction = Eigen::VectorXd::Zero(m_right_hand_side.size());
+      m_vectors.residual = m_right_hand_side;
+      done = conjugate_gradients(m_damped, m_right_hand_side, m_factors, accuracy, max_steps, m_vectors,
+                                 m_direction)
+                 .status == Iterative_solution::SOLVED;
+    }
     if(!done) {
       const std::unique_ptr<Linear_solver> full = m_solvers->full_precision();
-      done = full->set_matrix(matrix) && full->solve(right_hand_side, m_direction);
+      done = full->set_matrix(m_damped) && full->solve(m_right_hand_side, m_direction);
     }
-    m_slope = done ? m_direction.dot(right_hand_side) : 0;
+    m_slope = done ? m_direction.dot(m_right_hand_side) : 0;
     return done;
   }
 
   // Moves the map along the direction, as far as the energy falls and the border stays simple. Returns the fraction of
   // Newton's step that was taken, 0 if the map does not move.
-  double search(Positions& uv, Planar_border& border, double before)
+  double search(Positions& uv, double before)
   {
     const int most_halvings = 30;
-    Positions next(uv.size());
+    m_next.resize(uv.size());
     double length = (std::min)(1., 0.9 * longest_step(uv));
     for(int i = 0; i < most_halvings; ++i, length /= 2) {
       for(std::size_t v = 0; v < uv.size(); ++v)
-        next[v] = uv[v] + length * m_direction.segment<2>(2 * v);
-      border.move_all(next);
-      if(!(energy(next, border) < before))
+        m_next[v] = uv[v] + length * m_direction.segment<2>(2 * v);
+      m_border.move_all(m_next);
+      if(!(energy(m_next) < before))
         continue;
-      if(border.is_simple()) {
-        uv = std::move(next);
+      if(m_border.is_simple()) {
+        uv.swap(m_next);
         return length;
       }
       ++m_rejections;
@@ -242,9 +271,13 @@ private:
   double m_clearance;
   Linear_solvers m_solvers;
   Preconditioning_system m_factors; // It knows the pattern as long as no other parts of the border come near.
-  Border_cycles m_cycles;
+  Planar_border m_border;
+  Definite_hessian m_hessian;
+  Block_matrix<2> m_damped;
+  Iteration_vectors m_vectors;
+  Positions m_next;
   std::vector<double> m_barrier_weight; // of each vertex
-  Eigen::VectorXd m_direction;
+  Eigen::VectorXd m_right_hand_side, m_direction;
   double m_least_energy = 0; // without any distortion
   bool m_has_converged = false;
   int m_steps = 0, m_rejections = 0;

@@ -30,8 +30,16 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 class Planar_border
 {
 public:
-  Planar_border(const Border_cycles& cycles, const std::vector<Planar_point>& uv) : m_number(uv.size(), -1)
+  Planar_border() = default;
+  Planar_border(const Border_cycles& cycles, const std::vector<Planar_point>& uv) { set(cycles, uv); }
+
+  // Takes other borders, into the memory of the last ones.
+  void set(const Border_cycles& cycles, const std::vector<Planar_point>& uv)
   {
+    m_vertices.clear();
+    m_previous.clear();
+    m_edges.clear();
+    m_number.assign(uv.size(), -1);
     for(const std::vector<int>& cycle : cycles) {
       const int begin = static_cast<int>(m_vertices.size()), size = static_cast<int>(cycle.size());
       for(int i = 0; i < size; ++i) {

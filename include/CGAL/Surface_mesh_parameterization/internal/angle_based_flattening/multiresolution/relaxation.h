@@ -136,8 +136,10 @@ public:
     const std::vector<int>& vertices = m_coarsening.alive();
     const int n = static_cast<int>(vertices.size());
     const int blocks = number_of_vertex_blocks(n);
-    std::vector<Block> results(blocks);
+    m_blocks.resize(blocks);
     parallel_for(blocks, [&](int b) {
+      Block& block = m_blocks[b];
+      block.clear();
       const int begin = begin_of_vertex_block(b, blocks, n), end = begin_of_vertex_block(b + 1, blocks, n);
       Star star = empty;
       for(int i = begin; i < end; ++i) {
@@ -145,13 +147,13 @@ public:
         if(!on_border)
           star.gather(mesh(), m_uv, vertices[i]);
         if(on_border || star.first_neighbour < vertices[begin] || star.last_neighbour > vertices[end - 1])
-          results[b].deferred.push_back(vertices[i]);
+          block.deferred.push_back(vertices[i]);
         else
-          relax(star, vertices[i], results[b]);
+          relax(star, vertices[i], block);
       }
     });
     Star star = empty;
-    for(Block& result : results) {
+    for(Block& result : m_blocks) {
       for(int v : result.deferred) {
         Deadline::ask();
         star.gather(mesh(), m_uv, v);
@@ -196,6 +198,12 @@ private:
   {
     int moves = 0, rejected_moves = 0;
     std::vector<int> deferred;
+
+    void clear()
+    {
+      moves = rejected_moves = 0;
+      deferred.clear();
+    }
   };
 
   template <typename Star>
@@ -208,6 +216,7 @@ private:
   std::vector<Planar_point>& m_uv;
   Border& m_border;
   int m_moves = 0, m_rejected_moves = 0;
+  std::vector<Block> m_blocks; // of the last sweep
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
