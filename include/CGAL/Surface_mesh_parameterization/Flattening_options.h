@@ -195,9 +195,9 @@ struct Hierarchical_options : Flattening_options
   int sweeps = 3;
 
   /// Largest number of final sweeps over the finest level that lower the energy of the direct method, vertex by vertex;
-  /// at most 1000. They help if the surface is noisy or has slivers. For injective maps, 0 means ten sweeps; five if
-  /// there are more than 20,000 vertices, or if the map is to be polished; three if there are more than 100,000; none
-  /// if `area_weight` is above 0.1.
+  /// at most 1000. They help if the surface is noisy or has slivers. For injective maps, 0 means seven sweeps with
+  /// over-relaxation; four if there are more than 20,000 vertices, or if the map is to be polished; three if there are
+  /// more than 100,000; none if `area_weight` is above 0.1.
   int angle_sweeps = 0;
 
   /// The final sweeps end when a sweep lowers the energy by less than this fraction; below 1. With 0, all sweeps are

@@ -145,8 +145,8 @@ private:
   // Rotations u and v, and singular values, of a matrix of positive determinant
   void decompose(const Eigen::Matrix2d& j)
   {
-    const double sum = std::hypot(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1));
-    const double difference = std::hypot(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
+    const double sum = Eigen::Vector2d(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1)).norm();
+    const double difference = Eigen::Vector2d(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1)).norm();
     m_s1 = (sum + difference) / 2;
     // not by the difference, which cancels
     m_s2 = (j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0)) / m_s1;
@@ -176,7 +176,7 @@ private:
     block(1, 0) = block(0, 1);
     block *= m_density;
     const double mean = (block(0, 0) + block(1, 1)) / 2, half = (block(0, 0) - block(1, 1)) / 2;
-    const double radius = std::hypot(half, block(0, 1));
+    const double radius = Eigen::Vector2d(half, block(0, 1)).norm();
     const double angle = std::atan2(block(0, 1), half) / 2;
     for(int k = 0; k < 2; ++k) {
       const double phi = angle + k * pi / 2;

@@ -26,6 +26,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 template <typename Star>
 struct Repelled_star
 {
+  static constexpr double over_relaxation = 1; // the barrier is steep
+
   const Star& star;
   const Vertex_barrier& barrier;
 

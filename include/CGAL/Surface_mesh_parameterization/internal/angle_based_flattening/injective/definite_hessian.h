@@ -23,7 +23,6 @@
 #include <array>
 #include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -60,10 +59,11 @@ public:
 
   bool has_pattern() const { return m_assembly.has_value(); }
 
-  // Makes room for energies of these vertices, besides those of triangles. There is no pattern before.
-  void couple(std::vector<Triple> triples)
+  // Makes room for energies of these vertices, besides those of triangles and of earlier calls. There is no pattern
+  // before the first call.
+  void couple(const std::vector<Triple>& triples)
   {
-    m_triples = std::move(triples);
+    m_triples.insert(m_triples.end(), triples.begin(), triples.end());
     std::sort(m_triples.begin(), m_triples.end());
     m_triples.erase(std::unique(m_triples.begin(), m_triples.end()), m_triples.end());
     m_vertex.resize(3 * m_triangles);

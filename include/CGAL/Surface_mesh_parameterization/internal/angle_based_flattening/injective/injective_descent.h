@@ -33,7 +33,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -119,7 +118,7 @@ private:
                                                  : (std::numeric_limits<double>::infinity)();
     });
     double barrier = 0;
-    for_each_gap([&](const Border_pair& pair, const Border_gap& gap) {
+    for_each_gap(m_clearance, [&](const Border_pair& pair, const Border_gap& gap) {
       barrier +=
           m_barrier_weight[m_border.vertex(pair.vertex)] * Barrier_function(pair.range, gap.distance).value;
     });
@@ -127,13 +126,13 @@ private:
   }
 
   template <typename Visitor>
-  void for_each_gap(const Visitor& visit) const
+  void for_each_gap(double clearance, const Visitor& visit) const
   {
     std::vector<Border_pair> pairs;
     const auto at = [&](int i) { return m_border.point(i); };
     for(int i = 0; i < m_border.size(); ++i) {
       pairs.clear();
-      add_pairs_of_vertex(m_border, i, m_clearance, pairs);
+      add_pairs_of_vertex(m_border, i, clearance, pairs);
       for(const Border_pair& pair : pairs)
         visit_gap(m_border, pair, at, [&](const Border_gap& gap) { visit(pair, gap); });
     }
@@ -150,18 +149,15 @@ private:
   {
     constexpr double margin = 2;
     bool is_coupled = m_hessian.has_pattern();
-    for_each_gap([&](const Border_pair& pair, const Border_gap&) {
+    for_each_gap(m_clearance, [&](const Border_pair& pair, const Border_gap&) {
       is_coupled = is_coupled && m_hessian.couples(vertices(pair));
     });
     if(is_coupled)
       return;
-    std::vector<Border_pair> pairs;
-    for(int i = 0; i < m_border.size(); ++i)
-      add_pairs_of_vertex(m_border, i, margin * m_clearance, pairs);
     std::vector<Definite_hessian::Triple> triples;
-    for(const Border_pair& pair : pairs)
-      triples.push_back(vertices(pair));
-    m_hessian.couple(std::move(triples));
+    for_each_gap(margin * m_clearance,
+                 [&](const Border_pair& pair, const Border_gap&) { triples.push_back(vertices(pair)); });
+    m_hessian.couple(triples);
   }
 
   // Sets the direction of Newton's method. Returns `false` if the linear solver fails.
@@ -173,7 +169,7 @@ private:
         m_hessian.of_triangle(t) = m_objective.triangle_derivatives(t, corners(uv, t));
     });
     m_hessian.clear_triples();
-    for_each_gap([&](const Border_pair& pair, const Border_gap& gap) {
+    for_each_gap(m_clearance, [&](const Border_pair& pair, const Border_gap& gap) {
       const double weight = m_barrier_weight[m_border.vertex(pair.vertex)];
       m_hessian.of_triple(vertices(pair)) = barrier_derivatives(pair, gap, weight);
     });

@@ -81,6 +81,7 @@ private:
 // The ring of a star of any kind
 struct Planar_star_base
 {
+  double over_relaxation = 1; // what the steps of the vertex are multiplied by
   bool on_border = false;
   double least_area = 0;                       // twice the area that a triangle must have in the plane
   int first_neighbour = 0, last_neighbour = 0; // the smallest and the largest number of a ring vertex

@@ -119,7 +119,7 @@ Planar_point newton_step(const Energy& here)
          determinant;
 }
 
-// Moves a vertex by a step of Newton's method, to a position that `accept` allows. Returns by which factor the energy
+// Moves a vertex by a step of Newton's method, times the star's over-relaxation, to a position that `accept` allows. Returns by which factor the energy
 // of its star fell, or 1 if the vertex does not move.
 template <typename Star, typename Accept>
 double relax_vertex(const Star& star, Planar_point& position, const Accept& accept)
@@ -128,7 +128,7 @@ double relax_vertex(const Star& star, Planar_point& position, const Accept& acce
   const Energy here(star, position, true);
   if(!std::isfinite(here.value))
     return 1;
-  Planar_point step = newton_step(here);
+  Planar_point step = star.over_relaxation * newton_step(here);
   for(int halvings = 0; halvings < 5; ++halvings, step /= 2) {
     const Planar_point next = position + step;
     const double value = Energy(star, next, false).value;
