@@ -55,6 +55,17 @@ struct Block_matrix
   }
 };
 
+template <int BlockSize>
+void take_diagonal(const Block_matrix<BlockSize>& matrix, Eigen::VectorXd& diagonal)
+{
+  diagonal = Eigen::VectorXd::Zero(matrix.size());
+  for(int j = 0; j < matrix.columns_of_blocks(); ++j)
+    for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
+      if(matrix.row[e] == j)
+        for(int k = 0; k < BlockSize; ++k)
+          diagonal[BlockSize * j + k] = matrix.block[e](k, k);
+}
+
 // What solvers get of a matrix of blocks: the unknowns `first`, ..., `last - 1` of each block, without what couples
 // them to one another.
 template <int BlockSize>

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -49,12 +50,22 @@ public:
   // Factors both diagonal blocks, whose pattern was analyzed. Returns `false` if that fails.
   bool set_matrix(const Block_matrix<2>& matrix)
   {
+    take_diagonal(matrix, m_diagonal);
+    m_scale = Eigen::VectorXd::Ones(matrix.size());
     if(!m_second)
       return m_first.set_matrix(Diagonal_parts<2>{matrix});
     std::array<bool, 2> done;
     const auto set = [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); };
     parallel_for(2, set, matrix.columns_of_blocks());
     return done[0] && done[1];
+  }
+
+  // Uses the factors for a later matrix with another diagonal. The equations of reconstruction change, by more than
+  // those of planarity, and scaling makes up for a part of that: with all of it, slivers take more steps.
+  void rescale(const Eigen::VectorXd& diagonal)
+  {
+    for(Eigen::Index i = 1; i < diagonal.size(); i += 2)
+      m_scale[i] = std::sqrt(std::sqrt(m_diagonal[i] / diagonal[i]));
   }
 
   bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
@@ -64,9 +75,11 @@ public:
     std::array<bool, 2> done = {true, true};
     const auto solve = [&](int k) {
       m_sorted[k].resize(n);
-      for(Eigen::Index i = 0; i < n;
-          ++i) // one system gets the first unknowns of all blocks before the second ones
-        m_sorted[k][i] = residual[2 * (i % half) + (i < half ? k : 1)];
+      for(Eigen::Index i = 0; i < n; ++i) {
+        // One system gets the first unknowns of all blocks before the second ones.
+        const Eigen::Index j = 2 * (i % half) + (i < half ? k : 1);
+        m_sorted[k][i] = m_scale[j] * residual[j];
+      }
       done[k] = system(k).solve(m_sorted[k], m_solution[k]);
     };
     parallel_for(systems, solve, static_cast<int>(n));
@@ -75,7 +88,7 @@ public:
     correction.resize(residual.size());
     for(Eigen::Index i = 0; i < residual.size(); ++i) {
       const Eigen::Index k = i % 2;
-      correction[i] = systems == 2 ? m_solution[k][i / 2] : m_solution[0][k * half + i / 2];
+      correction[i] = m_scale[i] * (systems == 2 ? m_solution[k][i / 2] : m_solution[0][k * half + i / 2]);
     }
     return true;
   }
@@ -95,6 +108,7 @@ private:
   Linear_solvers m_solvers;
   System m_first;
   std::optional<System> m_second;
+  Eigen::VectorXd m_diagonal, m_scale; // of the matrix that was factored, and of residuals and corrections
   std::array<Eigen::VectorXd, 2> m_sorted, m_solution;
 };
 

@@ -71,6 +71,7 @@ public:
   // `start()` and `solve()`. Solvers whose copies share their factors have none for this matrix.
   bool set_near_matrix(const Block_matrix<2>& matrix)
   {
+    rescale_globally(matrix);
     if(!m_has_own_factors)
       return true;
     m_matrix = &matrix;
@@ -122,6 +123,14 @@ public:
   bool is_repeated() const { return has_near_part() && m_system.is_repeated(); }
 
 private:
+  void rescale_globally(const Block_matrix<2>& matrix)
+  {
+    take_diagonal(matrix, m_diagonal);
+    if(m_has_holes)
+      m_global_part.take(m_diagonal, m_global_diagonal);
+    m_global.rescale(m_has_holes ? m_global_diagonal : m_diagonal);
+  }
+
   bool solve_globally(const Eigen::VectorXd& residual, Eigen::VectorXd& correction)
   {
     if(!m_has_holes)
@@ -144,7 +153,8 @@ private:
   std::vector<double> m_coupling; // from here on what is used again for its memory only
   std::vector<char> m_is_near;
   Block_matrix<2> m_near_matrix;
-  Eigen::VectorXd m_near_residual, m_near, m_global_residual, m_global_correction;
+  Eigen::VectorXd m_near_residual, m_near, m_global_residual, m_global_correction, m_diagonal,
+      m_global_diagonal;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
