@@ -14,7 +14,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 
 #include <Eigen/Core>

@@ -32,6 +32,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/widen_crushed_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
