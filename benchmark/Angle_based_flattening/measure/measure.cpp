@@ -41,6 +41,7 @@ int main(int argc, char* argv[])
       "measure cones FILE [--cones N] [--repeat N]\n"
       "measure rectangle FILE [--repeat N]\n"
       "measure solve SOLVER FILE full|block\n"
+      "measure algorithm heat|fairing|deformation superlu|eigen FILE\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
       "measure software\n\nOptions");
@@ -105,6 +106,8 @@ int main(int argc, char* argv[])
       rectangle(words[1], control_choice, m);
     } else if(is("solve", 3)) {
       solve(words[1], words[2], words[3], m);
+    } else if(is("algorithm", 3)) {
+      algorithm(words[1], words[2], words[3], m);
     } else if(is("layouts", 2)) {
       lay_out(words[1], std::stod(words[2]), m);
     } else if(is("sweep", 2)) {
