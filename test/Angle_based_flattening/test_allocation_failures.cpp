@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(cones)
 {
   Scene scene(seam_surfaces::sphere(1).mesh<Mesh>());
   check(
-      scene, [](Scene& s) { return SMP::flatten_with_cones(s.mesh, 4, s.seams, s.corner_uv).status; }, 300);
+      scene, [](Scene& s) { return SMP::flatten_with_cones(s.mesh, 4, s.seams, s.corner_uv).status; }, 2000);
 }
 
 BOOST_AUTO_TEST_CASE(atlases)

@@ -15,7 +15,7 @@ import numpy as np
 import program
 import pytest
 
-LONG = meshes.torus(100, 66)  # seconds
+LONG = meshes.torus(200, 132)  # seconds
 SMALL = meshes.hill(5)
 EXPECTED = abf.atlas(*SMALL).uv
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/scale_response.h>
@@ -135,7 +136,7 @@ public:
   std::optional<double> stretch(const std::vector<int>& cones, const std::vector<double>& charges)
   {
     m_cones = cones;
-    m_charges = Eigen::Map<const Eigen::VectorXd>(charges.data(), number_of_cones());
+    m_charges = Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(charges.data(), number_of_cones()));
     const std::optional<Eigen::VectorXd> u = scale();
     return u ? std::optional<double>(m_log_scale.stretch(*u)) : std::nullopt;
   }
@@ -184,7 +185,7 @@ private:
     m_cones.push_back(cone);
     if(is_closed() && number_of_cones() == 1) {
       m_base += m_total * *green;
-      m_charges = Eigen::VectorXd::Constant(1, m_total);
+      m_charges = Eigen::VectorXd(Eigen::VectorXd::Constant(1, m_total));
       return true;
     }
     if(!m_green.append(at_cones(*green)))
@@ -216,7 +217,7 @@ private:
 
   void set_charges(const Eigen::VectorXd& own)
   {
-    m_charges.resize(number_of_cones());
+    set_size(m_charges, number_of_cones());
     if(number_of_bound_cones() == 1)
       m_charges << m_total - own.sum(), own;
     else

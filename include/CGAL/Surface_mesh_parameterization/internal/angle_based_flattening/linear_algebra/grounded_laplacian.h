@@ -151,7 +151,7 @@ private:
       return;
     m_further = std::move(vertices);
     m_response = Eigen::MatrixXd(m_response(kept, kept));
-    m_factor = m_response.llt().matrixL();
+    m_factor = Eigen::MatrixXd(m_response.llt().matrixL());
   }
 
   bool add_columns(const std::vector<int>& added)

@@ -68,7 +68,7 @@ public:
 
   void take(const Eigen::VectorXd& x, Eigen::VectorXd& part) const
   {
-    part.resize(2 * m_blocks.size());
+    set_size(part, 2 * static_cast<Eigen::Index>(m_blocks.size()));
     for(std::size_t i = 0; i < m_blocks.size(); ++i)
       std::copy_n(&x[2 * m_blocks[i]], 2, &part[2 * i]);
   }

@@ -117,6 +117,14 @@ inline Vector_2 block_of(const Eigen::VectorXd& x, int i)
   return {{x[2 * i], x[2 * i + 1]}};
 }
 
+// Eigen frees the memory of a vector before it allocates other memory: if that fails, the vector refers to memory that
+// is not its own.
+inline void set_size(Eigen::VectorXd& x, Eigen::Index n)
+{
+  if(x.size() != n)
+    x = Eigen::VectorXd(n);
+}
+
 inline void add_to_block(const Vector_2& block, int i, Eigen::VectorXd& x)
 {
   x[2 * i] += block[0];

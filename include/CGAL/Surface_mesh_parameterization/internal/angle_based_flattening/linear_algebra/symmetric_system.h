@@ -15,6 +15,7 @@
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_traits_properties.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 
 #include <Eigen/SparseCore>
 
@@ -184,7 +185,7 @@ public:
       done = m_traits.linear_solver(***m_matrix, b, x, m_denominator);
     if(!done)
       return fail();
-    solution.resize(n);
+    set_size(solution, n);
     for(int i = 0; i < n; ++i)
       solution[i] = x[i] / m_denominator * scale;
     return solution.allFinite();
