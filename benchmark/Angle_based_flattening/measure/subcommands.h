@@ -93,8 +93,8 @@ void rectangle(const std::string& file, const Control_choice& choice, Measuremen
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 
-// Runs an algorithm of CGAL (`heat`, `fairing` or `deformation`) with `superlu`, or with its default solver, which is of
-// `eigen`. Reports the largest and the mean distance: from a vertex, or by which vertices moved.
+// Runs an algorithm of CGAL (`heat`, `fairing` or `deformation`) with `superlu`, or with `eigen`, its default solver.
+// Reports the largest and the mean distance: from a vertex, or by which vertices moved.
 void algorithm(const std::string& name, const std::string& solver, const std::string& file, Measurement& m);
 
 // Solves the angles up to a gradient of that norm, and lays them out in three ways.

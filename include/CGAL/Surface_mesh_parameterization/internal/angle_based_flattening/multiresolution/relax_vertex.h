@@ -119,7 +119,7 @@ Planar_point newton_step(const Energy& here)
          determinant;
 }
 
-// Moves a vertex by a step of Newton's method, times the star's over-relaxation, to a position that `accept` allows. Returns by which factor the energy
+// Moves a vertex by an over-relaxed Newton step, where `accept` allows it. Returns by which factor the energy
 // of its star fell, or 1 if the vertex does not move.
 template <typename Star, typename Accept>
 double relax_vertex(const Star& star, Planar_point& position, const Accept& accept)
