@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/select_seams.h>
 
 #include <atomic>
 #include <cstddef>
@@ -259,6 +260,28 @@ BOOST_AUTO_TEST_CASE(steps_and_sweeps_of_injective_maps_allocate_no_array)
   allocations(sweep);
   BOOST_TEST(allocations(sweep) == 0);
   BOOST_TEST(relaxation.moves() > 0);
+}
+
+// Nor do the rounds in which seams become shorter. Arrays double when they become too small: that is seldom.
+BOOST_AUTO_TEST_CASE(seams_to_further_terminals_allocate_no_array)
+{
+  Mesh mesh = test_meshes::bump<Mesh>(40);
+  const auto allocations = [&](int terminals) {
+    auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+    SMP::Seam_options options;
+    options.maximum_number_of_terminals = terminals;
+    options.stretch_bound = 1.0001;
+    const Allocation_count count(bytes_of_an_array(mesh));
+    const auto report = SMP::select_seams(mesh, seams, options);
+    const long number = count.get();
+    BOOST_TEST(report.number_of_terminals == std::size_t(terminals));
+    mesh.remove_property_map(seams);
+    return number;
+  };
+  const int few = 4, many = 32;
+  const long of_few = allocations(few);
+  BOOST_TEST(of_few > 20);
+  BOOST_TEST(allocations(many) - of_few < many - few);
 }
 
 BOOST_AUTO_TEST_CASE(factorizations_use_the_arrays_of_earlier_ones)

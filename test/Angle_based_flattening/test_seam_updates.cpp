@@ -244,6 +244,7 @@ BOOST_AUTO_TEST_CASE(nearest_seams_are_those_found_anew)
     const ABF::Surface_part part = part_of(surface.mesh(), 2);
     ABF::Sector_graph opened = disk(part);
     ABF::Nearest_seams nearest(opened, part.cost);
+    nearest.find();
     std::mt19937 random(3);
     std::vector<int> terminals;
     for(int step = 0; step < 20; ++step) {
@@ -264,7 +265,8 @@ BOOST_AUTO_TEST_CASE(nearest_seams_are_those_found_anew)
         nearest.close(closed, step % 3 == 1 ? 0.5 : 2);
         nearest.reopen(closed);
       }
-      const ABF::Nearest_seams expected(opened, part.cost);
+      ABF::Nearest_seams expected(opened, part.cost);
+      expected.find();
       BOOST_TEST_CONTEXT(surface.name << ", step " << step)
       for(int x = 0; x < opened.number_of_nodes(); ++x)
         if(opened.is_node(x)) {

@@ -116,8 +116,9 @@ inline int next_on_border(const Corner_table& table, int c)
   return previous_corner(corner);
 }
 
-// All corners at the vertex of a corner, clockwise; at a border vertex from the first one
-inline std::vector<int> corners_around(const Corner_table& table, int corner)
+// Visits all corners at the vertex of a corner, clockwise; at a border vertex from the first one.
+template <typename Visit>
+void for_corners_around(const Corner_table& table, int corner, const Visit& visit)
 {
   int first = corner;
   while(table.opposite[next_corner(first)] >= 0) {
@@ -125,9 +126,16 @@ inline std::vector<int> corners_around(const Corner_table& table, int corner)
     if(first == corner)
       break;
   }
-  std::vector<int> corners{first};
+  visit(first);
   for(int c = table.rotate(first); c >= 0 && c != first; c = table.rotate(c))
-    corners.push_back(c);
+    visit(c);
+}
+
+// The same corners
+inline std::vector<int> corners_around(const Corner_table& table, int corner)
+{
+  std::vector<int> corners;
+  for_corners_around(table, corner, [&](int c) { corners.push_back(c); });
   return corners;
 }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 
 #include <Eigen/Cholesky>
@@ -31,7 +32,7 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 //
 // The first grounded vertices are in the factored matrix. If G is its inverse, then sources s at further ones, with
 // G_vv s = -(G q)_v, make u = G (q + s) vanish at all of them (v). Each further vertex takes one solution, for its
-// column of G_vv, and the Cholesky factor of G_vv grows by a row. Where that would take longer than a factorization, or
+// column of G_vv, and the Cholesky factor of G_vv grows by a column. Where that would take longer than a factorization, or
 // a vertex of the factored matrix is no longer grounded, the matrix is factored again. Its pattern is always that of L,
 // and is analyzed once.
 class Grounded_laplacian
@@ -47,7 +48,7 @@ public:
   static constexpr double largest_error = 1e-11;
 
   Grounded_laplacian(Block_matrix<1> laplacian, const Linear_solvers& solvers)
-      : m_laplacian(std::move(laplacian)), m_solver(solvers->full_precision()),
+      : m_laplacian(std::move(laplacian)), m_matrix(m_laplacian), m_solver(solvers->full_precision()),
         m_keeps_factors(solvers->keeps_factors)
   {}
 
@@ -56,7 +57,7 @@ public:
   {
     if(m_is_factored && m_keeps_factors && ground(is_grounded) && solve_with_columns(sources, u))
       return true;
-    return factor(is_grounded) && respond(sources, u);
+    return factor(is_grounded) && respond(right_hand_side(sources), u);
   }
 
 private:
@@ -65,17 +66,23 @@ private:
     forget_columns();
     m_reference = -1;
     m_is_in_factor = is_grounded;
-    Block_matrix<1> matrix = m_laplacian;
-    for(int j = 0; j < matrix.columns_of_blocks(); ++j)
-      for(int e = matrix.begin[j]; e < matrix.begin[j + 1]; ++e)
-        if(is_grounded[j] || is_grounded[matrix.row[e]])
-          matrix.block[e](0, 0) = matrix.row[e] == j;
-    return m_is_factored = m_solver->set_matrix(matrix);
+    m_matrix.block = m_laplacian.block;
+    for(int j = 0; j < m_matrix.columns_of_blocks(); ++j)
+      for(int e = m_matrix.begin[j]; e < m_matrix.begin[j + 1]; ++e)
+        if(is_grounded[j] || is_grounded[m_matrix.row[e]])
+          m_matrix.block[e](0, 0) = m_matrix.row[e] == j;
+    return m_is_factored = m_solver->set_matrix(m_matrix);
   }
 
-  // u = G q. With a reference, the factored matrix has one grounded vertex, which is not grounded now: u is shifted so
-  // that it vanishes at the reference instead.
-  bool respond(Eigen::VectorXd sources, Eigen::VectorXd& u)
+  Eigen::VectorXd& right_hand_side(const Eigen::VectorXd& sources)
+  {
+    set_size(m_right_hand_side, sources.size());
+    return m_right_hand_side = sources;
+  }
+
+  // u = G q, where q is overwritten. With a reference, the factored matrix has one grounded vertex, which is not
+  // grounded now: u is shifted so that it vanishes at the reference instead.
+  bool respond(Eigen::VectorXd& sources, Eigen::VectorXd& u)
   {
     if(m_reference >= 0)
       sources[m_reference] -= sources.sum();
@@ -96,18 +103,19 @@ private:
     if(!has_reference(is_grounded))
       return false;
     release(is_grounded);
-    std::vector<char> is_known =
-        m_reference < 0 ? m_is_in_factor : std::vector<char>(is_grounded.size(), false);
-    if(m_reference >= 0)
-      is_known[m_reference] = true;
+    m_is_known = m_is_in_factor;
+    if(m_reference >= 0) {
+      std::fill(m_is_known.begin(), m_is_known.end(), false);
+      m_is_known[m_reference] = true;
+    }
     for(int v : m_further)
-      is_known[v] = true;
-    std::vector<int> added;
+      m_is_known[v] = true;
+    m_added.clear();
     for(std::size_t v = 0; v < is_grounded.size(); ++v)
-      if(is_grounded[v] && !is_known[v])
-        added.push_back(static_cast<int>(v));
-    return added.size() <= most_columns && m_further.size() + added.size() <= most_further_vertices &&
-           (added.empty() || add_columns(added));
+      if(is_grounded[v] && !m_is_known[v])
+        m_added.push_back(static_cast<int>(v));
+    return m_added.size() <= most_columns && m_further.size() + m_added.size() <= most_further_vertices &&
+           std::all_of(m_added.begin(), m_added.end(), [&](int v) { return add_column(v); });
   }
 
   // Chooses another reference if the present one, or what is in the factored matrix, is no longer grounded.
@@ -133,70 +141,80 @@ private:
   void forget_columns()
   {
     m_further.clear();
-    m_response.resize(0, 0);
-    m_factor.resize(0, 0);
-    m_response_to_sources.resize(0);
+    m_knows_response_to_sources = false;
   }
 
   // Without further vertices that are no longer grounded
   void release(const std::vector<char>& is_grounded)
   {
-    std::vector<int> kept, vertices;
+    std::vector<int> kept;
     for(std::size_t i = 0; i < m_further.size(); ++i)
-      if(is_grounded[m_further[i]]) {
+      if(is_grounded[m_further[i]])
         kept.push_back(static_cast<int>(i));
-        vertices.push_back(m_further[i]);
-      }
     if(kept.size() == m_further.size())
       return;
-    m_further = std::move(vertices);
-    m_response = Eigen::MatrixXd(m_response(kept, kept));
-    m_factor = Eigen::MatrixXd(m_response.llt().matrixL());
+    const auto n = static_cast<Eigen::Index>(kept.size());
+    for(Eigen::Index j = 0; j < n; ++j) {
+      m_further[j] = m_further[kept[j]];
+      for(Eigen::Index i = 0; i <= j; ++i)
+        m_response(i, j) = m_response(kept[i], kept[j]);
+    }
+    m_further.resize(n);
+    Eigen::Ref<Eigen::MatrixXd> factor = m_factor.topLeftCorner(n, n);
+    factor = m_response.topLeftCorner(n, n);
+    if(Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Upper>(factor).info() != Eigen::Success)
+      forget_columns();
   }
 
-  bool add_columns(const std::vector<int>& added)
+  // Makes room for rows and columns of further vertices.
+  void reserve(Eigen::Index n)
   {
-    const auto old = static_cast<Eigen::Index>(m_further.size());
-    const auto more = static_cast<Eigen::Index>(added.size()), all = old + more;
-    m_further.insert(m_further.end(), added.begin(), added.end());
-    m_response.conservativeResize(all, all);
-    Eigen::VectorXd column;
-    for(Eigen::Index j = old; j < all; ++j) {
-      Eigen::VectorXd unit = Eigen::VectorXd::Zero(m_laplacian.columns_of_blocks());
-      unit[m_further[j]] = 1;
-      if(!respond(unit, column))
-        return false;
-      for(Eigen::Index i = 0; i < all; ++i)
-        m_response(i, j) = column[m_further[i]];
-      m_response.row(j).head(old) = m_response.col(j).head(old).transpose();
-    }
-    const auto triangle = m_factor.triangularView<Eigen::Lower>();
-    const Eigen::MatrixXd beside = triangle.solve(m_response.topRightCorner(old, more)).transpose();
-    const Eigen::LLT<Eigen::MatrixXd> below(m_response.bottomRightCorner(more, more) -
-                                            beside * beside.transpose());
-    if(below.info() != Eigen::Success)
+    if(n <= m_response.rows())
+      return;
+    const Eigen::Index room = (std::min)(2 * n, static_cast<Eigen::Index>(most_further_vertices));
+    m_response.conservativeResize(room, room);
+    m_factor.conservativeResize(room, room);
+  }
+
+  // Makes a vertex a further one. Returns `false` if that cannot be done.
+  bool add_column(int v)
+  {
+    const auto n = static_cast<Eigen::Index>(m_further.size());
+    set_size(m_right_hand_side, m_laplacian.columns_of_blocks());
+    m_right_hand_side.setZero();
+    m_right_hand_side[v] = 1;
+    if(!respond(m_right_hand_side, m_column))
       return false;
-    m_factor.conservativeResize(all, all);
-    m_factor.bottomLeftCorner(more, old) = beside;
-    m_factor.topRightCorner(old, more).setZero();
-    m_factor.bottomRightCorner(more, more) = below.matrixL();
-    return true;
+    m_further.push_back(v);
+    reserve(n + 1);
+    for(Eigen::Index i = 0; i <= n; ++i)
+      m_response(i, n) = m_column[m_further[i]];
+    auto column = m_factor.col(n).head(n);
+    column = m_response.col(n).head(n);
+    m_factor.topLeftCorner(n, n).triangularView<Eigen::Upper>().transpose().solveInPlace(column);
+    const double square = m_response(n, n) - column.squaredNorm();
+    m_factor(n, n) = std::sqrt(square);
+    return square > 0;
   }
 
   // Returns `false` also if u does not vanish where it should.
   bool solve_with_columns(const Eigen::VectorXd& sources, Eigen::VectorXd& u)
   {
-    if(m_response_to_sources.size() == 0 || sources != m_sources) {
+    if(!m_knows_response_to_sources || sources != m_sources) {
+      set_size(m_sources, sources.size());
       m_sources = sources;
-      if(!respond(sources, m_response_to_sources))
+      if(!respond(right_hand_side(sources), m_response_to_sources))
         return false;
+      m_knows_response_to_sources = true;
     }
     const auto further = static_cast<Eigen::Index>(m_further.size());
-    Eigen::VectorXd balanced = sources, values(further);
+    Eigen::VectorXd values(further);
     for(Eigen::Index i = 0; i < further; ++i)
       values[i] = m_response_to_sources[m_further[i]];
-    m_factor.triangularView<Eigen::Lower>().solveInPlace(values);
-    m_factor.transpose().triangularView<Eigen::Upper>().solveInPlace(values);
+    const auto factor = m_factor.topLeftCorner(further, further);
+    factor.triangularView<Eigen::Upper>().transpose().solveInPlace(values);
+    factor.triangularView<Eigen::Upper>().solveInPlace(values);
+    Eigen::VectorXd& balanced = right_hand_side(sources);
     for(Eigen::Index i = 0; i < further; ++i)
       balanced[m_further[i]] -= values[i];
     if(!respond(balanced, u))
@@ -211,15 +229,22 @@ private:
   }
 
   const Block_matrix<1> m_laplacian;
+  Block_matrix<1> m_matrix; // the factored one
   const std::unique_ptr<Linear_solver> m_solver;
   const bool m_keeps_factors;
   bool m_is_factored = false;
   std::vector<char> m_is_in_factor; // of each vertex: whether it was grounded when the matrix was factored
   int m_reference = -1;             // the vertex where u vanishes instead of there, or -1
   std::vector<int> m_further;       // the other grounded vertices
-  Eigen::MatrixXd m_response;       // G_vv of these
-  Eigen::MatrixXd m_factor;         // its lower Cholesky factor
+  Eigen::MatrixXd m_response;       // G_vv of these: its upper triangle, with room for more
+  Eigen::MatrixXd m_factor;         // its Cholesky factor U, where U^T U = G_vv, alike
   Eigen::VectorXd m_sources, m_response_to_sources; // the last ones, and G q of these
+  bool m_knows_response_to_sources = false;
+
+  // Memory that is kept
+  std::vector<char> m_is_known;
+  std::vector<int> m_added;
+  Eigen::VectorXd m_right_hand_side, m_column;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -33,13 +33,13 @@ inline std::vector<int> border_nodes(const Sector_graph& surface)
   return nodes;
 }
 
-// Of each vertex: whether it is on a border or seam
-inline std::vector<char> border_vertices(const Sector_graph& surface)
+// Sets `is_on_border` for each vertex: whether it is on a border or seam
+inline void find_border_vertices(const Sector_graph& surface, std::vector<char>& is_on_border)
 {
-  std::vector<char> is_on_border(surface.surface().points.size(), false);
-  for(int x : border_nodes(surface))
-    is_on_border[surface.vertex(x)] = true;
-  return is_on_border;
+  is_on_border.assign(surface.surface().points.size(), false);
+  for(int x = 0; x < surface.number_of_nodes(); ++x)
+    if(surface.is_node(x) && surface.is_on_border(x))
+      is_on_border[surface.vertex(x)] = true;
 }
 
 // Of each node, the number of the border on which it is, or -1

@@ -57,7 +57,8 @@ inline Seams find_seams_directly(const Chart& surface, const std::vector<double>
 // The same seams, with the stretch predicted on the surface itself, and without the terminals that they do not reach
 inline Seams predicted_again(Seams seams, const Sector_graph& opened, const Linear_solvers& solvers)
 {
-  const std::vector<char> is_reached = border_vertices(opened);
+  std::vector<char> is_reached;
+  find_border_vertices(opened, is_reached);
   const Log_scale log_scale(opened.surface(), solvers);
   if(const std::optional<Eigen::VectorXd> u = log_scale.solve(is_reached))
     seams.predicted_stretch = log_scale.stretch(*u);
@@ -130,7 +131,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Seams shorten_seams(const Chart& surface, con
       opened.set_seam(c, true);
   std::vector<int> ends;
   for(int c = 0; c < surface.number_of_corners(); ++c)
-    if(opened.is_seam(c) && opened.seams_at(next_corner(c)).size() == 1)
+    if(opened.is_seam(c) && opened.number_of_seams_at(next_corner(c)) == 1)
       ends.push_back(surface.edge_source(c));
   Path_shortening(opened, cost, ends, leaves_disks(opened)).run(most_visits);
   return seams_of(opened);

@@ -52,7 +52,8 @@ public:
   Greedy_cones(Sector_graph& surface, const std::vector<double>& cost, const Seam_options& options,
                const Linear_solvers& solvers)
       : m_surface(surface), m_cost(cost), m_options(options), m_log_scale(surface.surface(), solvers),
-        m_laplacian(m_log_scale.laplacian(), solvers)
+        m_sources(m_log_scale.sources()), m_laplacian(m_log_scale.laplacian(), solvers),
+        m_nearest(surface, cost), m_shortening(surface, cost)
   {}
 
   const std::vector<int>& terminals() const { return m_terminals; }
@@ -69,7 +70,8 @@ public:
         return status;
       if(round == most_rounds || (round > 0 && m_terminals.size() == before))
         return Seams::DONE;
-      Path_shortening(m_surface, m_cost, m_terminals).run(most_visits >> round);
+      m_shortening.add_terminals(m_terminals);
+      m_shortening.run(most_visits >> round);
     }
   }
 
@@ -98,7 +100,7 @@ private:
         std::find_if(u.begin(), u.end(), [&](double x) { return x <= least + tie; }) - u.begin());
     is_fixed.front() = false;
     is_fixed[first] = true;
-    if(!m_laplacian.solve(is_fixed, m_log_scale.sources(), u))
+    if(!m_laplacian.solve(is_fixed, m_sources, u))
       return Seams::LINEAR_SYSTEM_FAILED;
     const int node = node_of(first);
     Shortest_paths paths(m_surface, m_cost);
@@ -130,44 +132,41 @@ private:
   template <typename IsCandidate>
   int most_extreme(const Eigen::VectorXd& u, const IsCandidate& is_candidate) const
   {
-    std::vector<int> candidates;
+    const auto extent = [&](int x) { return std::abs(u[m_surface.vertex(x)]); };
     double largest = 0;
     for(int x = 0; x < m_surface.number_of_nodes(); ++x)
-      if(is_candidate(x)) {
-        candidates.push_back(x);
-        largest = (std::max)(largest, std::abs(u[m_surface.vertex(x)]));
-      }
-    const auto first = std::find_if(candidates.begin(), candidates.end(), [&](int x) {
-      return std::abs(u[m_surface.vertex(x)]) >= largest - relative_tie * largest;
-    });
-    return first == candidates.end() ? -1 : *first;
+      if(is_candidate(x))
+        largest = (std::max)(largest, extent(x));
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(is_candidate(x) && extent(x) >= largest - relative_tie * largest)
+        return x;
+    return -1;
   }
 
   Status add_terminals()
   {
-    Nearest_seams nearest(m_surface, m_cost);
-    Eigen::VectorXd u;
+    m_nearest.find();
     for(;;) {
       Deadline::ask();
-      if(!m_laplacian.solve(border_vertices(m_surface), m_log_scale.sources(), u))
+      find_border_vertices(m_surface, m_is_on_border);
+      if(!m_laplacian.solve(m_is_on_border, m_sources, m_u))
         return Seams::LINEAR_SYSTEM_FAILED;
-      m_stretch = m_log_scale.stretch(u);
+      m_stretch = m_log_scale.stretch(m_u);
       if(m_stretch <= m_options.stretch_bound ||
-         static_cast<int>(m_terminals.size()) >= m_options.maximum_number_of_terminals ||
-         !add_terminal(nearest, u))
+         static_cast<int>(m_terminals.size()) >= m_options.maximum_number_of_terminals || !add_terminal())
         return Seams::DONE;
     }
   }
 
   // Joins the vertex of the largest |u| to the seams. Returns `false` if no vertex is left that can be.
-  bool add_terminal(Nearest_seams& nearest, const Eigen::VectorXd& u)
+  bool add_terminal()
   {
     const int terminal =
-        most_extreme(u, [&](int x) { return m_surface.is_node(x) && nearest.last_edge(x) >= 0; });
+        most_extreme(m_u, [&](int x) { return m_surface.is_node(x) && m_nearest.last_edge(x) >= 0; });
     if(terminal < 0)
       return false;
     m_terminals.push_back(m_surface.vertex(terminal));
-    nearest.open(nearest.path(terminal));
+    m_nearest.open(m_nearest.path(terminal));
     return true;
   }
 
@@ -175,8 +174,13 @@ private:
   const std::vector<double>& m_cost;
   const Seam_options& m_options;
   Log_scale m_log_scale;
+  const Eigen::VectorXd m_sources;
   Grounded_laplacian m_laplacian;
-  std::vector<int> m_terminals; // vertices
+  Nearest_seams m_nearest;
+  Path_shortening m_shortening;
+  std::vector<char> m_is_on_border; // of each vertex
+  Eigen::VectorXd m_u;              // the predicted log scale of each vertex
+  std::vector<int> m_terminals;     // vertices
   double m_stretch = 1;
 };
 

@@ -29,16 +29,22 @@ class Nearest_seams
 {
 public:
   // `cost` is that of the edge that each corner faces.
-  Nearest_seams(Sector_graph& surface, const std::vector<double>& cost) : m_surface(surface), m_cost(cost)
+  Nearest_seams(Sector_graph& surface, const std::vector<double>& cost) : m_surface(surface), m_cost(cost) {}
+
+  Nearest_seams(const Nearest_seams&) = delete; // the queue knows the labels
+  Nearest_seams& operator=(const Nearest_seams&) = delete;
+
+  // Finds all paths, as the seams are now.
+  void find()
   {
-    resize();
-    Path_queue queue = path_queue(m_labels);
-    for(int x = 0; x < surface.number_of_nodes(); ++x)
-      if(surface.is_node(x) && surface.is_on_border(x)) {
+    m_labels.assign(m_surface.number_of_nodes(), Path_label());
+    m_first_corner.assign(m_surface.number_of_nodes(), -1);
+    for(int x = 0; x < m_surface.number_of_nodes(); ++x)
+      if(m_surface.is_node(x) && m_surface.is_on_border(x)) {
         make_source(x);
-        queue.push(x);
+        m_queue.push(x);
       }
-    spread(queue);
+    spread();
   }
 
   bool is_reached(int x) const { return m_labels[x].distance < forbidden; }
@@ -65,12 +71,12 @@ public:
       m_surface.set_seam(c, true);
     resize();
     make_sources_around(path);
-    Path_queue queue = path_queue(m_labels);
     for(int end : added)
-      for(int c : corners_around(chart(), end))
+      for_corners_around(chart(), end, [&](int c) {
         if(const int x = m_surface.node(c); m_labels[x].place < 0)
-          queue.push(x);
-    spread(queue);
+          m_queue.push(x);
+      });
+    spread();
   }
 
   // Makes no seams of the edges of a path, which begins with its first edge, and along which there are no other ones.
@@ -82,18 +88,17 @@ public:
       m_surface.set_seam(c, false);
     resize();
     make_sources_around(path);
-    std::vector<int> lost;
+    m_lost.clear();
     for(std::size_t i = 1; i < path.size(); ++i) {
-      lost.push_back(m_surface.source_node(path[i]));
-      m_labels[lost.back()] = Path_label();
+      m_lost.push_back(m_surface.source_node(path[i]));
+      m_labels[m_lost.back()] = Path_label();
     }
-    forget_behind(lost, bound);
-    Path_queue queue = path_queue(m_labels);
-    for(int x : lost)
+    forget_behind_lost_nodes(bound);
+    for(int x : m_lost)
       for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge)
         if(const int y = m_surface.target_node(*edge); is_reached(y) && m_labels[y].place < 0)
-          reach(x, distance(y) + m_cost[*edge], chart().opposite[*edge], bound, queue);
-    spread(queue, bound);
+          reach(x, distance(y) + m_cost[*edge], chart().opposite[*edge], bound);
+    spread(bound);
   }
 
   // Makes seams again of the path that was closed last.
@@ -128,41 +133,40 @@ private:
   {
     for(int c : path)
       for(int end : {next_corner(c), previous_corner(c)})
-        for(int corner : corners_around(chart(), end))
-          make_source(m_surface.node(corner));
+        for_corners_around(chart(), end, [&](int corner) { make_source(m_surface.node(corner)); });
   }
 
-  // Forgets all paths through some nodes, as far as they are not longer than `bound`, and appends their ends.
-  void forget_behind(std::vector<int>& nodes, double bound)
+  // Forgets all paths through lost nodes, as far as they are not longer than `bound`: their ends are lost, too.
+  void forget_behind_lost_nodes(double bound)
   {
     m_forgotten.clear();
-    for(std::size_t i = 0; i < nodes.size(); ++i)
-      for(auto [edge, end] = out_edges(nodes[i], m_surface); edge != end; ++edge)
+    for(std::size_t i = 0; i < m_lost.size(); ++i)
+      for(auto [edge, end] = out_edges(m_lost[i], m_surface); edge != end; ++edge)
         if(const int y = m_surface.target_node(*edge); last_edge(y) == *edge && distance(y) <= bound) {
           m_forgotten.push_back({y, m_labels[y], m_first_corner[y]});
           m_labels[y] = Path_label();
-          nodes.push_back(y);
+          m_lost.push_back(y);
         }
   }
 
-  void spread(Path_queue& queue, double bound = forbidden)
+  void spread(double bound = forbidden)
   {
-    while(!queue.empty()) {
+    while(!m_queue.empty()) {
       Deadline::ask();
-      const int x = queue.top();
-      queue.pop();
+      const int x = m_queue.top();
+      m_queue.pop();
       ++m_visits;
       if(const int c = last_edge(x); c >= 0) {
         const int before = m_surface.source_node(c);
         m_first_corner[x] = last_edge(before) < 0 ? next_corner(c) : m_first_corner[before];
       }
       for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge)
-        reach(m_surface.target_node(*edge), distance(x) + m_cost[*edge], *edge, bound, queue);
+        reach(m_surface.target_node(*edge), distance(x) + m_cost[*edge], *edge, bound);
     }
   }
 
   // Notes a path to a node if it is shorter than the one so far, or the same one with another beginning.
-  void reach(int x, double distance, int last_edge, double bound, Path_queue& queue)
+  void reach(int x, double distance, int last_edge, double bound)
   {
     Path_label& label = m_labels[x];
     if(distance > bound || (!(distance < label.distance) && last_edge != label.last_edge))
@@ -170,9 +174,9 @@ private:
     label.distance = distance;
     label.last_edge = last_edge;
     if(label.place >= 0)
-      queue.update(x);
+      m_queue.update(x);
     else
-      queue.push(x);
+      m_queue.push(x);
   }
 
   struct Forgotten
@@ -184,8 +188,10 @@ private:
 
   Sector_graph& m_surface;
   const std::vector<double>& m_cost;
-  std::vector<Path_label> m_labels;   // of each node
-  std::vector<Forgotten> m_forgotten; // when the last path was closed
+  std::vector<Path_label> m_labels; // of each node
+  Path_queue m_queue = path_queue(m_labels);
+  std::vector<int> m_lost;            // the nodes whose paths the last closed path has cut
+  std::vector<Forgotten> m_forgotten; // the labels of these
 
   // Of each node: the corner to the left of the first edge of its path, at the source; any corner of a source. Nodes
   // are numbered again when seams change, corners are not.

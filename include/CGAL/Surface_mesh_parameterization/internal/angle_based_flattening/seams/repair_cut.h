@@ -91,7 +91,7 @@ private:
   bool is_needless_end(int corner) const
   {
     const int v = chart().vertex[corner];
-    return chart().interior[v] >= 0 && !m_is_terminal[v] && m_surface.seams_at(corner).size() == 1;
+    return chart().interior[v] >= 0 && !m_is_terminal[v] && m_surface.number_of_seams_at(corner) == 1;
   }
 
   Sector_graph& m_surface;

@@ -77,10 +77,18 @@ public:
   std::vector<int> seams_at(int corner) const
   {
     std::vector<int> seams;
-    for(int c : corners_around(*m_surface, corner))
+    for_corners_around(*m_surface, corner, [&](int c) {
       if(m_is_seam[previous_corner(c)])
         seams.push_back(previous_corner(c));
+    });
     return seams;
+  }
+
+  int number_of_seams_at(int corner) const
+  {
+    int number = 0;
+    for_corners_around(*m_surface, corner, [&](int c) { number += m_is_seam[previous_corner(c)]; });
+    return number;
   }
 
   // The edges at a node: the corner that faces the edge to the vertex of the next corner is the previous one.
@@ -148,17 +156,17 @@ private:
   // Numbers the sectors at the vertex of a corner again.
   void renumber(int corner)
   {
-    const std::vector<int> corners = corners_around(*m_surface, corner);
-    for(int c : corners)
+    for_corners_around(*m_surface, corner, [&](int c) {
       if(const int x = m_node[c]; x >= 0 && m_first_corner[x] >= 0) {
         m_first_corner[x] = -1;
         m_unused.push_back(x);
       }
-    for(int c : corners)
       m_node[c] = -1;
-    for(int c : corners)
+    });
+    for_corners_around(*m_surface, corner, [&](int c) {
       if(m_node[c] < 0)
         number_sector(first_of_sector(c), new_node());
+    });
   }
 
   const Chart* m_surface;

@@ -32,10 +32,20 @@ class Path_shortening
 {
 public:
   // With `leaves_disks`, the seams leave disks and nothing else, and exchanges take far less time.
-  Path_shortening(Sector_graph& surface, const std::vector<double>& cost, const std::vector<int>& terminals,
-                  bool leaves_disks = true)
-      : m_surface(surface), m_cost(cost), m_is_terminal(surface.surface().points.size(), false),
-        m_leaves_disks(leaves_disks), m_paths(surface, cost)
+  Path_shortening(Sector_graph& surface, const std::vector<double>& cost,
+                  const std::vector<int>& terminals = {}, bool leaves_disks = true)
+      : m_surface(surface), m_cost(cost), m_is_terminal(surface.surface().points.size(), false)
+  {
+    add_terminals(terminals);
+    if(leaves_disks) {
+      m_nearest.emplace(m_surface, m_cost);
+      m_crossing.emplace(m_surface, m_cost, *m_nearest);
+    } else {
+      m_paths.emplace(m_surface, m_cost);
+    }
+  }
+
+  void add_terminals(const std::vector<int>& terminals)
   {
     for(int v : terminals)
       m_is_terminal[v] = true;
@@ -47,10 +57,8 @@ public:
   {
     const std::int64_t most_visits = static_cast<std::int64_t>(visits) * m_surface.number_of_nodes();
     m_visits_left = most_visits;
-    if(m_leaves_disks) {
-      m_nearest.emplace(m_surface, m_cost);
-      m_crossing.emplace(m_surface, m_cost, *m_nearest);
-    }
+    if(m_nearest)
+      m_nearest->find();
     bool any = false;
     for(bool changed = true; changed && m_visits_left > 0;) {
       changed = false;
@@ -102,7 +110,7 @@ private:
   bool is_end(int corner) const
   {
     return is_on_border_of_surface(corner) || m_is_terminal[chart().vertex[corner]] ||
-           m_surface.seams_at(corner).size() != 2;
+           m_surface.number_of_seams_at(corner) != 2;
   }
 
   // The other one of two seams at the target of a seam
@@ -198,21 +206,20 @@ private:
     m_is_target.resize(m_surface.number_of_nodes(), false);
     for(int x : to)
       m_is_target[x] = true;
-    const int x = m_paths.find(from, bound, [&](int y) { return m_is_target[y]; });
+    const int x = m_paths->find(from, bound, [&](int y) { return m_is_target[y]; });
     for(int y : to)
       m_is_target[y] = false;
-    m_visits_left -= m_paths.number_of_visited_nodes();
-    return x < 0 ? std::vector<int>() : m_paths.path(x);
+    m_visits_left -= m_paths->number_of_visited_nodes();
+    return x < 0 ? std::vector<int>() : m_paths->path(x);
   }
 
   Sector_graph& m_surface;
   const std::vector<double>& m_cost;
-  std::vector<char> m_is_terminal; // of each vertex
-  bool m_leaves_disks;
-  std::vector<char> m_is_target; // of each node, during a search
-  Shortest_paths m_paths;
+  std::vector<char> m_is_terminal;        // of each vertex
   std::optional<Nearest_seams> m_nearest; // if the seams leave disks
   std::optional<Annulus_crossing> m_crossing;
+  std::optional<Shortest_paths> m_paths; // otherwise
+  std::vector<char> m_is_target;         // of each node, during a search of these
   std::int64_t m_visits_left = 0, m_visits = 0;
 };
 
