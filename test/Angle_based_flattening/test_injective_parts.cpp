@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/definite_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 
@@ -267,6 +268,29 @@ BOOST_AUTO_TEST_CASE(tutte_maps_are_injective)
     BOOST_TEST(overlapping_pairs_by_brute_force(chart, uv).empty());
     BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
   }
+}
+
+// On a rough surface, parts of the border get stuck while they grow. The energy then rises from step to step, and the
+// 120 steps of one of these charts would be for nothing.
+BOOST_AUTO_TEST_CASE(a_descent_ends_where_the_energy_does_not_fall_any_more)
+{
+  for(double roughness : {0.5, 1.})
+    for(double area_weight : {0.01, 0.2}) {
+      std::mt19937 random(4);
+      std::uniform_real_distribution<double> height(-roughness, roughness);
+      const Chart chart = grid(32, 4, [&](double, double) { return height(random); });
+      const abf::Linear_solvers solvers = CGAL::SuperLU_solver_traits<>();
+      std::vector<Planar_point> uv = abf::Tutte_map(chart).run(solvers).value();
+      const abf::Area_objective objective(chart, area_weight);
+      abf::Injective_descent<abf::Area_objective> descent(chart, objective, 0.1, solvers);
+      BOOST_TEST(descent.run(uv, {1e-3, 200}));
+      BOOST_TEST(descent.steps() < 80);
+      std::vector<Point_2> points;
+      for(const Planar_point& p : uv)
+        points.emplace_back(p.x(), p.y());
+      BOOST_TEST(overlapping_pairs_by_brute_force(chart, points).empty());
+      BOOST_TEST(abf::flipped_triangles(chart, points).empty());
+    }
 }
 
 // The direct method's own map where that is injective, and a polished one where it overlaps itself

@@ -178,8 +178,7 @@ struct ABF_plus_plus_options : Flattening_options
 struct Hierarchical_options : Flattening_options
 {
   /// Fraction of the vertices that is removed before the coarse chart is flattened, in (0, 1). The paper uses 0.95.
-  /// Injective maps ignore this option and `coarse_triangles`: they start from about 300 vertices, or 1000 if
-  /// `area_weight` is above 0.1.
+  /// Injective maps ignore this option and `coarse_triangles`: they start from about 300 vertices.
   double simplification_rate = 0.95;
 
   /// Number of triangles of the coarse chart. If not 0, it replaces `simplification_rate`. At least about 200

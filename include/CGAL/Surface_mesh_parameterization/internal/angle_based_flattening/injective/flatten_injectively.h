@@ -67,8 +67,7 @@ public:
   Flattening<Hierarchical_report> run()
   {
     bool is_refined = false;
-    for(int size = is_isometric() && m_start == nullptr ? 1000 : 300; !is_refined && succeeded() && size > 2;
-        size /= 4) {
+    for(int size = 300; !is_refined && succeeded() && size > 2; size /= 4) {
       coarsen(size);
       is_refined = start() && refine();
     }

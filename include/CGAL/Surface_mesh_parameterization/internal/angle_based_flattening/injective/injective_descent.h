@@ -33,6 +33,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -57,6 +58,8 @@ class Injective_descent
 {
   typedef std::vector<Planar_point> Positions;
 
+  static constexpr int most_stalled_steps = 10; // after the step with the least energy
+
 public:
   Injective_descent(const Chart& chart, const Objective& objective, double clearance,
                     const Linear_solvers& solvers)
@@ -78,13 +81,20 @@ public:
   {
     m_has_converged = false;
     m_border.set(border_cycles(m_chart), uv);
+    double least = (std::numeric_limits<double>::infinity)();
+    int stalled_steps = 0;
     for(int step = 0; step < limits.steps; ++step) {
       Deadline::ask();
-      // Ranges are fixed at the start of a step, so that the energy does not change its definition during the step.
+      // Ranges are fixed at the start of a step, so that the energy does not change its definition during the step. It
+      // may do so between steps: where parts of the border are stuck and grow, the energy rises for ever.
       m_border.take(uv);
       const double before = energy(uv);
       if(!std::isfinite(before))
         return true;
+      stalled_steps = before < least ? 0 : stalled_steps + 1;
+      least = (std::min)(least, before);
+      if(stalled_steps == most_stalled_steps)
+        break;
       if(!find_direction(uv))
         return false;
       ++m_steps;
@@ -110,30 +120,34 @@ private:
     return {uv[m_chart.vertex[3 * t]], uv[m_chart.vertex[3 * t + 1]], uv[m_chart.vertex[3 * t + 2]]};
   }
 
-  double energy(const Positions& uv) const
+  // Also finds the gaps of the border.
+  double energy(const Positions& uv)
   {
     const double sum = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
       const std::array<Planar_point, 3> x = corners(uv, t);
       return cross(x[1] - x[0], x[2] - x[0]) > 0 ? m_objective.triangle_energy(t, x)
                                                  : (std::numeric_limits<double>::infinity)();
     });
+    m_gaps.clear();
+    if(!std::isfinite(sum))
+      return sum;
+    for_each_gap(m_clearance,
+                 [&](const Border_pair& pair, const Border_gap& gap) { m_gaps.emplace_back(pair, gap); });
     double barrier = 0;
-    for_each_gap(m_clearance, [&](const Border_pair& pair, const Border_gap& gap) {
+    for(const auto& [pair, gap] : m_gaps)
       barrier +=
           m_barrier_weight[m_border.vertex(pair.vertex)] * Barrier_function(pair.range, gap.distance).value;
-    });
     return sum + barrier;
   }
 
   template <typename Visitor>
-  void for_each_gap(double clearance, const Visitor& visit) const
+  void for_each_gap(double clearance, const Visitor& visit)
   {
-    std::vector<Border_pair> pairs;
     const auto at = [&](int i) { return m_border.point(i); };
     for(int i = 0; i < m_border.size(); ++i) {
-      pairs.clear();
-      add_pairs_of_vertex(m_border, i, clearance, pairs);
-      for(const Border_pair& pair : pairs)
+      m_pairs.clear();
+      add_pairs_of_vertex(m_border, i, clearance, m_pairs);
+      for(const Border_pair& pair : m_pairs)
         visit_gap(m_border, pair, at, [&](const Border_gap& gap) { visit(pair, gap); });
     }
   }
@@ -148,11 +162,9 @@ private:
   void couple_border()
   {
     constexpr double margin = 2;
-    bool is_coupled = m_hessian.has_pattern();
-    for_each_gap(m_clearance, [&](const Border_pair& pair, const Border_gap&) {
-      is_coupled = is_coupled && m_hessian.couples(vertices(pair));
-    });
-    if(is_coupled)
+    if(m_hessian.has_pattern() && std::all_of(m_gaps.begin(), m_gaps.end(), [&](const auto& near) {
+         return m_hessian.couples(vertices(near.first));
+       }))
       return;
     std::vector<Definite_hessian::Triple> triples;
     for_each_gap(margin * m_clearance,
@@ -160,7 +172,7 @@ private:
     m_hessian.couple(triples);
   }
 
-  // Sets the direction of Newton's method. Returns `false` if the linear solver fails.
+  // Sets the direction of Newton's method, where the energy was computed last. Returns `false` if the linear solver fails.
   bool find_direction(const Positions& uv)
   {
     couple_border();
@@ -169,10 +181,10 @@ private:
         m_hessian.of_triangle(t) = m_objective.triangle_derivatives(t, corners(uv, t));
     });
     m_hessian.clear_triples();
-    for_each_gap(m_clearance, [&](const Border_pair& pair, const Border_gap& gap) {
+    for(const auto& [pair, gap] : m_gaps) {
       const double weight = m_barrier_weight[m_border.vertex(pair.vertex)];
       m_hessian.of_triple(vertices(pair)) = barrier_derivatives(pair, gap, weight);
-    });
+    }
     m_hessian.sum_up();
     return solve();
   }
@@ -272,7 +284,9 @@ private:
   Block_matrix<2> m_damped;
   Iteration_vectors m_vectors;
   Positions m_next;
-  std::vector<double> m_barrier_weight; // of each vertex
+  std::vector<std::pair<Border_pair, Border_gap>> m_gaps; // where the energy was computed last
+  std::vector<Border_pair> m_pairs;                       // near one vertex
+  std::vector<double> m_barrier_weight;                   // of each vertex
   Eigen::VectorXd m_right_hand_side, m_direction;
   double m_least_energy = 0; // without any distortion
   bool m_has_converged = false;
