@@ -33,6 +33,9 @@ class Block_preconditioner
 {
   typedef Preconditioning_system System;
 
+  // From this size on, one matrix is factored after the other: memory matters more than time then.
+  static constexpr int many_blocks = 250000;
+
 public:
   explicit Block_preconditioner(const Linear_solvers& solvers)
       : m_solvers(solvers), m_first(solvers, solvers->low_precision())
@@ -56,7 +59,12 @@ public:
       return m_first.set_matrix(Diagonal_parts<2>{matrix});
     std::array<bool, 2> done;
     const auto set = [&](int k) { done[k] = system(k).set_matrix(Diagonal_parts<2>{matrix, k, k + 1}); };
-    parallel_for(2, set, matrix.columns_of_blocks());
+    if(matrix.columns_of_blocks() < many_blocks) {
+      parallel_for(2, set, matrix.columns_of_blocks());
+    } else {
+      set(0);
+      set(1);
+    }
     return done[0] && done[1];
   }
 
