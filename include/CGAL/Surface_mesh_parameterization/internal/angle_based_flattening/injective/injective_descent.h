@@ -172,7 +172,8 @@ private:
     m_hessian.couple(triples);
   }
 
-  // Sets the direction of Newton's method, where the energy was computed last. Returns `false` if the linear solver fails.
+  // Sets the direction of Newton's method where the energy was computed last. Returns `false` if the linear solver
+  // fails.
   bool find_direction(const Positions& uv)
   {
     couple_border();

@@ -32,9 +32,9 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 //
 // The first grounded vertices are in the factored matrix. If G is its inverse, then sources s at further ones, with
 // G_vv s = -(G q)_v, make u = G (q + s) vanish at all of them (v). Each further vertex takes one solution, for its
-// column of G_vv, and the Cholesky factor of G_vv grows by a column. Where that would take longer than a factorization, or
-// a vertex of the factored matrix is no longer grounded, the matrix is factored again. Its pattern is always that of L,
-// and is analyzed once.
+// column of G_vv, and the Cholesky factor of G_vv grows by a column. Where that would take longer than a factorization,
+// or a vertex of the factored matrix is no longer grounded, the matrix is factored again. Its pattern is always that of
+// L, and is analyzed once. All memory is kept.
 class Grounded_laplacian
 {
 public:
