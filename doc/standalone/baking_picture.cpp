@@ -102,15 +102,16 @@ public:
       : m_mesh(std::move(mesh)), m_atlas(empty_atlas(m_mesh)),
         m_frames(m_mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:frame").first)
   {
-    namespace np = CGAL::parameters;
-    const SMP::Atlas_report report =
-        SMP::make_atlas(m_mesh, m_atlas.uv, np::face_chart_map(m_atlas.chart, np::resolution(texels)));
+    const auto np = CGAL::parameters::face_patch_map(m_atlas.chart);
+    SMP::Atlas_options atlas_options;
+    atlas_options.resolution = texels;
+    const auto report = SMP::make_atlas(m_mesh, m_atlas.uv, atlas_options, np);
     if(!report) {
       throw std::runtime_error(report.message);
     }
-    m_textures = SMP::bake_surface(
-        m_mesh, m_atlas.uv, fine,
-        np::resolution(texels, np::face_chart_map(m_atlas.chart, np::tangent_frame_map(m_frames))));
+    SMP::Baking_options baking_options;
+    baking_options.resolution = texels;
+    m_textures = SMP::bake_surface(m_mesh, m_atlas.uv, fine, m_frames, baking_options, np);
     if(!m_textures) {
       throw std::runtime_error(m_textures.message);
     }

@@ -9,6 +9,8 @@
 
 #include "flatten_mesh/Progress_bar.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <pty.h>
 
 #include <tuple>

@@ -16,11 +16,8 @@
 #include "flatten_mesh/model/read_ply.h"
 #include "flatten_mesh/model/read_stl.h"
 #include "flatten_mesh/model/read_ts.h"
-#include "flatten_mesh/texts.h"
-
-#ifdef CGAL_USE_VTK
 #include "flatten_mesh/model/read_vtp.h"
-#endif
+#include "flatten_mesh/texts.h"
 
 #ifdef ABF_WITH_GLTF
 #include "flatten_mesh/model/read_gltf.h"

@@ -6,6 +6,8 @@
 #ifndef FLATTEN_MESH_READ_VTP_H
 #define FLATTEN_MESH_READ_VTP_H
 
+#ifdef CGAL_USE_VTK
+
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/texts.h"
@@ -40,5 +42,7 @@ inline void read_vtp(Model& model)
 }
 
 } // namespace flatten_mesh
+
+#endif // CGAL_USE_VTK
 
 #endif // FLATTEN_MESH_READ_VTP_H

@@ -174,6 +174,14 @@
 #undef xerbla_
 #define xerbla_ cgal_unused_xerbla_
 
+// (`<Eigen/SuperLUSupport>` declares these with other types, which is an error to Clang)
+#pragma push_macro("dgsisx")
+#undef dgsisx
+#define dgsisx cgal_unused_dgsisx
+#pragma push_macro("sgsisx")
+#undef sgsisx
+#define sgsisx cgal_unused_sgsisx
+
 namespace CGAL {
 namespace internal {
 namespace superlu {
@@ -234,6 +242,8 @@ static_assert(sizeof(int_t) == sizeof(int), "SuperLU_solver_traits needs a Super
 } // namespace internal
 } // namespace CGAL
 
+#pragma pop_macro("dgsisx")
+#pragma pop_macro("sgsisx")
 #pragma pop_macro("xerbla_")
 #pragma pop_macro("sgemv_")
 #pragma pop_macro("strsm_")
