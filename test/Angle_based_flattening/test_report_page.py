@@ -70,7 +70,9 @@ class PageTest(unittest.TestCase):
     def open(self, name: str) -> ReportData:
         """One of the pages"""
         self.browser.open(self.pages[name])
-        self.browser.run("await flattenReport.ready;")
+        # On a machine with other work, the browser may answer before the scripts of the page have run.
+        self.browser.run("while(typeof flattenReport === 'undefined') await new Promise(requestAnimationFrame);"
+                         "await flattenReport.ready;")
         self.browser.rest()
         return ReportData(self.pages[name])
 
@@ -498,7 +500,9 @@ class Page(PageTest):
         size = 317  # 200,978 triangles
         page.write_text(wavy_sheet(self.open("cube"), size), encoding="utf-8")
         self.browser.open(page)
-        self.browser.run("await flattenReport.ready;")
+        # On a machine with other work, the browser may answer before the scripts of the page have run.
+        self.browser.run("while(typeof flattenReport === 'undefined') await new Promise(requestAnimationFrame);"
+                         "await flattenReport.ready;")
         triangle = size * size + 101
         self.select(triangle)
         self.show("charts")
