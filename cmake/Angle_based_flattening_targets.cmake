@@ -44,18 +44,14 @@ if(ABF_CGAL_INCLUDE_DIR)
     $<BUILD_INTERFACE:${ABF_CGAL_INCLUDE_DIR}>)
 endif()
 
-# What only our programs use. The libraries above are system headers to the compiler: it warns of our code only.
-if(ABF_WARNINGS_AS_ERRORS)
-  add_compile_options(-Wall -Wextra -Werror)
+# The libraries above are system headers to the compiler, so it warns of our code only.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  add_compile_options(-Wall -Wextra)
 endif()
 # Of the number types behind exact predicates, those of GMP are quicker to compile. All that is linked together has to
 # agree on them, users' programs with an installed library, too.
 if(ABF_TOP_LEVEL AND NOT ABF_INSTALL_CORE)
   add_compile_definitions(CGAL_DO_NOT_USE_BOOST_MP)
-endif()
-# Tests and short examples take longer to compile than to run.
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set(ABF_QUICK_TO_COMPILE $<$<CONFIG:Release>:-O1>)
 endif()
 if(ABF_SANITIZE)
   # What the address sanitizer sees anyway is not checked twice, for that takes half of the time to compile. CGAL's
@@ -107,3 +103,19 @@ target_precompile_headers(CGAL_Angle_based_flattening PRIVATE
   <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
   <CGAL/boost/graph/Euler_operations.h>
   <CGAL/Polygon_mesh_processing/connected_components.h> <CGAL/Polygon_mesh_processing/measure.h> <Eigen/Core>)
+
+# Tests and examples take longer to compile than to run, so they are optimized less than the library. g++ takes the
+# level of optimization from precompiled headers, so tests and examples have their own.
+get_target_property(ABF_PRECOMPILED_HEADERS CGAL_Angle_based_flattening PRECOMPILE_HEADERS)
+set(ABF_QUICK_OPTIONS $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
+set(ABF_QUICK_SOURCE ${CMAKE_CURRENT_BINARY_DIR}/quick_to_compile.cpp)
+file(CONFIGURE OUTPUT ${ABF_QUICK_SOURCE} CONTENT "")
+add_library(abf_quick_to_compile OBJECT EXCLUDE_FROM_ALL ${ABF_QUICK_SOURCE})
+target_compile_options(abf_quick_to_compile PRIVATE ${ABF_QUICK_OPTIONS})
+target_link_libraries(abf_quick_to_compile PRIVATE CGAL::Angle_based_flattening)
+target_precompile_headers(abf_quick_to_compile PRIVATE ${ABF_PRECOMPILED_HEADERS})
+
+function(abf_compile_quickly target)
+  target_compile_options(${target} PRIVATE ${ABF_QUICK_OPTIONS})
+  target_precompile_headers(${target} REUSE_FROM abf_quick_to_compile)
+endfunction()

@@ -16,7 +16,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TOP = HERE.parent
 TARGET = "angle_based_flattening_core"
-OTHER_PARTS = ("EXAMPLES", "TESTS", "BENCHMARKS")
+OTHER_PARTS = ("EXAMPLES", "TESTS")
 
 
 def _version():

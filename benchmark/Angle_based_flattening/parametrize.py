@@ -111,7 +111,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--demo", type=Path, metavar="FOLDER", help="with the meshes of CGAL's demo")
     parser.add_argument("--other", type=Path, metavar="PROGRAM", help="of the other library: PROGRAM IN.obj OUT.obj")
-    parser.add_argument("--sizes", type=lambda text: list(map(int, text.split(","))), default=[40, 80, 140],
+    parser.add_argument("--sizes", type=lambda text: list(map(int, text.split(","))), default=[40],
                         help="of the grids of isosurfaces (%(default)s)")
     options = parser.parse_args()
     libraries = [("parametrize()", ours)]

@@ -17,6 +17,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+MEASURE = ROOT / "build/benchmark/Angle_based_flattening/measure"  # the program that measures, which is built if it is needed
 SHELL = ROOT / "benchmark/Angle_based_flattening/data/shell.off"
 EXAMPLES = ROOT / "examples/Angle_based_flattening/data"
 
@@ -149,6 +150,13 @@ def add_mesh(parser: argparse.ArgumentParser, name: str = "mesh", **how: str) ->
                         "simplified or subdivided; by default a sea shell")
 
 
+def build(target: str) -> None:
+    """In the build folder, as the scripts do"""
+    commands = 'source "$0/scripts/common.bash"; configure "$build"; compile "$build" --target "$1"'
+    if subprocess.run(["bash", "-euo", "pipefail", "-c", commands, ROOT, target], check=False).returncode != 0:
+        raise SystemExit(f"the target '{target}' cannot be built")
+
+
 def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int = 600,
                 memory: int = 16) -> None:
     """Those that the benchmarks have in common"""
@@ -160,7 +168,7 @@ def add_options(parser: argparse.ArgumentParser, repeat: int = 3, timeout: int =
     parser.add_argument("--memory", type=float, default=memory, metavar="GB",
                         help="limit of a process (%(default)s)")
     parser.add_argument("--measure", type=Path, metavar="PROGRAM", help="what measures (%(default)s)",
-                        default=ROOT / "build/benchmark/Angle_based_flattening/measure")
+                        default=MEASURE)
     parser.add_argument("-o", "--output", type=Path, metavar="FILE.md", help="write the report there as well")
 
 
@@ -168,6 +176,8 @@ def measure_of(options: argparse.Namespace) -> Measure:
     """As the options say"""
     if min(options.timeout, options.memory, vars(options).get("repeat", 1)) <= 0:
         raise SystemExit("--repeat, --timeout and --memory take numbers above 0")
-    if not options.measure.is_file():
-        raise SystemExit(f"there is no program '{options.measure}': build the target measure")
+    if options.measure == MEASURE:
+        build("measure")
+    elif not options.measure.is_file():
+        raise SystemExit(f"there is no program '{options.measure}'")
     return Measure(options.measure.resolve(), options.timeout, options.memory)

@@ -38,7 +38,7 @@ class AngleBasedFlatteningConan(ConanFile):
     def generate(self):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
-        for part in ("EXAMPLES", "DEMO", "TESTS", "BENCHMARKS"):
+        for part in ("EXAMPLES", "DEMO", "TESTS"):
             toolchain.cache_variables["ABF_BUILD_" + part] = False
         toolchain.cache_variables["ABF_INSTALL_CORE"] = False
         toolchain.generate()

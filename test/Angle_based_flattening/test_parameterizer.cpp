@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 
 #include "test_meshes.h"
@@ -252,23 +251,6 @@ BOOST_AUTO_TEST_CASE(float_kernel)
   BOOST_TEST(SMP::parameterize(mesh, parameterizer, bhd, uvmap) == SMP::OK);
   BOOST_TEST(SMP::measure_flattening(mesh, bhd, uvmap).smallest_angle ==
              parameterizer.report().smallest_angle);
-}
-
-// Even if the compiler omits a conversion to float and back.
-BOOST_AUTO_TEST_CASE(rounding_to_floats)
-{
-  typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;
-  namespace abf = SMP::internal::ABF;
-  std::vector<abf::Chart::Point_2> uv;
-  for(int i = 1; i <= 7; ++i)
-    uv.push_back(abf::Chart::Point_2(1. / (3 * i), 1e10 / (7 * i)));
-  const std::vector<abf::Chart::Point_2> exact = uv;
-  abf::round_to_points<Float_point>(uv);
-  for(std::size_t i = 0; i < uv.size(); ++i) {
-    const volatile float x = static_cast<float>(exact[i].x()), y = static_cast<float>(exact[i].y());
-    BOOST_TEST(uv[i].x() == double(x));
-    BOOST_TEST(uv[i].y() == double(y));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_every_time)

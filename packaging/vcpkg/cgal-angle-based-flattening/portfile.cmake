@@ -10,7 +10,6 @@ vcpkg_cmake_configure(
     -DABF_BUILD_EXAMPLES=OFF
     -DABF_BUILD_DEMO=OFF
     -DABF_BUILD_TESTS=OFF
-    -DABF_BUILD_BENCHMARKS=OFF
     -DABF_INSTALL_CORE=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(
