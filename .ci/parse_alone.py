@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parses each source and each header as a unit of its own: parse_alone.py BUILD_FOLDER [PART_OF_A_FILE_NAME...]
 
-So a file that relies on what other files include is an error. The build folder has compile_commands.json of clang++, for
-builds without precompiled headers and without unity builds. A header is parsed with the options of the nearest source.
+So a file that relies on what other files include is an error. The build folder has compile_commands.json of clang++,
+for builds without precompiled headers and without unity builds.
 
 Parsing CGAL for each of 700 files would take 5,100 seconds of processor time. Units that include the same of the
 headers in SHARED, directly or by other headers, therefore read these from one precompiled header. It has nothing that a
@@ -84,8 +84,8 @@ def options_of_sources(folder):
 
 
 def options_of_all(files, sources, includes):
-    """The options of each file. A header has those of a source that includes it, of the library if possible, and one that
-    no source includes has those of the nearest source."""
+    """The options of each file. A header has the options of a source that includes it, of the library if possible. A
+    header that no source includes has the options of the nearest source."""
     options = dict(sources)
     for source in sorted(sources, key=lambda file: (file.parts[len(ROOT.parts)] != "src", file)):
         for file in includes.all_of(source)[1]:
@@ -97,14 +97,14 @@ def options_of_all(files, sources, includes):
 
 
 def parse(options, text, *more):
-    """What the compiler says of a text; nothing if it is right. Templates are not instantiated, as in a header that is
-    precompiled: this takes two thirds of the time, and all builds do it."""
+    """What the compiler says of a text; nothing if it is right. The text is compiled as a header, so that templates are
+    not instantiated: instantiation takes two thirds of the time, and the builds do it."""
     command = [*options, "-Wall", "-Wextra", "-Werror", *more, "-x", "c++-header", "-", "-o", os.devnull]
     return subprocess.run(command, input=text, text=True, capture_output=True, check=False).stderr.strip()
 
 
 def precompile(shared, options, folder):
-    """The options by which units read the headers that they share. All definitions that `options` have in common hold."""
+    """The options by which units read the headers that they share, with the definitions that all units have"""
     common = set.intersection(*(set(words) for words in options))
     header = folder / f"{len(list(folder.iterdir()))}.pch"
     text = "".join(f"#include <{name}>\n" for name in shared)
@@ -127,11 +127,12 @@ def main():
               if file not in forgotten and (not wanted or any(part in str(file) for part in wanted))}
     counts = Counter(shared.values())
     kinds = sorted((kind for kind in counts if counts[kind] >= LEAST_UNITS), key=len)
-    wrong = 0
-    with (tempfile.TemporaryDirectory(dir=build) as folder,
-          concurrent.futures.ThreadPoolExecutor(int(os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))) as pool):
-        of_kind = {kind: precompile(kind, [options[file] for file in shared if set(kind) <= set(shared[file])], Path(folder))
-                   for kind in kinds if kind}
+    wrong, jobs = 0, int(os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))
+    with (tempfile.TemporaryDirectory(dir=build) as folder, concurrent.futures.ThreadPoolExecutor(jobs) as pool):
+        of_kind = {}
+        for kind in filter(None, kinds):
+            units = [file for file in shared if set(kind) <= set(shared[file])]
+            of_kind[kind] = precompile(kind, [options[unit] for unit in units], Path(folder))
 
         def parse_unit(unit):
             kind = next((kind for kind in reversed(kinds) if set(kind) <= set(shared[unit])), ())

@@ -17,7 +17,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MEASURE = ROOT / "build/benchmark/Angle_based_flattening/measure"  # the program that measures, which is built if it is needed
+MEASURE = ROOT / "build/benchmark/Angle_based_flattening/measure"  # the default, which is built when it is needed
 SHELL = ROOT / "benchmark/Angle_based_flattening/data/shell.off"
 EXAMPLES = ROOT / "examples/Angle_based_flattening/data"
 
