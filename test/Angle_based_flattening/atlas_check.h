@@ -15,7 +15,9 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -38,6 +40,15 @@ using SMP::Atlas_options;
 using SMP::Atlas_report;
 using SMP::Diagnosis;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> Undirected_graph;
+
+// The number of the component of each vertex, in the order of their first vertices
+inline std::vector<std::size_t> component_numbers(const Undirected_graph& graph)
+{
+  std::vector<std::size_t> result(num_vertices(graph));
+  boost::connected_components(graph, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, graph)));
+  return result;
+}
 typedef Kernel::Point_2 Point_2;
 typedef Kernel::Point_3 Point_3;
 
@@ -118,15 +129,11 @@ struct Atlas_run
   template <typename IsJoined>
   std::vector<std::size_t> parts(const IsJoined& is_joined) const
   {
-    boost::disjoint_sets_with_storage<> sets(number_of_faces());
+    Undirected_graph graph(number_of_faces());
     for(std::size_t c = 0; c < across.size(); ++c)
       if(is_joined(c))
-        sets.union_set(face[c], face[across[c]]);
-    std::map<std::size_t, std::size_t> number;
-    std::vector<std::size_t> result;
-    for(std::size_t f = 0; f < number_of_faces(); ++f)
-      result.push_back(number.emplace(sets.find_set(f), number.size()).first->second);
-    return result;
+        add_edge(face[c], face[across[c]], graph);
+    return component_numbers(graph);
   }
 };
 
@@ -311,16 +318,17 @@ inline void check_seams(const Atlas_run& run)
     BOOST_TEST(run.report.charts[i].border_length == border[i], tolerance);
 }
 
-// Of each corner, the number of the vertex of its chart: corners are the same vertex only if no seam is between them.
+// Of each corner, the first corner at the same vertex of its chart: corners are the same vertex only if no seam is between them.
 inline std::vector<int> chart_vertices(const Atlas_run& run)
 {
-  boost::disjoint_sets_with_storage<> sets(run.across.size());
+  Undirected_graph graph(run.across.size());
   for(std::size_t c = 0; c < run.across.size(); ++c)
     if(run.is_joined(c))
-      sets.union_set(c, run.previous(run.across[c]));
+      add_edge(c, run.previous(run.across[c]), graph);
+  std::map<std::size_t, int> first_corner; // of each vertex
   std::vector<int> result;
-  for(std::size_t c = 0; c < run.across.size(); ++c)
-    result.push_back(static_cast<int>(sets.find_set(c)));
+  for(const std::size_t vertex : component_numbers(graph))
+    result.push_back(first_corner.emplace(vertex, static_cast<int>(result.size())).first->second);
   return result;
 }
 
