@@ -104,18 +104,25 @@ target_precompile_headers(CGAL_Angle_based_flattening PRIVATE
   <CGAL/boost/graph/Euler_operations.h>
   <CGAL/Polygon_mesh_processing/connected_components.h> <CGAL/Polygon_mesh_processing/measure.h> <Eigen/Core>)
 
-# Tests and examples take longer to compile than to run, so they are optimized less than the library. g++ takes the
-# level of optimization from precompiled headers, so tests and examples have their own.
+# Most tests and examples take longer to compile than to run. So they are not optimized, and share precompiled headers
+# of their own, for g++ takes the level of optimization from these.
 get_target_property(ABF_PRECOMPILED_HEADERS CGAL_Angle_based_flattening PRECOMPILE_HEADERS)
-set(ABF_QUICK_OPTIONS $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
-set(ABF_QUICK_SOURCE ${CMAKE_CURRENT_BINARY_DIR}/quick_to_compile.cpp)
-file(CONFIGURE OUTPUT ${ABF_QUICK_SOURCE} CONTENT "")
-add_library(abf_quick_to_compile OBJECT EXCLUDE_FROM_ALL ${ABF_QUICK_SOURCE})
+set(ABF_QUICK_OPTIONS $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O0>)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/quick_to_compile.cpp CONTENT "")
+add_library(abf_quick_to_compile OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/quick_to_compile.cpp)
 target_compile_options(abf_quick_to_compile PRIVATE ${ABF_QUICK_OPTIONS})
 target_link_libraries(abf_quick_to_compile PRIVATE CGAL::Angle_based_flattening)
-target_precompile_headers(abf_quick_to_compile PRIVATE ${ABF_PRECOMPILED_HEADERS})
+target_precompile_headers(abf_quick_to_compile PRIVATE ${ABF_PRECOMPILED_HEADERS}
+  <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
+  <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+  <CGAL/Surface_mesh_parameterization/make_atlas.h> <CGAL/Surface_mesh_parameterization/parameterize.h>)
 
 function(abf_compile_quickly target)
   target_compile_options(${target} PRIVATE ${ABF_QUICK_OPTIONS})
   target_precompile_headers(${target} REUSE_FROM abf_quick_to_compile)
+endfunction()
+
+# For those that would run too long then
+function(abf_optimize_a_little target)
+  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
 endfunction()

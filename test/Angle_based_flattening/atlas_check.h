@@ -41,6 +41,8 @@ using SMP::Atlas_report;
 using SMP::Diagnosis;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> Undirected_graph;
+typedef Kernel::Point_2 Point_2;
+typedef Kernel::Point_3 Point_3;
 
 // The number of the component of each vertex, in the order of their first vertices
 inline std::vector<std::size_t> component_numbers(const Undirected_graph& graph)
@@ -49,8 +51,6 @@ inline std::vector<std::size_t> component_numbers(const Undirected_graph& graph)
   boost::connected_components(graph, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, graph)));
   return result;
 }
-typedef Kernel::Point_2 Point_2;
-typedef Kernel::Point_3 Point_3;
 
 const Point_2 untouched(-7, 5); // in the map of coordinates beforehand
 const int no_number = -2;       // in that of charts

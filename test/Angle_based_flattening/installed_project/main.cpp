@@ -6,17 +6,9 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Eigen_solver_traits.h>
-
-#include <Eigen/SparseCholesky>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-#ifdef WITHOUT_SUPERLU
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> Solver;
-#else
-typedef CGAL::Default Solver;
-#endif
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
 int main()
@@ -27,7 +19,5 @@ int main()
 
   auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  return SMP::parameterize(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh, Solver>(), border, uv) == SMP::OK
-             ? 0
-             : 1;
+  return SMP::parameterize(mesh, SMP::ABF_plus_plus_parameterizer_3<Mesh>(), border, uv) == SMP::OK ? 0 : 1;
 }

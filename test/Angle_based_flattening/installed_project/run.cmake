@@ -1,6 +1,7 @@
 # Installs the package into its build tree, then builds and runs the project in this folder against it.
-# Called by ctest with BUILD_DIR, NAME, GENERATOR, COMPILER, STANDARD, CONFIG and its FLAGS; with DPKG_DEB it is installed from a Debian package,
-# with WITHOUT_TBB and WITHOUT_SUPERLU the project does not find these, and COMPONENTS is what it asks for.
+# Called by ctest with BUILD_DIR, NAME, GENERATOR, COMPILER, STANDARD, CONFIG and its FLAGS. COMPONENTS is what the
+# project asks for. With WITHOUT_TBB and WITHOUT_SUPERLU, it does not find these. With DPKG_DEB, a Debian package is
+# installed, which has the same files: the project only finds it.
 set(root ${BUILD_DIR}/${NAME}_root)
 set(project ${BUILD_DIR}/${NAME})
 file(REMOVE_RECURSE ${root} ${project})
@@ -20,6 +21,8 @@ if(DPKG_DEB)
     endif()
   endforeach()
   set(prefix ${root}/usr)
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${root}/installed --config ${CONFIG})
+  run(${CMAKE_COMMAND} -E env diff --recursive ${prefix} ${root}/installed)
 else()
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${root} --config ${CONFIG})
   set(prefix ${root})
@@ -37,4 +40,6 @@ if(NOT COMPONENTS) # who asks for the compiled library is told how to get it
   endif()
 endif()
 run(${configure} -D COMPONENTS=${COMPONENTS})
-run(${CMAKE_COMMAND} --build ${project} --config ${CONFIG} --target run)
+if(NOT DPKG_DEB)
+  run(${CMAKE_COMMAND} --build ${project} --config ${CONFIG} --target run)
+endif()

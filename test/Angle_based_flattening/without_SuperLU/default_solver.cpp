@@ -11,7 +11,7 @@
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-#ifdef OF_PARAMETERIZER
+#ifdef DEFAULT_SOLVER_OF_PARAMETERIZER
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 
 CGAL::Surface_mesh_parameterization::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
