@@ -105,7 +105,7 @@ target_precompile_headers(CGAL_Angle_based_flattening PRIVATE
   <CGAL/Polygon_mesh_processing/connected_components.h> <CGAL/Polygon_mesh_processing/measure.h> <Eigen/Core>)
 
 # Most tests and examples take longer to compile than to run. So they are not optimized, and share precompiled headers
-# of their own, for g++ takes the level of optimization from these.
+# of their own, for g++ takes the level of optimization from precompiled headers.
 get_target_property(ABF_PRECOMPILED_HEADERS CGAL_Angle_based_flattening PRECOMPILE_HEADERS)
 set(ABF_QUICK_OPTIONS $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O0>)
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/quick_to_compile.cpp CONTENT "")

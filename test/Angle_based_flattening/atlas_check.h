@@ -48,7 +48,8 @@ typedef Kernel::Point_3 Point_3;
 inline std::vector<std::size_t> component_numbers(const Undirected_graph& graph)
 {
   std::vector<std::size_t> result(num_vertices(graph));
-  boost::connected_components(graph, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, graph)));
+  boost::connected_components(
+      graph, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, graph)));
   return result;
 }
 
@@ -318,7 +319,8 @@ inline void check_seams(const Atlas_run& run)
     BOOST_TEST(run.report.charts[i].border_length == border[i], tolerance);
 }
 
-// Of each corner, the first corner at the same vertex of its chart: corners are the same vertex only if no seam is between them.
+// Of each corner, the first corner at the same vertex of its chart: corners are the same vertex only if no seam is
+// between them.
 inline std::vector<int> chart_vertices(const Atlas_run& run)
 {
   Undirected_graph graph(run.across.size());

@@ -22,11 +22,13 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> Simplicial;
+typedef SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Simplicial> Coarse;
 typedef SMP::LSCM_parameterizer_3<SMP::Hierarchical_coarse_mesh> Conformal;
 
 void flatten(Mesh& mesh, Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> uv)
 {
   SMP::flatten_surface(mesh, uv, SMP::ABF_plus_plus_parameterizer_3<Mesh, Simplicial>());
+  SMP::flatten_surface(mesh, uv, SMP::Hierarchical_parameterizer_3<Mesh, Coarse>());
   SMP::flatten_surface(mesh, uv, SMP::Hierarchical_parameterizer_3<Mesh, Conformal, Simplicial>());
 }
 
