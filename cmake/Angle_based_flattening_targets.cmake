@@ -59,6 +59,9 @@ if(ABF_SANITIZE)
   add_compile_options(-fsanitize=${ABF_SANITIZE} -fno-sanitize=null,alignment,object-size,vptr,shift-base
                       -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1 -O1 -D_GLIBCXX_ASSERTIONS)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    if(ABF_SANITIZE MATCHES address)
+      add_compile_definitions(__SANITIZE_ADDRESS__) # as g++ does
+    endif()
     add_compile_options(-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/unchecked_by_sanitizers.txt)
   endif()
   add_link_options(-fsanitize=${ABF_SANITIZE})

@@ -271,7 +271,8 @@ BOOST_AUTO_TEST_CASE(tutte_maps_are_injective)
 }
 
 // On a rough surface, parts of the border get stuck while they grow. The energy then rises from step to step, and the
-// 120 steps of one of these charts would be for nothing.
+// 120 steps of one of these charts would be for nothing. How many there are depends on rounding: fewer than 80 with Eigen
+// 3.4, and 82 with Eigen 5.
 BOOST_AUTO_TEST_CASE(a_descent_ends_where_the_energy_does_not_fall_any_more)
 {
   for(double roughness : {0.5, 1.})
@@ -284,7 +285,7 @@ BOOST_AUTO_TEST_CASE(a_descent_ends_where_the_energy_does_not_fall_any_more)
       const abf::Area_objective objective(chart, area_weight);
       abf::Injective_descent<abf::Area_objective> descent(chart, objective, 0.1, solvers);
       BOOST_TEST(descent.run(uv, {1e-3, 200}));
-      BOOST_TEST(descent.steps() < 80);
+      BOOST_TEST(descent.steps() < 100);
       std::vector<Point_2> points;
       for(const Planar_point& p : uv)
         points.emplace_back(p.x(), p.y());

@@ -9,6 +9,7 @@
 #include "bytes.h"
 
 #include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/model/Edge_marks.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -76,18 +77,18 @@ std::set<Index> require_whole(const Atlas_input& input)
 }
 
 // With diagonals, no two vertices have two edges that had one before.
-void require_simple(const Atlas_input& input)
+void require_simple(Atlas_input& input)
 {
-  std::set<std::pair<Vertex, Vertex>> joined, diagonals;
-  const auto is_diagonal = input.mesh.property_map<Edge, bool>("e:flatten_mesh_diagonal");
+  std::set<std::pair<Vertex, Vertex>> joined, crossing;
+  const Edge_marks is_diagonal = diagonals(input.mesh);
   for(const Edge e : input.mesh.edges()) {
     const std::pair<Vertex, Vertex> ends = std::minmax(input.mesh.vertex(e, 0), input.mesh.vertex(e, 1));
-    if(is_diagonal.second && is_diagonal.first[e])
-      require(diagonals.insert(ends).second, "two diagonals between the same vertices");
+    if(is_diagonal[e])
+      require(crossing.insert(ends).second, "two diagonals between the same vertices");
     else
       joined.insert(ends);
   }
-  for(const auto& ends : diagonals)
+  for(const auto& ends : crossing)
     require(joined.count(ends) == 0, "a diagonal beside an edge");
 }
 
@@ -97,7 +98,7 @@ void make_mesh(const Model& model, bool repair)
   command.quiet = true;
   Notes notes(command);
   try {
-    const Atlas_input input = atlas_input_of(model, repair, notes);
+    Atlas_input input = atlas_input_of(model, repair, notes);
     const std::set<Index> polygons = require_whole(input);
     require_simple(input);
     std::size_t named = 0;
