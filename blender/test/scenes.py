@@ -74,6 +74,18 @@ def add_polygons(seed, name="polygons", subdivisions=3):
     return add(name, vertices, faces)
 
 
+def pin(found, corners):
+    """Pins corners. Since Blender 3.5, pins are an attribute, and where it is not there yet, `pin_uv` of Blender 4.3 pins
+    others as well."""
+    layer = found.data.uv_layers.active
+    pins = np.zeros(len(layer.data), bool)
+    pins[corners] = True
+    if bpy.app.version < (3, 5):
+        layer.data.foreach_set("pin_uv", pins)
+    else:
+        found.data.attributes.new(f".pn.{layer.name}", "BOOLEAN", "CORNER").data.foreach_set("value", pins)
+
+
 def add_dirty(random, name):
     """Any polygons: with several at an edge, with points in the same place, without area, tiny or huge, turned, with
     any seams, pins, coordinates and selection."""
@@ -85,6 +97,8 @@ def add_dirty(random, name):
     else:
         points = np.round(random.normal(size=(int(random.integers(5, 30)), 3)), int(random.integers(0, 3)))
         faces = [list(random.choice(len(points), int(random.integers(3, 6)), replace=False)) for _ in range(20)]
+        # Blender does not take several faces of the same points for a mesh, and ends when it is to edit one.
+        faces = list({frozenset(face): face for face in faces}.values())
     points[random.integers(len(points))] = points[random.integers(len(points))]
     points *= 10.0 ** random.choice([-20, -6, 0, 0, 0, 6, 20])
     planar = np.concatenate([points[face][:, :2] for face in faces])
@@ -92,7 +106,7 @@ def add_dirty(random, name):
     found = add(name, points, faces, uv=uv)
     found.data.edges.foreach_set("use_seam", random.random(len(found.data.edges)) < 0.15)
     if uv is not None:
-        found.data.uv_layers.active.data.foreach_set("pin_uv", random.random(len(uv)) < random.choice([0, 0, 0.05]))
+        pin(found, np.flatnonzero(random.random(len(uv)) < random.choice([0, 0, 0.05])))
     found.scale = (1, 1, random.choice([-1, 0, 1, 1, 2]))
     select_faces(found, random.random(len(found.data.polygons)) < random.choice([0.3, 1, 1]))
     return found

@@ -99,10 +99,8 @@ class Unwrap(InBlender):
 
     def test_pins_stay(self):
         patch = scenes.add_patch(is_planar=True)
-        layer = patch.data.uv_layers.active
         corners = [0, len(patch.data.loops) - 2]  # opposite corners of the patch
-        for corner in corners:
-            layer.data[corner].pin_uv = True
+        scenes.pin(patch, corners)
         places = uv_of(patch)[corners]
         bpy.ops.uv.abf_unwrap()
         np.testing.assert_allclose(uv_of(patch)[corners], places, atol=1e-5)
@@ -115,8 +113,7 @@ class Unwrap(InBlender):
         bpy.ops.object.join()
         bpy.ops.uv.abf_unwrap()
         before = uv_of(other)
-        for corner in (0, 93):
-            other.data.uv_layers.active.data[corner].pin_uv = True
+        scenes.pin(other, [0, 93])
         bpy.ops.uv.abf_unwrap()
         moved = np.abs(uv_of(other) - before).max(axis=1) > 1e-3
         self.assertEqual((moved[:384].any(), moved[384:].all()), (False, True))
@@ -252,8 +249,7 @@ class Islands(InBlender):
     def test_straighten_with_pinned_corners(self):
         patch = scenes.add_patch(is_planar=True)
         numbers = polygons_of(patch)[1]
-        for vertex in (0, 8, 45, 53):  # the corners of the patch
-            patch.data.uv_layers.active.data[int(np.flatnonzero(numbers == vertex)[0])].pin_uv = True
+        scenes.pin(patch, [np.flatnonzero(numbers == vertex)[0] for vertex in (0, 8, 45, 53)])  # of the patch
         bpy.ops.uv.abf_straighten()
         uv, side = uv_of(patch), {}
         for corner, vertex in enumerate(numbers):

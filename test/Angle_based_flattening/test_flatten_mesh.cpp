@@ -1268,18 +1268,26 @@ BOOST_AUTO_TEST_CASE(interrupted)
 }
 
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-// Solvers do not say why they failed. Threads that wait for memory do not block the end of the program.
+// Solvers do not say why they failed. Threads that wait for memory do not block the end of the program. Some versions of
+// OpenBLAS never end if their own memory does not fit, and so the limits are above what the program has in any case.
 BOOST_AUTO_TEST_CASE(memory_limits)
 {
-  for(const char* limit : {"120000", "200000"}) {
-    BOOST_TEST_CONTEXT(limit)
+  const std::string json = file("flat.json"), errors = file("stderr");
+  const auto run_within = [&](const int kilobytes, const int seconds, const std::string& arguments) {
+    const std::string command = "export OPENBLAS_NUM_THREADS=2; ulimit -v " + std::to_string(kilobytes) +
+                                "; timeout -s KILL " + std::to_string(seconds) + " " + quoted(program()) +
+                                " " + arguments + " > /dev/null 2> " + quoted(errors);
+    return std::system(command.c_str());
+  };
+  int least = 40000;
+  while(least < 4000000 && run_within(least, 2, "--version") != 0) {
+    least += 40000;
+  }
+  for(const int more : {10000, 40000}) {
+    BOOST_TEST_CONTEXT(least << " + " << more)
     {
-      const std::string json = file("flat.json"), errors = file("stderr");
-      const std::string command = std::string("export OPENBLAS_NUM_THREADS=2; ulimit -v ") + limit +
-                                  "; timeout -s KILL 60 " + quoted(program()) + " --plain " +
-                                  quoted(dinosaur()) + " --json " + quoted(json) + " > /dev/null 2> " +
-                                  quoted(errors);
-      const int result = std::system(command.c_str());
+      const int result =
+          run_within(least + more, 60, "--plain " + quoted(dinosaur()) + " --json " + quoted(json));
       BOOST_TEST(WIFEXITED(result));
       standard_error = content(errors);
       BOOST_TEST(WEXITSTATUS(result) == 4, standard_error);

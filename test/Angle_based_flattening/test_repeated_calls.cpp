@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(an_error_between_changes_nothing)
   flatten(mesh, other);
   const Mesh::Vertex_index v(7);
   mesh.point(v) = Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  auto uv = mesh.property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+  auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
   BOOST_TEST(SMP::parameterize(mesh, parameterizer, outer_border(mesh), uv) == SMP::ERROR_WRONG_PARAMETER);
   move_points(surface, 1, mesh);
   BOOST_TEST(flatten(mesh, parameterizer) == flatten(mesh, other));

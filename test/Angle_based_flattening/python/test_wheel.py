@@ -44,7 +44,7 @@ def test_content(wheel):
     for file in [*package.glob("*.py"), *package.glob("*.pyi"), package / "py.typed"]:
         assert f"angle_based_flattening/{file.name}" in names
     for name in ("LICENSE.GPL", "THIRD_PARTY.md", "RECORD"):
-        assert any(entry.endswith(f".dist-info/{name}") for entry in names)
+        assert any(entry.split(".dist-info/")[-1] in (name, f"licenses/{name}") for entry in names), name
     assert any(name.startswith("angle_based_flattening.libs/libsuperlu.so") for name in names)
     assert not any(name.startswith("angle_based_flattening.libs/libc.so") for name in names)
     assert "License: GPL-3.0-or-later\n" in metadata and "Requires-Dist: numpy\n" in metadata
@@ -63,6 +63,7 @@ def test_fresh_environment(wheel, tmp_path):
     assert done.returncode == 0, done.stderr
     *libraries, last = done.stdout.splitlines()
     loaded = dict(line.split() for line in libraries)
-    assert loaded["libsuperlu.so.5" if "libsuperlu.so.5" in loaded else min(loaded)] == "True", done.stdout
+    superlu, = (name for name in loaded if name.startswith("libsuperlu.so"))
+    assert loaded[superlu] == "True", done.stdout
     version, place = last.split()
     assert f"-{version}-" in wheel.name and Path(place).is_relative_to(folder)

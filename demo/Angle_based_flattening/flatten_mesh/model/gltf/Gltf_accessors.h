@@ -124,7 +124,10 @@ private:
                       Gltf_elements& elements) const
   {
     const auto& sparse = accessor.sparse;
-    if(sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
+    // These numbers have signs before version 2.9 of tinygltf only.
+    const auto is_negative = [](const long long number) { return number < 0; };
+    if(is_negative(sparse.count) || is_negative(sparse.indices.byteOffset) ||
+       is_negative(sparse.values.byteOffset) ||
        (sparse.indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
         sparse.indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         sparse.indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {

@@ -34,10 +34,10 @@ struct Gltf_file
 // The element with this number, or an `Input_error` that says what names it
 template <class Element>
 const Element& gltf_element(const Gltf_file& file, const std::vector<Element>& elements, const int number,
-                            const std::string& from, const std::string& noun)
+                            const std::string& from, const char* const noun)
 {
   if(number < 0 || static_cast<std::size_t>(number) >= elements.size()) {
-    refuse_gltf(file.name, from + " names " + noun + " " + std::to_string(number) +
+    refuse_gltf(file.name, from + " names " + noun + ' ' + std::to_string(number) +
                                ", which does not exist: the file has " + std::to_string(elements.size()));
   }
   return elements[static_cast<std::size_t>(number)];

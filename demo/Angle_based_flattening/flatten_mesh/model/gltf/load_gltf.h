@@ -61,6 +61,41 @@ inline bool read_file_beside(std::vector<unsigned char>* const bytes, std::strin
   return true;
 }
 
+inline bool size_of_file_beside(std::size_t* const size, std::string* const error, const std::string& name,
+                                void*)
+{
+  std::error_code problem;
+  *size = std::filesystem::file_size(name, problem);
+  if(problem) {
+    *error += "it cannot be read";
+  }
+  return !problem;
+}
+
+// From version 2.9 on, tinygltf asks for the sizes of files as well.
+template <class Callbacks>
+auto set_size_of_file(Callbacks& callbacks, int) -> decltype(callbacks.GetFileSizeInBytes, void())
+{
+  callbacks.GetFileSizeInBytes = &size_of_file_beside;
+}
+
+template <class Callbacks>
+void set_size_of_file(Callbacks&, long)
+{}
+
+template <class Callbacks>
+Callbacks callbacks_for(Files_beside& files)
+{
+  Callbacks callbacks{};
+  callbacks.FileExists = &is_file_beside;
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = &read_file_beside;
+  callbacks.WriteWholeFile = &tinygltf::WriteWholeFile;
+  set_size_of_file(callbacks, 0);
+  callbacks.user_data = &files;
+  return callbacks;
+}
+
 // The lengths that a binary file promises. Tinygltf reads eight bytes more than there are.
 inline void check_glb(const std::string_view content, const std::string& name)
 {
@@ -134,8 +169,7 @@ inline tinygltf::Model parse_gltf(const std::string_view content, const bool is_
   }
   Files_beside files{std::filesystem::absolute(name).parent_path().string(), {}};
   tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks({&is_file_beside, [](const std::string& path, void*) { return path; },
-                         &read_file_beside, &tinygltf::WriteWholeFile, &files});
+  loader.SetFsCallbacks(callbacks_for<tinygltf::FsCallbacks>(files));
   loader.SetImageLoader(&keep_picture, nullptr);
   tinygltf::Model model;
   std::string error, warning; // about pictures, which are checked afterwards
