@@ -163,6 +163,13 @@ for form, write in WRITERS.items():
     for word in ["nan", "NaN", "-nan(ind)", "inf", "-Infinity", "1.#QNAN", "-1.#IND", "1.#INF", "1e999"]:
         add(f"{form} with the coordinate {word}", write(replaced(TWO_POINTS, 6, (6, word, 0)), TWO_FACES), 2,
             "vertex .* not a finite number", NONE, faces=4)
+    add(f"{form} with NaN at a corner of one face", write(replaced(TWO_POINTS, 5, (6, "nan", 0)), TWO_FACES), 2,
+        "vertex .* not a finite number", [("NON_FINITE_POINT", 1)], faces=4)
+    add(f"{form} with NaN at two corners", write([(1, "nan", 0), ("inf", 1, 0)] + TWO_POINTS,
+                                                 [(0, 3, 4), (1, 2, 4)] + [tuple(v + 2 for v in f) for f in TWO_FACES]),
+        2, "vertex .* and 1 other have coordinates that are not finite", [("NON_FINITE_POINT", 2)], faces=6)
+    add(f"{form} with a corner far away", write(replaced(TWO_POINTS, 5, (6, 1e20, 0)), TWO_FACES), 2,
+        "vertex .* is more than a billion times as far", [("FAR_POINT", 1)], faces=4)
     for word in ["1,5", "zero", "0x1p3", "1.0f", "--1", "1.2.3"]:
         add(f"{form} with the coordinate {word}", write(replaced(POINTS, 2, (1, word, 0))), 2,
             rf"line \d+: .*'{re.escape(word)}'")
@@ -190,6 +197,8 @@ add("obj from a pipe that is said to be OFF", off(), faces=2, options=["--format
 # ---- OFF -----------------------------------------------------------------------------------------------------------
 
 add("off with counts in the first line", off(header="OFF 4 2 0"), faces=2)
+add("off with the first count in the same word", off(header="OFF4 2 0"), faces=2)
+add("off with another word before the counts", off(header="OFFER 4 2 0"), 2, "begins with OFF")
 add("off with a count in each line", off(header="OFF\n4\n2\n0"), faces=2)
 add("off with empty lines and comments", "\n# a\n  \n" + off().replace("\n", " # b\n\n#c\n"), faces=2)
 add("off with leading blanks", "  " + off().replace("\n", "\n\t "), faces=2)
@@ -256,6 +265,18 @@ add("obj with names that are no UTF-8", V.encode() + b"g gr\xfcn\nusemtl \xff\xf
 add("obj with words that are no UTF-8", b"\xff\xfe 1 2\n" + V.encode() + b"f 1 2 3\n", says="line 1", faces=1)
 add("obj with a coordinate that is no UTF-8", b"v 0 \xff\x01 0\n", 2, r"line 1: .*\\x01.* is not a number")
 add("obj with NUL bytes in it", V.encode() + b"f 1 2 3\0\n", 2, "line 5")
+add("obj with three faces without area apart", obj(POINTS + [(10 * k + i, 0, 0) for k in (1, 2, 3) for i in range(3)],
+                                                   FACES + [(4, 5, 6), (7, 8, 9), (10, 11, 12)]), 2,
+    "no chart for 3 faces, the first is face 3: NO_AREA: ", [("NO_AREA", 3)], faces=5)
+add("obj with two parts turned inside out", obj(TWO_POINTS, [(0, 1, 2), (0, 3, 2), (4, 5, 6), (4, 7, 6)]) +
+    obj([(0, 9, 9), (0, 8, 9), (0, 9, 8)], []) + "f 9 10 11\n", 2,
+    "no chart for 2 parts with 4 faces, the first is face 1: ", [("INCONSISTENT_ORIENTATION", 2)] * 2, faces=5,
+    options=["--repair", "off"])
+for options in ([], ["--plain"]):
+    add(f"obj with vertices twice in a row {options}", V + "f 1 2 2 3 3\nf 1 1 3 4 1\n", faces=2, options=options,
+        says="2 faces name a vertex twice in a row, .* the first is face 1")
+add("obj with a face of two vertices, each twice", V + "f 1 1 2 2\nf 1 2 3\n", 2, "face 1 names vertex",
+    [("DEGENERATE_FACE", 1)], faces=2)
 add("obj with a long line", V + "f " + "1 2 3 " * 200000 + "\n", 2, "face 1 names vertex 1 twice",
     [("DEGENERATE_FACE", 1)])
 add("obj with a long comment", "#" + "x" * 1000000 + "\n" + V + "f 1 2 3\n", faces=1)
@@ -364,7 +385,9 @@ add("stl in one line for each facet",
 add("stl of several solids", stl() + stl([(x, y, 5) for x, y, z in POINTS], name="other"), faces=4)
 add("stl with a facet of two vertices", stl(faces=[(0, 1)]), 2, "line 7: the facet has fewer than three")
 add("stl with a facet of four vertices", stl(faces=[(0, 1, 2, 3)]), faces=1)
-add("stl without endfacet", stl().replace("endfacet\n", ""), 2, "line 8: the facet before has no 'endfacet'")
+add("stl without endfacet", stl().replace("endfacet\n", ""), faces=2)
+add("stl with 'end loop' and 'end facet'", stl().replace("\nend", "\nend "), faces=2)
+add("stl with remarks after the vertices", stl().replace("endloop", "close 1 2"), faces=2)
 add("stl with endfacet twice", stl().replace("endfacet", "endfacet\nendfacet"), 2,
     "line 9: the facet has fewer than three")
 add("stl without endsolid", stl().replace("endsolid sheet\n", ""), 2, "without 'endsolid', so it was cut short")

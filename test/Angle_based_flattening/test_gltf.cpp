@@ -202,11 +202,21 @@ BOOST_AUTO_TEST_CASE(strips_fans_and_no_indices)
              boost::test_tools::per_element());
   BOOST_TEST(vertices(indexed + "6", {0, 1, 3, 2}) == (std::vector<Index>{0, 1, 3, 0, 3, 2}),
              boost::test_tools::per_element());
+  BOOST_TEST(vertices(indexed + "5", {0, 1, 2, 255, 2, 3, 4, 5}) == // another strip begins behind 255
+                 (std::vector<Index>{0, 1, 2, 2, 3, 4, 4, 3, 5}),
+             boost::test_tools::per_element());
+  BOOST_TEST(vertices(indexed + "6", {255, 0, 1, 3, 2, 255, 255, 4, 5, 2}) ==
+                 (std::vector<Index>{0, 1, 3, 0, 3, 2, 4, 5, 2}),
+             boost::test_tools::per_element());
   BOOST_TEST(vertices("", {}) == (std::vector<Index>{0, 1, 2, 3, 4, 5}), boost::test_tools::per_element());
   BOOST_TEST(vertices(",\"mode\":5", {}).size() == 12u);
   BOOST_TEST(!is_told("left out"));
-  BOOST_CHECK_THROW(vertices(",\"indices\":1,\"mode\":1", {0, 1}), Input_error); // nothing else is there
+  BOOST_TEST(vertices(",\"mode\":5},{\"attributes\":{\"POSITION\":0},\"mode\":0", {}).size() == 12u);
   BOOST_TEST(is_told("1 primitive of points or lines left out"));
+  BOOST_CHECK_EXCEPTION(vertices(",\"indices\":1,\"mode\":1", {0, 1}), Input_error,
+                        [](const Input_error& error) {
+                          return std::string(error.what()).find("only points or lines") != std::string::npos;
+                        });
 }
 
 BOOST_AUTO_TEST_CASE(nodes_place_meshes)
@@ -232,6 +242,14 @@ BOOST_AUTO_TEST_CASE(nodes_place_meshes)
     }
     BOOST_TEST(volume(model) > 24 * 3.5); // fronts stay outside
   }
+}
+
+BOOST_AUTO_TEST_CASE(hidden_by_the_scale_0)
+{
+  const Model shown = read("shown.glb", ball_with_nodes("{\"mesh\":0}").binary());
+  const Model hidden = read("hidden.glb", ball_with_nodes("{\"mesh\":0,\"scale\":[0,0,0]}").binary());
+  BOOST_TEST(is_told("1 node with a scale of 0"));
+  BOOST_TEST((hidden.points == shown.points));
 }
 
 BOOST_AUTO_TEST_CASE(instances)
@@ -261,7 +279,10 @@ BOOST_AUTO_TEST_CASE(numbers_of_all_kinds)
            one_primitive(gltf, "{\"attributes\":{\"POSITION\":0,\"COLOR_0\":1,\"TEXCOORD_0\":2}}").binary());
   BOOST_TEST((model.points[1] == Kernel::Point_3(1, 0, 0)));
   BOOST_TEST((model.points[2] == Kernel::Point_3(0, -1, 0)));
-  BOOST_TEST((model.colors[0] == Point_color{1, 0, 0.2, 1}));
+  BOOST_TEST(model.colors[0][0] == 1., boost::test_tools::tolerance(1e-12)); // sRGB
+  BOOST_TEST(model.colors[0][1] == 0.);
+  BOOST_TEST(model.colors[0][2] == 0.4845292, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(model.colors[0][3] == 1.);
   BOOST_TEST((model.texture[1] == Kernel::Point_2(1, 1)));
   BOOST_TEST((model.texture[2] == Kernel::Point_2(0, 0.8)));
 }
@@ -330,22 +351,26 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named)
   refused("\"indices\":1", "\"indices\":1,\"mode\":9", "unknown mode 9");
   refused("\"indices\":1", "\"indices\":1,\"extensions\":{\"KHR_draco_mesh_compression\":{}}",
           "KHR_draco_mesh_compression");
+  refused("\"bufferView\":1,", "\"extensions\":{\"KHR_draco_mesh_compression\":{}},",
+          "needs the glTF extension KHR_draco_mesh_compression, which is not read: decompress");
   refused("\"mesh\":0", "\"mesh\":1", "node 0 names mesh 1, which does not exist");
   refused("\"mesh\":0", "\"mesh\":0,\"children\":[0]", "nodes are their own ancestors");
   refused("\"mesh\":0", "\"mesh\":0,\"children\":[4]", "node 4, which does not exist");
   refused("\"mesh\":0", "\"mesh\":0,\"scale\":[1,2]", "the scale of node 0 has 2 numbers instead of 3");
   refused("\"version\":\"2.0\"", "\"version\":\"1.0\"", "version '1.0'");
-  for(const std::string name :
-      {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"}) {
+  for(const std::string name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
     refused("\"asset\"", "\"extensionsUsed\":[\"" + name + "\"],\"asset\"", name);
   }
   refused("\"asset\"", "\"extensionsRequired\":[\"ABC_new\"],\"asset\"", "ABC_new");
-  refused("\"asset\"", "\"images\":[{\"uri\":\"wood.png\"}],\"asset\"",
-          "picture 0 ('wood.png') cannot be read");
-  refused("\"asset\"", "\"images\":[{\"bufferView\":0,\"mimeType\":\"image/png\"}],\"asset\"",
-          "picture 0 is damaged");
   refused("\"asset\"", "\"images\":[{\"bufferView\":8,\"mimeType\":\"image/png\"}],\"asset\"",
-          "bufferView \"8\"");
+          "picture 0 names buffer view 8, which does not exist");
+  refused("\"asset\"", "\"skins\":[7],\"asset\"", "'skins' is not a list of objects");
+  refused("\"asset\"", "\"skins\":[{\"inverseBindMatrices\":\"no\"}],\"asset\"",
+          "skin 0 has a wrong 'inverseBindMatrices'");
+  refused("\"asset\"", "\"skins\":[{\"inverseBindMatrices\":9}],\"asset\"",
+          "accessor 9, which does not exist");
+  refused("\"asset\"", "\"extras\":1e999,\"asset\"", "its description has a number that is too large");
+  refused("\"asset\"", "oops,\"asset\"", "its description is no JSON: byte 2 does not fit");
   refused("\"asset\"", "\"extras\":" + std::string(100000, '[') + std::string(100000, ']') + ",\"asset\"",
           "nested");
   Gltf wrong = good;
@@ -436,10 +461,11 @@ BOOST_AUTO_TEST_CASE(scenes_stay)
   BOOST_TEST_REQUIRE(flatten("balls.glb", "flat.glb") == 0, content("stderr"));
   const std::string flat = content("flat.glb");
   for(const std::string part :
-      {"\"name\":\"left\"", "\"translation\":[3.0,0.0,0.0]", "\"scale\":[1.0,-1.0,1.0]",
-       "\"baseColorTexture\":{\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0],"
-       "\"texCoord\":1}},\"index\":0,\"texCoord\":1}",
-       "\"zfar\":2000000000.0", "\"maker\":\"test\"", "not looked at IEND\xAE", "\"TEXCOORD_1\":"}) {
+      {"\"name\":\"left\"", "\"translation\":[3,0,0]", "\"scale\":[1,-1,1]",
+       "\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":1,"
+       "\"offset\":[0.5,0]}},\"texCoord\":1}",
+       "\"perspective\":{\"yfov\":1,\"znear\":2}", "\"maker\":\"test\"", "not looked at IEND\xAE",
+       "\"TEXCOORD_1\":"}) {
     BOOST_TEST(flat.find(part) != std::string::npos, "no " << part);
   }
   Model before = read_again("balls.glb"), after = read_again("flat.glb");
@@ -452,6 +478,88 @@ BOOST_AUTO_TEST_CASE(scenes_stay)
   after = read_again("each.glb");
   BOOST_TEST(after.number_of_polygons() == 2 * before.number_of_polygons());
   BOOST_TEST(volume(after) > 2 * 3.5);
+}
+
+// What is not ours passes through, whatever its numbers and names are, and whatever extensions leave out.
+BOOST_AUTO_TEST_CASE(other_parts_stay_as_they_are)
+{
+  const std::string parts =
+      R"(,"extras":{"large":9007199254740991,"none":null,"list":[-1700000000000,1e-300]},)"
+      R"("cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.01},"extras":null}],)"
+      R"("samplers":[{"magFilter":9729,"name":"smooth"}],)"
+      R"("textures":[{"sampler":0,"name":"without source"}],)"
+      R"("images":[{"uri":"not%20there.png","name":"lost"}],)"
+      R"("skins":[{"joints":[1],"name":"no matrices"}],)"
+      R"("animations":[{"name":"none","channels":[],"samplers":[]}],)"
+      R"("extensionsUsed":["KHR_animation_pointer"])";
+  Gltf gltf;
+  const Ball ball(8, 12);
+  const std::string all = attributes(gltf, ball),
+                    triangles = std::to_string(gltf.add(ball.triangles, "SCALAR"));
+  gltf.json += ",\"meshes\":[{\"primitives\":[{\"attributes\":" + all + ",\"indices\":" + triangles +
+               "}]}],\"nodes\":[{\"mesh\":0,\"skin\":0},{\"extras\":[null,false]}]" + scene + parts;
+  write("parts.glb", gltf.binary());
+  BOOST_TEST_REQUIRE(flatten("parts.glb", "flat.glb") == 0, content("stderr"));
+  const std::string flat = content("flat.glb");
+  BOOST_TEST(content("stderr").find("picture 0 ('not%20there.png') cannot be read: there is no such file") !=
+                 std::string::npos,
+             content("stderr"));
+  BOOST_TEST(flat.find(parts) != std::string::npos, flat.substr(20, 3000));
+  BOOST_TEST(flat.find(R"({"extras":[null,false]})") != std::string::npos);
+}
+
+// `float` tells the points of a terrain apart only near the origin.
+BOOST_AUTO_TEST_CASE(terrains_in_geographic_coordinates)
+{
+  write("terrain.obj", "v 573430.1 4119946.2 1500\nv 573430.6 4119946.2 1500.1\nv 573430.1 4119946.7 1500.2\n"
+                       "v 573430.6 4119946.7 1500\nf 1 2 3\nf 2 4 3\n");
+  BOOST_TEST_REQUIRE(flatten("terrain.obj", "flat.glb") == 0, content("stderr"));
+  BOOST_TEST(content("stderr").find("a hundred times as far from the origin") != std::string::npos,
+             content("stderr"));
+  const Model before = read_again("terrain.obj"), after = read_again("flat.glb");
+  BOOST_TEST_REQUIRE(after.points.size() == 4u);
+  for(const Kernel::Point_3& p : before.points) {
+    BOOST_TEST(std::count_if(after.points.begin(), after.points.end(), [&p](const Kernel::Point_3& q) {
+                 return CGAL::squared_distance(p, q) < 1e-14;
+               }) == 1);
+  }
+}
+
+// The second half of a sheet shows the texture of the first one, mirrored.
+BOOST_AUTO_TEST_CASE(mirrored_charts_are_repacked)
+{
+  write("halves.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                      "f 1/1 2/2 3/3 4/4\nf 2/2 5/1 6/4 3/3\n");
+  BOOST_TEST_REQUIRE(flatten("halves.obj", "flat.obj", "--repack") == 0, content("stderr"));
+  BOOST_TEST(content("stderr").find("mirrored along 1 edge, which is a seam now") != std::string::npos);
+  BOOST_TEST(content("stderr").find("1 chart of the file turned over") != std::string::npos);
+  BOOST_TEST_REQUIRE(flatten("flat.obj", "again.obj", "--repack") == 0, content("stderr"));
+  BOOST_TEST(content("stderr").empty(), content("stderr"));
+}
+
+// A skin shows the mesh in the size of the joints: here, a hundredth.
+BOOST_AUTO_TEST_CASE(skinned_meshes_have_the_size_of_their_joints)
+{
+  const std::string skins = ",\"skins\":[{\"joints\":[1]}]";
+  const Model large = read("one.glb", ball_with_nodes("{\"mesh\":0},{}", skins + scene).binary()),
+              small =
+                  read("small.glb",
+                       ball_with_nodes("{\"mesh\":0,\"skin\":0},{\"scale\":[0.01,0.01,0.01]}", skins + scene)
+                           .binary());
+  BOOST_TEST(volume(small) == 1e-6 * volume(large), boost::test_tools::tolerance(1e-6));
+}
+
+// A name with a percent sign is the one of the file, or stands for it.
+BOOST_AUTO_TEST_CASE(names_with_percent_signs)
+{
+  const Gltf gltf = ball_with_nodes("{\"mesh\":0}");
+  for(const std::string name : {"ball 10%.bin", "ball%2010.bin"}) {
+    write(name, gltf.bytes);
+    BOOST_TEST(read("ball.gltf", gltf.text(name)).number_of_polygons() > 0u);
+  }
+  write("ball 10.bin", gltf.bytes);
+  BOOST_TEST(read("ball.gltf", gltf.text("ball%2010.bin")).number_of_polygons() > 0u);
+  check_refused("bad.gltf", gltf.text("a\\u0007%0b.bin"), R"(there is no file 'a\x07%0b.bin')");
 }
 
 // What belongs to vertices follows them, bit by bit.

@@ -12,6 +12,7 @@
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/json.h"
 #include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/model/color_spaces.h"
 #include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/model/model_seams.h"
 #include "flatten_mesh/model/read_model.h"
@@ -435,6 +436,41 @@ BOOST_AUTO_TEST_CASE(ply_with_texture_of_corners)
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(what_outputs_lack_is_told)
+{
+  read("labels.ply",
+       "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex 3\nproperty float x\nproperty "
+       "float "
+       "y\nproperty float z\nproperty float label\nelement face 1\nproperty list uchar int "
+       "vertex_indices\nproperty int texnumber\nproperty int chart\nelement edge 1\nproperty int "
+       "vertex1\nend_header\n0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2 4 5\n0\n");
+  check_told("without these properties: label of 'vertex'; texnumber of 'face'; vertex1 of 'edge'");
+  check_told("names of textures");
+  read("painted.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 1\n");
+  check_told("without the colours of 1 face");
+  std::string stl(80, ' ');
+  stl += std::string("\1\0\0\0", 4) + std::string(48, '\0') + "\x1f\x80";
+  read("painted.stl", stl);
+  check_told("of 1 triangle");
+  BOOST_TEST(notes.texts().size() == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(equal_texture_of_all_vertices_is_none)
+{
+  const std::string
+      begin = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+              "z\nproperty float s\nproperty float t\nelement face 1\nproperty list uchar int "
+              "vertex_indices\nproperty list uchar float texcoord\nend_header\n",
+      end = "3 0 1 2 6 0 0 1 0 0 1\n";
+  const Model zeros = read("zeros.ply", begin + "0 0 0 0 0\n1 0 0 0 0\n0 1 0 0 0\n" + end);
+  check_told("those of the faces are taken");
+  BOOST_TEST(!zeros.has_point_texture);
+  BOOST_TEST(numbers(zeros.texture.at(zeros.texture_point(2))) == (std::vector<double>{0, 1}),
+             boost::test_tools::per_element());
+  const Model given = read("given.ply", begin + "0 0 0 0 0\n1 0 0 0 0\n0 1 0 0 0.5\n" + end);
+  BOOST_TEST(given.has_point_texture);
+}
+
 BOOST_AUTO_TEST_CASE(off_with_attributes)
 {
   const Model colored =
@@ -532,7 +568,7 @@ BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
 {
   const Model model =
       read("rubbish.obj", std::string(square) + "f 1 2 3\nf 1 1 2\nf 2 3\nf 1 3 4\nf 3 4 1\nf 4 3 1\n");
-  check_origins(model, separated_surface(model, notes), {1, 2, 4, 5});
+  check_origins(model, separated_surface(model, notes), {1, 2, 4}); // face 6 is a back
   const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
   BOOST_TEST_REQUIRE(parts.size() == 2u);
   BOOST_TEST(parts[0].status == "DEGENERATE_FACE");
@@ -540,7 +576,7 @@ BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
   BOOST_TEST(parts[0].faces == 2u);
   BOOST_TEST(parts[1].status == "DUPLICATE_FACE");
   BOOST_TEST(parts[1].first_face == 4u);
-  BOOST_TEST(parts[1].faces == 2u);
+  BOOST_TEST(parts[1].faces == 1u);
   BOOST_TEST((parts[1].message.find("face 5 has the same corners as face 4") != std::string::npos));
 
   const Model lines = read("lines.obj", std::string(square) + "f 1 1 2\nf 2 3\n");
@@ -594,17 +630,15 @@ BOOST_AUTO_TEST_CASE(split_faces_are_joined)
   BOOST_TEST(inner_edges(chain, {Welding::ALL, 1.9}) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(faces_without_extent_are_named)
+BOOST_AUTO_TEST_CASE(faces_without_extent_are_not_in_the_mesh)
 {
   const Model model =
       read("soup.obj", std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nv 5 5 5\nv 5 5 5\nv 5 6 5\n"
                                              "f 1 2 3 4\nf 8 9 10\nf 5 7 6\n");
   check_origins(model, separated_surface(model, notes), {1});
-  const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
-  BOOST_TEST_REQUIRE(parts.size() == 1u);
-  BOOST_TEST(parts[0].status == "DEGENERATE_FACE");
-  BOOST_TEST(parts[0].first_face == 1u);
-  BOOST_TEST(parts[0].faces == 1u);
+  const Atlas_input input = atlas_input_of(model, true, notes);
+  BOOST_TEST(input.set_aside.empty()); // they get coordinates later
+  BOOST_TEST((input.origins.has_no_area == std::vector<bool>{false, true, false}));
 }
 
 // Three sheets at an edge, a one-sided strip, and a polygon without area
@@ -614,7 +648,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_surface_is_separated)
       read("book.obj", std::string(square) + "v 0 0 1\nv 1 0 1\nf 1 2 3 4\nf 2 1 5 6\nf 1 2 6 5\n"
                                              "v 0 -1 0\nv 1 -1 0\nf 2 1 7 8\n");
   const Surface_of_model pages = separated_surface(book, notes);
-  check_origins(book, pages, {2}); // the third is the second, turned
+  check_origins(book, pages); // the third is the back of the second
   BOOST_TEST(CGAL::is_valid_polygon_mesh(pages.mesh));
   check_told("between vertices 1 and 2: they are separated there");
 
@@ -637,7 +671,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_surface_is_separated)
   check_origins(moebius, separated_surface(moebius, notes));
 
   const Model flat = read("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 1.5 1 0\nf 1 2 3 4\nf 1 4 5\n");
-  check_origins(flat, separated_surface(flat, notes));
+  check_origins(flat, separated_surface(flat, notes), {0});
 }
 
 // Enough faces at a vertex for all to be added together
@@ -783,7 +817,7 @@ BOOST_AUTO_TEST_CASE(repaired_models_are_written_whole)
                               "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                               "f 1/1 2/2 3/3 4/1\nf 1 1 2\nf 2/1 3/2 6/3 5/1\nf 4 3\nf 4 3 2 1\n");
   const Surface_of_model surface = separated_surface(model, notes);
-  check_origins(model, surface, {1, 3, 4});
+  check_origins(model, surface, {1, 3}); // the last one is the back of the first
   for(const std::string format : {"obj", "ply"}) {
     write_model("flat." + format, model, own_texture(model, surface));
     const Model again = read_model(file("flat." + format), Degenerate_faces::KEPT, notes);
@@ -1021,6 +1055,10 @@ std::vector<Read_face> expected_triangles(const Model& model, const Model_textur
       has_normals = has_normals && model.normal(c) != no_index;
     }
     for(Read_corner& corner : face.corners) {
+      if(!corner.color.empty()) {
+        const Point_color linear = linear_of_srgb({corner.color[0], corner.color[1], corner.color[2], 1});
+        corner.color = {linear[0], linear[1], linear[2]};
+      }
       corner.uv.resize(has_uv ? 2 : 0);
       corner.normal.resize(has_normals ? 3 : 0);
       double length = 0;

@@ -23,16 +23,23 @@
 
 namespace flatten_mesh {
 
-// The command for one of several inputs, with the names of its own outputs.
+// The command for one of the inputs, with the names of its own outputs. If it is the only one, a percent sign behind a
+// digit, as in `50% off.glb`, is itself.
 inline Command_line command_of_input(Command_line command, const std::string& input)
 {
+  const bool is_only_one = command.inputs.size() == 1 && command.batch.shard.empty();
   command.input = input;
   command.title = input == standard_input ? "standard input" : in_one_line("'" + input + "'");
   const std::string name = name_for_outputs(command.batch, input);
   boost::replace_all(command.atlas.seams_from, placeholder, name);
   boost::replace_all(command.atlas.bake_from, placeholder, name);
   for(const internal::Output_option& option : internal::output_options()) {
-    boost::replace_all(command.*option.file, placeholder, name);
+    std::string& file = command.*option.file;
+    for(std::size_t i = file.find(placeholder); i != file.npos; i = file.find(placeholder, i)) {
+      const bool is_itself = is_only_one && i > 0 && file[i - 1] >= '0' && file[i - 1] <= '9';
+      file.replace(i, 1, is_itself ? placeholder : name);
+      i += is_itself ? 1 : name.size();
+    }
   }
   return command;
 }

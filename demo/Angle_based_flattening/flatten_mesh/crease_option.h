@@ -36,6 +36,8 @@ struct Seam_way
   bool lacks_creases = false;          // whether there is none
   std::optional<bool> is_hard_surface; // if that matters: see `Crease_report::is_hard_surface()`
   std::optional<Symmetry> symmetry{};  // if it was asked for
+  std::size_t mirrored_charts = 0;     // of the texture in the file, which were turned over
+  std::size_t edges_of_mirrors = 0;    // along which the texture in the file is mirrored
 };
 
 // That of several models: "various" if they differ
@@ -44,6 +46,8 @@ inline Seam_way way_in_common(const std::vector<Seam_way>& ways)
   Seam_way common = ways.empty() ? Seam_way{"length", std::nullopt, false, std::nullopt} : ways.front();
   for(const Seam_way& way : ways) {
     common.name = way.name == common.name ? way.name : "various";
+    common.mirrored_charts += &way == &ways.front() ? 0 : way.mirrored_charts;
+    common.edges_of_mirrors += &way == &ways.front() ? 0 : way.edges_of_mirrors;
     common.lacks_creases = common.lacks_creases && way.lacks_creases;
     if(way.is_hard_surface) {
       common.is_hard_surface = common.is_hard_surface.value_or(false) || *way.is_hard_surface;

@@ -84,7 +84,7 @@ inline po::options_description file_options(Command_line& command)
       "something is wrong, the file contains at least 'status', 'message' and 'input'. '-' in place of any "
       "of these seven files is standard output; the text for people is then on standard error. With several "
       "inputs, each of these names contains a '%', which stands for the name of the input without folder "
-      "and extension");
+      "and extension. With one input, a '%' behind a digit is itself");
   return options;
 }
 

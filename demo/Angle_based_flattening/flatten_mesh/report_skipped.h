@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -58,19 +60,28 @@ inline std::string title_of_model(const Command_line& command, const Skipped_par
 
 } // namespace internal
 
-// On standard error
+// On standard error: a line for each diagnosis of a model, in the order of their first parts
 inline void tell_skipped_parts(const Command_line& command, const std::vector<Skipped_part>& parts)
 {
-  const std::size_t most = 10;
-  for(std::size_t i = 0; i < (std::min)(most, parts.size()); ++i) {
-    const Skipped_part& part = parts[i];
-    std::cerr << "flatten_mesh: " << internal::title_of_model(command, part) << ": no chart for "
-              << count_text(part.faces, "face") << ", the first is " << face_name(part.first_face) << ": "
-              << part.status << ": " << part.message << std::endl;
+  std::vector<std::vector<const Skipped_part*>> groups;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> numbers;
+  for(const Skipped_part& part : parts) {
+    const std::size_t number =
+        numbers.emplace(std::pair(part.model, part.status), groups.size()).first->second;
+    groups.resize((std::max)(groups.size(), number + 1));
+    groups[number].push_back(&part);
   }
-  if(parts.size() > most) {
-    std::cerr << "flatten_mesh: " << command.title << ": no chart for " << parts.size() - most
-              << " more parts; --json FILE.json lists all" << std::endl;
+  for(const std::vector<const Skipped_part*>& group : groups) {
+    const Skipped_part& first = *group.front();
+    std::size_t faces = 0;
+    for(const Skipped_part* const part : group) {
+      faces += part->faces;
+    }
+    std::cerr << "flatten_mesh: " << internal::title_of_model(command, first) << ": no chart for "
+              << (group.size() == 1 ? "" : count_text(group.size(), "part") + " with ")
+              << count_text(faces, "face") << ", the first is " << face_name(first.first_face) << ": "
+              << first.status << ": " << first.message
+              << (group.size() == 1 ? "" : "; --json FILE.json lists all") << std::endl;
   }
 }
 

@@ -47,7 +47,8 @@ inline Gltf_options gltf_options_of(const Command_line& command)
 {
   const bool replaces_surface = command.atlas.simplified_triangles > 0 || !command.atlas.bake_from.empty();
   return {command.unique_instances, welding_of(command).extent != Welding::NONE,
-          command.output.empty() || (file_format(command.output) == "glb" && !replaces_surface)};
+          command.output.empty() || (file_format(command.output) == "glb" && !replaces_surface),
+          command.atlas.repacks};
 }
 
 } // namespace flatten_mesh

@@ -78,7 +78,7 @@ def test_empty(function):
                 function(vertices, faces)
 
 
-@pytest.mark.parametrize("function", [abf.flatten, abf.seams, abf.atlas])
+@pytest.mark.parametrize("function", [abf.flatten, abf.seams])
 def test_points_that_are_no_numbers(function):
     for bad in (np.nan, np.inf):
         vertices = VERTICES.copy()
@@ -86,6 +86,13 @@ def test_points_that_are_no_numbers(function):
         with pytest.raises(abf.MeshError) as error:
             function(vertices, FACES)
         assert error.value.vertices.tolist() == [17]
+
+
+def test_faces_at_points_that_are_no_numbers_have_no_chart():
+    vertices = VERTICES.copy()
+    vertices[17, 1] = np.nan
+    atlas = abf.atlas(vertices, FACES)
+    assert ((atlas.face_chart < 0) == (FACES == 17).any(axis=1)).all()
 
 
 @pytest.mark.parametrize("function", [abf.flatten, abf.seams])

@@ -82,7 +82,7 @@ def test_given_charts(tmp_path):
     check(abf.atlas(vertices, faces, uv=uv, given_charts="keep"),
           *program.run(tmp_path, vertices, faces, "--repack", uv=uv))
     folded = uv.copy()
-    folded[:3] = uv[:3][::-1]
+    folded[:3] = uv[0]
     with pytest.raises(abf.MeshError) as error:
         abf.atlas(vertices, faces, uv=folded, given_charts="keep")
     assert len(error.value.faces) > 0

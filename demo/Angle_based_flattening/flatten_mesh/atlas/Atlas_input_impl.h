@@ -11,7 +11,9 @@
 #include "flatten_mesh/atlas/set_aside.h"
 #include "flatten_mesh/model/build_mesh_impl.h"
 #include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/divide_keyholes.h"
 #include "flatten_mesh/model/duplicate_polygons.h"
+#include "flatten_mesh/model/polygons_without_area.h"
 #include "flatten_mesh/model/separate_soup.h"
 #include "flatten_mesh/model/weld_soup.h"
 
@@ -54,17 +56,42 @@ inline std::size_t remove_left_out(const Face_choice& choice, const Model& model
   return number;
 }
 
+// Removes polygons without area, so that they neither tear charts nor make edges of three faces. Returns which
+// polygons of the model these are; nothing if there are none.
+inline std::vector<bool> remove_polygons_without_area(const Model& model, const std::vector<bool>& is_far,
+                                                      Polygon_soup& soup)
+{
+  const std::vector<bool> is_one = have_no_area(soup, is_far);
+  if(std::find(is_one.begin(), is_one.end(), true) == is_one.end()) {
+    return {};
+  }
+  std::vector<bool> has_no_area(model.number_of_polygons(), false);
+  std::vector<Index> part_of;
+  for(std::size_t p = 0; p < is_one.size(); ++p) {
+    has_no_area[soup.origins[p]] = is_one[p];
+    part_of.push_back(is_one[p] ? 0 : no_index);
+  }
+  leave_out(soup, part_of, {Skipped_part()});
+  soup.left_out.clear(); // they get coordinates later
+  return has_no_area;
+}
+
 inline void build_atlas_input(const bool repair, const Welding& welding, const Face_choice& choice,
                               Notes& notes, Atlas_input& input)
 {
   Polygon_soup soup = polygon_soup(input.model);
+  tell_repetitions(soup, notes);
   check_not_empty(soup);
   valences(soup); // throws if a vertex does not exist
   input.left_out = remove_left_out(choice, input.model, soup);
-  set_aside(soup, repair);
+  const std::vector<bool> is_far = far_points(soup);
+  std::vector<bool> has_no_area = remove_polygons_without_area(input.model, is_far, soup);
+  divide_keyholes(input.model, soup, notes);
+  set_aside(soup, is_far, repair);
   if(repair) {
     leave_out_duplicates(soup);
     weld_soup(welding, soup, notes);
+    separate_backs(soup, notes);
   }
   while(!soup.polygons.empty() && input.mesh.is_empty()) {
     std::vector<std::size_t> undivided;
@@ -78,6 +105,7 @@ inline void build_atlas_input(const bool repair, const Welding& welding, const F
     }
   }
   input.origins.is_turned.resize(input.model.number_of_polygons(), false); // also if no face remains
+  input.origins.has_no_area = std::move(has_no_area);
   input.set_aside = std::move(soup.left_out);
 }
 

@@ -8,6 +8,7 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/make_atlas_of_input.h"
 #include "flatten_mesh/atlas/place_charts.h"
+#include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/number_type_config.h>
@@ -44,9 +45,48 @@ std::size_t count_faces(const Atlas_input& input, const Atlas& atlas, const Face
   return faces.size();
 }
 
+// Tells of the polygons of a model that have no area, and lists those that no neighbor gives coordinates.
+void look_at_polygons_without_area(const Atlas_input& input, const Atlas& atlas, const std::size_t model,
+                                   Atlas_record& record, Notes& notes)
+{
+  const std::vector<bool>& has_no_area = input.origins.has_no_area;
+  if(has_no_area.empty()) {
+    return;
+  }
+  const Model_texture texture = texture_of(input.model, input.mesh, input.origins, atlas);
+  std::vector<std::size_t> with, without;
+  for(std::size_t p = 0; p < has_no_area.size(); ++p) {
+    if(has_no_area[p]) {
+      (texture.charts[p] == no_index ? without : with).push_back(p);
+    }
+  }
+  if(!with.empty()) {
+    notes.add(count_text(with.size(), "face") + " without area, the first is " + face_name(with.front()) +
+              ": coordinates on an edge of a neighbor");
+  }
+  if(!without.empty()) {
+    record.skipped.push_back({without.front(), without.size(), to_string(SMP::Diagnosis::NO_AREA),
+                              face_name(without.front()) + " has no area, and no neighbor with a chart",
+                              model});
+  }
+}
+
+void look_at_polygons_without_area(Atlas_input& input, const Atlas& atlas, Atlas_record& record, Notes& notes)
+{
+  look_at_polygons_without_area(input, atlas, 0, record, notes);
+  for(std::size_t i = 0; i < input.joined.size(); ++i) {
+    Joined_model& model = input.joined[i];
+    if(!model.input.origins.has_no_area.empty()) {
+      notes.set_subject(model.command.title);
+      look_at_polygons_without_area(model.input, atlas_of_model(atlas, model), i, record, notes);
+    }
+  }
+  notes.set_subject("");
+}
+
 void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
 {
-  record.skipped = input.set_aside;
+  record.skipped.insert(record.skipped.end(), input.set_aside.begin(), input.set_aside.end());
   for(const SMP::Atlas_report::Skipped& part : record.report.skipped) {
     const Face first(static_cast<Mesh::size_type>(part.first_face));
     record.skipped.push_back({face_in_file(input, first), count_faces(input, atlas, first),
@@ -89,6 +129,19 @@ void look_at_creases(const Atlas_record& record, Notes& notes)
     notes.add("--seams creases: no creases divide the surface where faces differ by more than " +
               format_number("%.4g degrees", *record.seam_way.crease_angle * 180 / CGAL_PI) +
               ", so all seams are chosen to be short");
+  }
+}
+
+// Says so if charts of the file were mirrored.
+void look_at_mirrored_charts(const Atlas_record& record, Notes& notes)
+{
+  if(const std::size_t edges = record.seam_way.edges_of_mirrors; edges > 0) {
+    notes.add("--repack: the texture in the file is mirrored along " + count_text(edges, "edge") +
+              (edges == 1 ? ", which is a seam now" : ", which are seams now"));
+  }
+  if(const std::size_t charts = record.seam_way.mirrored_charts; charts > 0) {
+    notes.add("--repack: " + count_text(charts, "chart") + " of the file turned over, because " +
+              (charts == 1 ? "it is" : "they are") + " mirrored as a whole");
   }
 }
 
@@ -183,9 +236,11 @@ Recorded_atlas make_recorded_atlas(const Command_line& command, Atlas_input& inp
 {
   Recorded_atlas made{empty_atlas(input.mesh), record_of(command, input)};
   make_charts(command, input, made.atlas, made.record, visitor);
+  look_at_polygons_without_area(input, made.atlas, made.record, notes);
   list_skipped_parts(input, made.atlas, made.record);
   list_models(input, made.atlas, made.record);
   measure_charts(made.record);
+  look_at_mirrored_charts(made.record, notes);
   look_at_creases(made.record, notes);
   look_at_symmetry(made.record, notes);
   look_at_stretch(made.record, notes);

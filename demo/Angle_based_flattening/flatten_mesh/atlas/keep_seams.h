@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
+#include "flatten_mesh/atlas/orient_texture.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/model_seams.h"
@@ -79,22 +80,24 @@ inline void keep_seams(const Atlas_options& options, Atlas_input& input, const E
   }
 }
 
-// Marks the seams of the coordinates in the file, and calls `set(h, uv)` for each corner, with no numbers where there are
-// none. Throws an `Input_error` if there are none at all, unless they are optional.
-template <class Set>
-void take_texture(const bool is_optional, Atlas_input& input, const Edge_marks& seams, const Set& set)
+// Marks the seams of the coordinates in the file, and sets these for each corner, as no numbers where there are none.
+// Mirrored charts are turned over. If charts are repaired, there may be no coordinates at all, and charts that are
+// mirrored in part are not divided. Otherwise throws an `Input_error` if there are none.
+template <class Uv>
+Mirrored_charts take_texture(const bool repairs, Atlas_input& input, const Edge_marks& seams, const Uv& uv)
 {
   const Model& model = input.model;
-  if(!(model.texture.empty() && is_optional)) {
+  if(!(model.texture.empty() && repairs)) {
     internal::keep_seams_of_texture("--repack", input, seams);
   }
   const double none = std::numeric_limits<double>::quiet_NaN();
   for(const Halfedge h : input.mesh.halfedges()) {
     if(!input.mesh.is_border(h)) {
       const Index t = model.texture_point(input.origins.corners[h.idx()]);
-      set(h, t == no_index ? Kernel::Point_2(none, none) : model.texture[t]);
+      uv[h] = t == no_index ? Kernel::Point_2(none, none) : model.texture[t];
     }
   }
+  return orient_texture(!repairs, input.mesh, seams, uv);
 }
 
 } // namespace flatten_mesh

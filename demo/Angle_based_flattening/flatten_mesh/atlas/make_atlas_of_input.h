@@ -210,11 +210,17 @@ inline Seam_way prepare_model(Joined_model& model, const Atlas& whole,
   Mesh& mesh = model.input.mesh;
   const Edge_marks is_seam = seam_marks(mesh);
   keep_seams(model.command.atlas, model.input, is_seam);
+  Mirrored_charts mirrored;
   if(model.command.atlas.repacks) {
-    take_texture(model.command.atlas.repairs_charts, model.input, is_seam,
-                 [&](const Halfedge h, const Kernel::Point_2& p) { whole.uv[in_common_mesh(model, h)] = p; });
+    const Atlas given = empty_atlas(mesh);
+    mirrored = take_texture(model.command.atlas.repairs_charts, model.input, is_seam, given.uv);
+    for(const Halfedge h : mesh.halfedges()) {
+      whole.uv[in_common_mesh(model, h)] = given.uv[h];
+    }
   }
   Seam_way way = prepare_edges(model.command.atlas, mesh, is_seam);
+  way.mirrored_charts = mirrored.number;
+  way.edges_of_mirrors = mirrored.new_seam_edges;
   const auto weight = edge_weights(mesh);
   if(!has_weights(way)) {
     weigh_by_length(mesh, weight);
@@ -246,14 +252,16 @@ inline Report_on_atlas make_atlas_of_model(const Command_line& command, Atlas_in
                                            const Atlas& atlas, Seam_way& way, SMP::Atlas_visitor& visitor)
 {
   keep_seams(command.atlas, input, atlas.seams);
+  Mirrored_charts mirrored;
   if(command.atlas.repacks) {
-    take_texture(command.atlas.repairs_charts, input, atlas.seams,
-                 [&atlas](const Halfedge h, const Kernel::Point_2& p) { atlas.uv[h] = p; });
+    mirrored = take_texture(command.atlas.repairs_charts, input, atlas.seams, atlas.uv);
   }
   if(command.asks_for_component) {
     return make_atlas_of_component(command, input.mesh, atlas, way, visitor);
   }
   way = prepare_edges(command.atlas, input.mesh, atlas.seams);
+  way.mirrored_charts = mirrored.number;
+  way.edges_of_mirrors = mirrored.new_seam_edges;
   return make_charts(command, input.mesh, atlas, way, visitor);
 }
 

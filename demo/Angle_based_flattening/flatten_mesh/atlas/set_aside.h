@@ -13,10 +13,14 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,47 +29,111 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, and all that hang
-// together, by edges, with one that has a coordinate which is no number, or, unless that is repaired, with an edge of
-// more than two faces or of faces that are oriented differently.
+inline bool is_finite(const Kernel::Point_3& point)
+{
+  return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
+}
+
+// The points that are so much farther from the middle than two thirds of all that beside them nothing else could be
+// seen: stray points, which some scanners write. In each coordinate, the middle is the median.
+inline std::vector<bool> far_points(const Polygon_soup& soup)
+{
+  const double far = 1e9; // in units of the distance that two thirds have at most
+  std::vector<Kernel::Point_3> points;
+  std::copy_if(soup.points.begin(), soup.points.end(), std::back_inserter(points), is_finite);
+  if(points.empty()) {
+    return std::vector<bool>(soup.points.size(), false);
+  }
+  const auto quantile = [](std::vector<double> numbers, const double part) {
+    const auto place =
+        numbers.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(numbers.size()));
+    std::nth_element(numbers.begin(), place, numbers.end());
+    return *place;
+  };
+  std::array<double, 3> center;
+  for(int i = 0; i < 3; ++i) {
+    std::vector<double> numbers;
+    for(const Kernel::Point_3& point : points) {
+      numbers.push_back(point[i]);
+    }
+    center[static_cast<std::size_t>(i)] = quantile(std::move(numbers), 1. / 2);
+  }
+  const auto distance = [&center](const Kernel::Point_3& p) {
+    return (std::max)(
+        {std::abs(p.x() - center[0]), std::abs(p.y() - center[1]), std::abs(p.z() - center[2])});
+  };
+  std::vector<double> distances;
+  for(const Kernel::Point_3& point : points) {
+    distances.push_back(distance(point));
+  }
+  const double bound = far * quantile(std::move(distances), 2. / 3);
+  std::vector<bool> result;
+  for(const Kernel::Point_3& point : soup.points) {
+    result.push_back(bound > 0 && is_finite(point) && distance(point) > bound);
+  }
+  return result;
+}
+
+// Finds which polygons of a soup cannot be part of a surface: those with too few vertices, those at points that are not
+// finite or far away, and, unless that is repaired, all that hang together, by edges, with an edge of more than two
+// faces or of faces that are oriented differently.
 class Soup_inspector
 {
 public:
-  Soup_inspector(const Polygon_soup& soup, const bool is_repaired)
-      : m_soup(soup), m_is_repaired(is_repaired), m_sets(soup.polygons.size())
+  Soup_inspector(const Polygon_soup& soup, const std::vector<bool>& is_far, const bool is_repaired)
+      : m_soup(soup), m_is_repaired(is_repaired), m_is_far(is_far), m_sets(soup.polygons.size())
   {
     for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
       inspect_polygon(p);
     }
-    if(!m_defects.empty() || !is_repaired) {
+    if(!is_repaired) {
       inspect_edges();
     }
   }
 
   // The parts to set aside. `part_of` receives the part of each polygon, or `no_index` for those that remain. All
-  // degenerate polygons are one part.
+  // degenerate polygons are one part, and so are all polygons at points that are not finite, or far away.
   std::vector<Skipped_part> parts(std::vector<Index>& part_of)
   {
     part_of.assign(m_soup.polygons.size(), no_index);
     std::vector<Skipped_part> result;
-    std::map<std::size_t, Index> part_of_set; // by the representative of its polygons
-    Index degenerate = no_index;
+    std::map<std::string, Index> part_of_kind; // of polygons that are wrong by themselves
+    std::map<std::size_t, Index> part_of_set;  // of others, by the representative of what hangs together
     for(const auto& [p, defect] : m_defects) {
-      Index& part =
-          is_degenerate(p) ? degenerate : part_of_set.try_emplace(m_sets.find_set(p), no_index).first->second;
+      Index& part = is_alone(p) ? part_of_kind.try_emplace(defect.first, no_index).first->second
+                                : part_of_set.try_emplace(m_sets.find_set(p), no_index).first->second;
       if(part == no_index) {
         part = static_cast<Index>(result.size());
         result.push_back({0, 0, defect.first, defect.second});
       }
+      if(is_alone(p)) {
+        part_of[p] = part;
+      }
     }
-    for(std::size_t p = 0; p < m_soup.polygons.size() && !result.empty(); ++p) {
+    for(std::size_t p = 0; p < m_soup.polygons.size() && !part_of_set.empty(); ++p) {
       const auto part = part_of_set.find(m_sets.find_set(p));
-      part_of[p] = is_degenerate(p) ? degenerate : part == part_of_set.end() ? no_index : part->second;
+      if(part_of[p] == no_index && part != part_of_set.end()) {
+        part_of[p] = part->second;
+      }
+    }
+    for(const auto& [kind, vertices] : m_wrong_points) {
+      if(const auto part = part_of_kind.find(kind); vertices.size() > 1 && part != part_of_kind.end()) {
+        result[part->second].message =
+            vertex_name(*vertices.begin()) + " and " + count_text(vertices.size() - 1, "other") +
+            (kind == "FAR_POINT" ? std::string(" are") + far_text
+                                 : " have coordinates that are not finite numbers");
+      }
     }
     return result;
   }
 
+  // Whether a point is not finite, or far away
+  bool is_wrong(const std::size_t v) const { return !is_finite(m_soup.points[v]) || m_is_far[v]; }
+
 private:
+  static constexpr const char* far_text =
+      " more than a billion times as far from the middle as most vertices";
+
   struct Side
   {
     std::size_t from, to, polygon;
@@ -76,10 +144,12 @@ private:
     m_defects.try_emplace(p, diagnosis, message);
   }
 
-  bool is_degenerate(const std::size_t p) const
+  // Whether the polygon is wrong by itself, so that those around it may remain
+  bool is_alone(const std::size_t p) const
   {
     const auto defect = m_defects.find(p);
-    return defect != m_defects.end() && defect->second.first == "DEGENERATE_FACE";
+    return defect != m_defects.end() &&
+           (defect->second.first == "DEGENERATE_FACE" || m_wrong_points.count(defect->second.first) > 0);
   }
 
   void inspect_polygon(const std::size_t p)
@@ -90,11 +160,19 @@ private:
       add_defect(p, "DEGENERATE_FACE", error.what());
     }
     for(const std::size_t v : m_soup.polygons[p]) {
-      const Kernel::Point_3& point = m_soup.points[v];
-      if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
-        add_defect(p, "NON_FINITE_POINT", vertex_name(v) + " has a coordinate that is not a finite number");
+      if(!is_finite(m_soup.points[v])) {
+        add_wrong_point(p, v, "NON_FINITE_POINT", " has a coordinate that is not a finite number");
+      } else if(m_is_far[v]) {
+        add_wrong_point(p, v, "FAR_POINT", std::string(" is") + far_text);
       }
     }
+  }
+
+  void add_wrong_point(const std::size_t p, const std::size_t v, const std::string& kind,
+                       const std::string& text)
+  {
+    m_wrong_points[kind].insert(v);
+    add_defect(p, kind, vertex_name(v) + text);
   }
 
   // The sides of the polygons with at least three vertices, by their smaller vertex
@@ -132,7 +210,7 @@ private:
   void for_each_side(const Function& f) const
   {
     for(std::size_t p = 0; p < m_soup.polygons.size(); ++p) {
-      const std::size_t sides = is_degenerate(p) ? 0 : m_soup.polygons[p].size();
+      const std::size_t sides = is_alone(p) ? 0 : m_soup.polygons[p].size();
       for(std::size_t i = 0; i < sides; ++i) {
         f(side(p, i), i);
       }
@@ -176,6 +254,8 @@ private:
 
   const Polygon_soup& m_soup;
   bool m_is_repaired;
+  const std::vector<bool>& m_is_far;                           // of each point
+  std::map<std::string, std::set<std::size_t>> m_wrong_points; // of each diagnosis
   CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets m_sets;
   std::map<std::size_t, std::pair<std::string, std::string>>
       m_defects; // of polygons: in one word, and in a sentence
@@ -185,16 +265,17 @@ private:
 
 // Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says
 // why. Of a soup that is repaired later, what can be repaired remains.
-inline void set_aside(Polygon_soup& soup, const bool is_repaired)
+inline void set_aside(Polygon_soup& soup, const std::vector<bool>& is_far, const bool is_repaired)
 {
   std::vector<Index> part_of;
-  const std::vector<Skipped_part> parts = internal::Soup_inspector(soup, is_repaired).parts(part_of);
+  internal::Soup_inspector inspector(soup, is_far, is_repaired);
+  const std::vector<Skipped_part> parts = inspector.parts(part_of);
   if(!parts.empty()) {
     leave_out(soup, part_of, parts);
   }
-  for(Kernel::Point_3& point : soup.points) { // which only the removed polygons use
-    if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
-      point = Kernel::Point_3(0, 0, 0);
+  for(std::size_t v = 0; v < soup.points.size(); ++v) {
+    if(inspector.is_wrong(v)) { // and only removed polygons use it
+      soup.points[v] = Kernel::Point_3(0, 0, 0);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Model_texture.h"
+#include "flatten_mesh/model/texture_of_polygons_without_area.h"
 
 namespace flatten_mesh {
 
@@ -24,7 +25,9 @@ inline Model_texture texture_of(const Model& model, const Mesh& mesh, const Corn
 {
   const auto uv = [&atlas](const Halfedge h) { return atlas.uv[h]; };
   const auto chart = [&atlas](const Face f) { return chart_number(atlas, f); };
-  return model_texture(model, mesh, origins, uv, chart);
+  Model_texture texture = model_texture(model, mesh, origins, uv, chart);
+  fill_polygons_without_area(model, origins.has_no_area, texture);
+  return texture;
 }
 
 } // namespace flatten_mesh

@@ -22,6 +22,7 @@
 #include "flatten_mesh/model/divide_polygons.h"
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/write_model.h"
+#include "flatten_mesh/model/write_model_glb.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/process_memory.h"
@@ -45,6 +46,8 @@
 #include <CGAL/Surface_mesh_parameterization/seam_selection.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -74,6 +77,9 @@ inline std::vector<bool> polygons_to_divide(const Command_line& command, const A
       [&atlas](const Face f) { return chart_number(atlas, f); });
   std::transform(is_divided.begin(), is_divided.end(), is_torn.begin(), is_divided.begin(),
                  std::logical_or<bool>());
+  for(std::size_t p = 0; p < input.origins.has_no_area.size(); ++p) {
+    is_divided[p] = is_divided[p] && !input.origins.has_no_area[p];
+  }
   return is_divided;
 }
 
@@ -111,6 +117,20 @@ inline void tell_changed_polygons(const std::vector<Written_model>& models, cons
   }
   if(const std::string text = polygons_text(report.number_of_mended_polygons, is_divided); !text.empty()) {
     notes.add(text);
+  }
+}
+
+// Says so if a node has to put a model where it belongs, because its positions are too far away for `float`.
+inline void tell_moved_origins(const std::vector<Written_model>& models, Notes& notes)
+{
+  for(const Written_model& written : models) {
+    const Model& model = written.input.model;
+    if(!written.command.output.empty() && file_format(written.command.output) == "glb" && !model.gltf.file &&
+       origin_of_floats(model) != std::array<double, 3>{0, 0, 0}) {
+      notes.add("positions are more than a hundred times as far from the origin as the model is large, which "
+                "is too far "
+                "for the numbers in GLB files: they begin in its middle, and its node has the rest");
+    }
   }
 }
 

@@ -36,6 +36,8 @@ struct Corner_origins
 {
   std::vector<Index> corners;  // of each halfedge: the corner at its target. `no_index` on borders
   std::vector<bool> is_turned; // of each polygon of the model: the mesh has its corners in reverse order
+  std::vector<bool>
+      has_no_area; // of each polygon of the model: the mesh is therefore without it. Empty if none is so
 
   Model_triangle triangle(const Model& model, const Mesh& mesh, const Face f) const
   {
@@ -63,9 +65,11 @@ namespace internal {
 inline Index corner_in_model(const Model& model, const Polygon_soup& soup, const std::size_t polygon,
                              const std::size_t corner)
 {
-  const Index origin = soup.origins[polygon];
-  const std::size_t last = soup.polygons[polygon].size() - 1;
-  return model.first_corners[origin] + static_cast<Index>(soup.is_turned[polygon] ? last - corner : corner);
+  const std::size_t size = soup.polygons[polygon].size(),
+                    i = soup.is_turned[polygon] ? size - 1 - corner : corner;
+  const auto corners = soup.corners.find(polygon);
+  return corners != soup.corners.end() ? corners->second[i]
+                                       : model.first_corners[soup.origins[polygon]] + static_cast<Index>(i);
 }
 
 // Of a mesh whose faces are still the polygons of the soup, in their order.

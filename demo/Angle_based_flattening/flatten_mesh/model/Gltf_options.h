@@ -11,9 +11,10 @@ namespace flatten_mesh {
 // How a glTF file is read
 struct Gltf_options
 {
-  bool unique_instances = false; // each node gets a mesh of its own
-  bool joins_vertices = true;    // that the format splits where their normals or texture coordinates differ
-  bool keeps_scene = true;       // the output is glTF as well, and has what the surface alone does not have
+  bool unique_instances = false;   // each node gets a mesh of its own
+  bool joins_vertices = true;      // that the format splits where their normals or texture coordinates differ
+  bool keeps_scene = true;         // the output is glTF as well, and has what the surface alone does not have
+  bool transforms_texture = false; // first coordinates are those that KHR_texture_transform makes of them
 };
 
 } // namespace flatten_mesh

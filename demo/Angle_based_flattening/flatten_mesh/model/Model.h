@@ -26,7 +26,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Index = std::uint32_t;
 constexpr Index no_index = static_cast<Index>(-1);
 
-// Red, green, blue and opacity, from 0 to 1
+// Red, green, blue and opacity, from 0 to 1; sRGB for points
 using Point_color = std::array<double, 4>;
 
 // A line of an OBJ file that is kept as it is: of groups, objects, smoothing groups, materials and display.

@@ -72,6 +72,20 @@ inline void add_left_out_triangles(const Model& model, Model_texture& texture)
   }
 }
 
+// Corners that repeat the vertex before get its coordinates.
+inline void fill_repetitions(const Model& model, Model_texture& texture)
+{
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    const Index first = model.first_corners[p], size = model.size(p);
+    for(Index i = 1; texture.charts[p] != no_index && i < 2 * size; ++i) {
+      const Index c = first + i % size, before = first + (i - 1) % size;
+      if(!texture.has_uv(c) && model.vertices[c] == model.vertices[before]) {
+        texture.uv[c] = texture.uv[before];
+      }
+    }
+  }
+}
+
 } // namespace internal
 
 // A texture without any coordinates, for the polygons of a mesh and those that were left out of it.
@@ -107,6 +121,7 @@ Model_texture model_texture(const Model& model, const Mesh& mesh, const Corner_o
       }
     }
   }
+  internal::fill_repetitions(model, texture);
   return texture;
 }
 

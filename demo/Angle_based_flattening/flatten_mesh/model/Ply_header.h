@@ -63,6 +63,7 @@ struct Ply_element
 struct Ply_header
 {
   bool is_text = false, is_big_endian = false;
+  bool names_textures = false; // in comments
   std::vector<Ply_element> elements;
 };
 
@@ -105,7 +106,9 @@ private:
       read_element();
     } else if(keyword == "property") {
       read_property();
-    } else if(!keyword.empty() && keyword != "comment" && keyword != "obj_info" && keyword != "end_header") {
+    } else if(keyword == "comment") {
+      m_header.names_textures = m_header.names_textures || m_text.lines.word() == "TextureFile";
+    } else if(!keyword.empty() && keyword != "obj_info" && keyword != "end_header") {
       m_text.refuse(quoted_word(keyword) + " is not a keyword of PLY headers; export the mesh again");
     }
   }

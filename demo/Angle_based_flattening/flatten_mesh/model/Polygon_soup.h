@@ -6,12 +6,17 @@
 #ifndef FLATTEN_MESH_POLYGON_SOUP_H
 #define FLATTEN_MESH_POLYGON_SOUP_H
 
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Skipped_part.h"
+#include "flatten_mesh/texts.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -25,11 +30,31 @@ struct Polygon_soup
   std::vector<Polygon> polygons;
   std::vector<Index> origins;  // of each polygon, in the model
   std::vector<bool> is_turned; // of each polygon: its corners are in reverse order
+  std::map<std::size_t, std::vector<Index>>
+      corners; // of polygons that have not all corners of the model's: these
   bool is_welded = false;
   std::vector<Skipped_part> left_out; // what `leave_out()` removed, in the order of the file
 };
 
-// All polygons of a model, valid or not.
+// Of a polygon, the corners that do not repeat the vertex of the corner before. Some programs name a vertex twice in a
+// row, which changes nothing. All corners, if fewer than three were left.
+inline std::vector<Index> corners_without_repetition(const Model& model, const Index polygon)
+{
+  const Index first = model.first_corners[polygon], end = model.first_corners[polygon + 1];
+  std::vector<Index> corners;
+  for(Index c = first; c < end; ++c) {
+    if(model.vertices[c] != model.vertices[c == first ? end - 1 : c - 1]) {
+      corners.push_back(c);
+    }
+  }
+  if(corners.size() < 3) {
+    corners.resize(end - first);
+    std::iota(corners.begin(), corners.end(), first);
+  }
+  return corners;
+}
+
+// All polygons of a model, valid or not
 inline Polygon_soup polygon_soup(const Model& model)
 {
   Polygon_soup soup;
@@ -38,8 +63,14 @@ inline Polygon_soup polygon_soup(const Model& model)
   const std::size_t polygons = model.number_of_polygons();
   soup.polygons.reserve(polygons);
   for(std::size_t p = 0; p < polygons; ++p) {
-    soup.polygons.emplace_back(model.vertices.begin() + model.first_corners[p],
-                               model.vertices.begin() + model.first_corners[p + 1]);
+    Polygon& polygon = soup.polygons.emplace_back();
+    std::vector<Index> corners = corners_without_repetition(model, static_cast<Index>(p));
+    for(const Index c : corners) {
+      polygon.push_back(model.vertices[c]);
+    }
+    if(corners.size() < model.size(static_cast<Index>(p))) {
+      soup.corners.emplace(p, std::move(corners));
+    }
     soup.origins.push_back(static_cast<Index>(p));
   }
   soup.is_turned.assign(polygons, false);
@@ -63,6 +94,20 @@ inline bool is_as_in_model(const Polygon_soup& soup, const Model& model)
   return true;
 }
 
+// Tells of the polygons with fewer corners than in the model.
+inline void tell_repetitions(const Polygon_soup& soup, Notes& notes)
+{
+  std::size_t count = 0, first = 0;
+  for(const auto& [p, corners] : soup.corners) {
+    first = count == 0 ? soup.origins[p] : first;
+    ++count;
+  }
+  if(count > 0) {
+    notes.add(count_text(count, "face names", "faces name") +
+              " a vertex twice in a row, which is taken for one corner; the first is " + face_name(first));
+  }
+}
+
 // Removes polygons, and remembers how many and why. `part_of` is, for each polygon, the number of its part, or
 // `no_index` for one that stays. Of the parts, only the diagnosis and the message have to be known.
 inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std::vector<Skipped_part> parts)
@@ -72,6 +117,7 @@ inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std
     part.faces = 0;
   }
   std::size_t kept = 0;
+  std::map<std::size_t, std::vector<Index>> corners;
   for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
     if(part_of[p] != no_index) {
       Skipped_part& part = parts[part_of[p]];
@@ -81,12 +127,16 @@ inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std
       soup.polygons[kept].swap(soup.polygons[p]);
       soup.origins[kept] = soup.origins[p];
       soup.is_turned[kept] = soup.is_turned[p];
+      if(const auto own = soup.corners.find(p); own != soup.corners.end()) {
+        corners.emplace(kept, std::move(own->second));
+      }
       ++kept;
     }
   }
   soup.polygons.resize(kept);
   soup.origins.resize(kept);
   soup.is_turned.resize(kept);
+  soup.corners = std::move(corners);
   soup.left_out.insert(soup.left_out.end(), parts.begin(), parts.end());
   std::stable_sort(soup.left_out.begin(), soup.left_out.end(),
                    [](const Skipped_part& a, const Skipped_part& b) { return a.first_face < b.first_face; });

@@ -126,6 +126,7 @@ inline void divide_polygons(Model& model, const Mesh& mesh, Corner_origins& orig
       }
       division.end_polygon(p);
       after.is_turned.push_back(origins.is_turned[p]);
+      after.has_no_area.push_back(false);
     }
     if(!is_divided[p]) {
       for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
@@ -133,6 +134,7 @@ inline void divide_polygons(Model& model, const Mesh& mesh, Corner_origins& orig
       }
       division.end_polygon(p);
       after.is_turned.push_back(origins.is_turned[p]);
+      after.has_no_area.push_back(!origins.has_no_area.empty() && origins.has_no_area[p]);
     }
   }
   division.begin(no_index);

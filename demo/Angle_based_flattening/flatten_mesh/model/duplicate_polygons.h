@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_DUPLICATE_POLYGONS_H
 #define FLATTEN_MESH_DUPLICATE_POLYGONS_H
 
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/texts.h"
 
@@ -92,34 +93,61 @@ inline std::vector<bool> have_more_than_two(const std::vector<Polygon>& polygons
   return result;
 }
 
-} // namespace internal
-
-// Leaves out polygons with the same corners as another one before, in either orientation, where they make edges of
-// more than two polygons. Otherwise the two are the sides of a thin closed surface, and remain.
-inline void leave_out_duplicates(Polygon_soup& soup)
+// Whether two polygons have the same corners in reverse order
+inline bool is_back_of(Polygon front, Polygon back)
 {
-  const std::vector<std::size_t> first = internal::first_equal_polygons(soup.polygons);
-  std::vector<internal::Vertex_pair> edges; // of duplicates
-  for(std::size_t p = 0; p < first.size(); ++p) {
-    for(std::size_t i = 0; i < soup.polygons[p].size() && first[p] != p; ++i) {
-      edges.push_back(internal::side_of(soup.polygons[p], i));
-    }
+  std::reverse(back.begin(), back.end());
+  for(Polygon* const polygon : {&front, &back}) {
+    std::rotate(polygon->begin(), std::min_element(polygon->begin(), polygon->end()), polygon->end());
   }
-  if(edges.empty()) {
-    return;
+  return front == back;
+}
+
+// Polygons with the same corners as another one before, where they make edges of more than two polygons
+struct Duplicate_polygons
+{
+  std::vector<std::size_t> first; // of each polygon: the one before; itself if there is none, or no such edge
+  std::vector<bool> is_back;      // of each polygon: the first one that is in reverse order
+};
+
+inline Duplicate_polygons duplicate_polygons(const std::vector<Polygon>& polygons)
+{
+  Duplicate_polygons result{first_equal_polygons(polygons), std::vector<bool>(polygons.size(), false)};
+  std::vector<Vertex_pair> edges; // of duplicates
+  for(std::size_t p = 0; p < polygons.size(); ++p) {
+    for(std::size_t i = 0; i < polygons[p].size() && result.first[p] != p; ++i) {
+      edges.push_back(side_of(polygons[p], i));
+    }
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  const std::vector<bool> is_surplus = internal::have_more_than_two(soup.polygons, edges);
+  const std::vector<bool> is_surplus = have_more_than_two(polygons, edges);
+  std::vector<bool> has_back(polygons.size(), false);
+  for(std::size_t p = 0; p < polygons.size(); ++p) {
+    std::size_t& first = result.first[p];
+    bool is_duplicate = false;
+    for(std::size_t i = 0; i < polygons[p].size() && first != p; ++i) {
+      const auto edge = std::lower_bound(edges.begin(), edges.end(), side_of(polygons[p], i));
+      is_duplicate = is_duplicate || is_surplus[static_cast<std::size_t>(edge - edges.begin())];
+    }
+    first = is_duplicate ? first : p;
+    result.is_back[p] = is_duplicate && !has_back[first] && is_back_of(polygons[first], polygons[p]);
+    has_back[first] = has_back[first] || result.is_back[p];
+  }
+  return result;
+}
+
+} // namespace internal
+
+// Leaves out duplicates, but for backs. Two polygons at whose edges there are no others are the sides of a thin closed
+// surface, and remain.
+inline void leave_out_duplicates(Polygon_soup& soup)
+{
+  const auto [first, is_back] = internal::duplicate_polygons(soup.polygons);
   std::vector<Index> part_of(first.size(), no_index);
   std::vector<Skipped_part> parts;
   for(std::size_t p = 0; p < first.size(); ++p) {
-    bool is_duplicate = false;
-    for(std::size_t i = 0; i < soup.polygons[p].size() && first[p] != p; ++i) {
-      const auto edge = std::lower_bound(edges.begin(), edges.end(), internal::side_of(soup.polygons[p], i));
-      is_duplicate = is_duplicate || is_surplus[static_cast<std::size_t>(edge - edges.begin())];
-    }
-    if(is_duplicate) {
+    if(first[p] != p && !is_back[p]) {
       part_of[p] = 0;
       if(parts.empty()) {
         parts.push_back({0, 0, "DUPLICATE_FACE",
@@ -131,6 +159,33 @@ inline void leave_out_duplicates(Polygon_soup& soup)
   if(!parts.empty()) {
     leave_out(soup, part_of, parts);
   }
+}
+
+// Gives the backs of polygons, as double-sided cloth has them, vertices of their own, so that they are a sheet of their
+// own.
+inline void separate_backs(Polygon_soup& soup, Notes& notes)
+{
+  const auto [first, is_back] = internal::duplicate_polygons(soup.polygons);
+  const auto backs = static_cast<std::size_t>(std::count(is_back.begin(), is_back.end(), true));
+  if(backs == 0) {
+    return;
+  }
+  std::vector<std::size_t> copies(soup.points.size(), no_index);
+  for(std::size_t p = 0; p < is_back.size(); ++p) {
+    for(std::size_t i = 0; i < soup.polygons[p].size() && is_back[p]; ++i) {
+      std::size_t& v = soup.polygons[p][i];
+      if(copies[v] == no_index) {
+        copies[v] = soup.points.size();
+        soup.points.push_back(Kernel::Point_3(soup.points[v]));
+      }
+      v = copies[v];
+    }
+  }
+  const auto back =
+      static_cast<std::size_t>(std::find(is_back.begin(), is_back.end(), true) - is_back.begin());
+  notes.add(count_text(backs, "face is the back of another", "faces are the backs of others") + ", as " +
+            face_name(soup.origins[back]) + " is of " + face_name(soup.origins[first[back]]) +
+            ": they are sheets of their own");
 }
 
 } // namespace flatten_mesh

@@ -140,7 +140,7 @@ tinygltf::Material make_material(const Glb_material& given)
 } // namespace
 
 std::string glb_text(const std::vector<Glb_material>& materials, const std::vector<Glb_primitive>& primitives,
-                     const Glb_pictures& pictures)
+                     const Glb_pictures& pictures, const std::array<double, 3>& place)
 {
   tinygltf::Model model;
   model.asset.version = "2.0";
@@ -162,6 +162,9 @@ std::string glb_text(const std::vector<Glb_material>& materials, const std::vect
   model.meshes.push_back(mesh);
   tinygltf::Node node;
   node.mesh = 0;
+  if(place != std::array<double, 3>{0, 0, 0}) {
+    node.translation.assign(place.begin(), place.end());
+  }
   model.nodes.push_back(node);
   tinygltf::Scene scene;
   scene.nodes.push_back(0);

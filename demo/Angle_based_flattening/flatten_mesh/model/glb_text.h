@@ -49,9 +49,9 @@ struct Glb_primitive
 // The format counts bytes with 32 bits. Some are left for the description.
 constexpr std::size_t largest_glb = 4200000000;
 
-// A binary glTF file of one mesh, of at most `largest_glb` bytes of numbers.
+// A binary glTF file of one mesh, of at most `largest_glb` bytes of numbers. Its origin is at `place`.
 std::string glb_text(const std::vector<Glb_material>& materials, const std::vector<Glb_primitive>& primitives,
-                     const Glb_pictures& pictures = {});
+                     const Glb_pictures& pictures = {}, const std::array<double, 3>& place = {0, 0, 0});
 
 } // namespace flatten_mesh
 

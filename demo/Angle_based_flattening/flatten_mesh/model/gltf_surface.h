@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_GLTF_SURFACE_H
 #define FLATTEN_MESH_GLTF_SURFACE_H
 
+#include "flatten_mesh/model/Gltf_options.h"
 #include "flatten_mesh/model/glb_text.h"
 
 #include <cstddef>
@@ -52,7 +53,7 @@ struct Gltf_surface
 // A mesh with several nodes is there once, at the place of the first, unless each of them is to have its own. Throws an
 // `Input_error` that names what is wrong.
 Gltf_surface gltf_surface(std::string_view content, bool is_binary, const std::string& file,
-                          bool unique_instances);
+                          const Gltf_options& options);
 
 // New triangles of a primitive, whose vertices are some of its vertices: one for each place in the texture.
 struct Gltf_triangles

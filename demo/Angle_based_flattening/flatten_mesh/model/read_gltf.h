@@ -9,6 +9,7 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Gltf_options.h"
 #include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/color_spaces.h"
 #include "flatten_mesh/model/gltf_surface.h"
 #include "flatten_mesh/model/join_vertices.h"
 #include "flatten_mesh/texts.h"
@@ -135,7 +136,7 @@ private:
       for(std::size_t v = 0; v < primitive.number_of_vertices(); ++v) {
         const double* const c = primitive.colors.empty() ? nullptr : &primitive.colors[4 * v];
         m_model.colors.push_back(c == nullptr ? Point_color{none, none, none, none}
-                                              : Point_color{c[0], c[1], c[2], c[3]});
+                                              : srgb_of_linear({c[0], c[1], c[2], c[3]}));
       }
     }
   }
@@ -192,7 +193,7 @@ inline void read_gltf(const std::string_view content, Model& model, const Gltf_o
         "': glTF files begin with 'glTF' if they are binary, and otherwise with '{'; export the "
         "mesh again");
   }
-  const Gltf_surface surface = gltf_surface(content, is_binary, model.file, options.unique_instances);
+  const Gltf_surface surface = gltf_surface(content, is_binary, model.file, options);
   internal::Gltf_model(surface, model).add_all(options.joins_vertices);
   internal::tell_gltf(surface, options, model.file, notes);
 }

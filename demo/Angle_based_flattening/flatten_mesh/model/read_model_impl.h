@@ -71,11 +71,11 @@ FLATTEN_MESH_INLINE void read_content(const std::string_view content, const std:
     if(format == "obj") {
       read_obj(text, model, degenerate, notes);
     } else if(format == "off") {
-      read_off(text, model, degenerate);
+      read_off(text, model, degenerate, notes);
     } else if(format == "ply") {
-      read_ply(text, model, degenerate);
+      read_ply(text, model, degenerate, notes);
     } else if(format == "stl") {
-      read_stl(text, model, degenerate);
+      read_stl(text, model, degenerate, notes);
     } else if(format == "ts") {
       read_ts(text, model, degenerate);
 #ifdef ABF_WITH_GLTF

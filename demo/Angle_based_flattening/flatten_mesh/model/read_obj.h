@@ -101,6 +101,13 @@ private:
   void check_corners(const std::size_t first)
   {
     m_sorted.assign(m_model.vertices.begin() + static_cast<std::ptrdiff_t>(first), m_model.vertices.end());
+    m_sorted.erase(std::unique(m_sorted.begin(), m_sorted.end()), m_sorted.end());
+    if(m_sorted.size() > 3 && m_sorted.front() == m_sorted.back()) {
+      m_sorted.pop_back();
+    }
+    if(m_sorted.size() < 3) { // then a vertex twice in a row is not one corner
+      m_sorted.assign(m_model.vertices.begin() + static_cast<std::ptrdiff_t>(first), m_model.vertices.end());
+    }
     std::sort(m_sorted.begin(), m_sorted.end());
     const auto twice = std::adjacent_find(m_sorted.begin(), m_sorted.end());
     if(twice != m_sorted.end()) {

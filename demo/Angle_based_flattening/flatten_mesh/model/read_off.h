@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_READ_OFF_H
 #define FLATTEN_MESH_READ_OFF_H
 
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Text_reader.h"
 #include "flatten_mesh/texts.h"
@@ -34,7 +35,7 @@ public:
       : m_text(text, model, degenerate), m_model(model)
   {}
 
-  void read()
+  void read(Notes& notes)
   {
     read_header();
     for(std::size_t v = 0; v < m_vertices; ++v) {
@@ -45,22 +46,27 @@ public:
     }
     m_model.has_point_normals = m_has_normals;
     m_model.has_point_texture = m_has_texture;
+    if(m_colored_faces > 0) {
+      notes.add("'" + m_model.file + "': outputs are without the colours of " +
+                count_text(m_colored_faces, "face"));
+    }
   }
 
 private:
   void read_header()
   {
-    std::string kind(m_text.lines.word_in_any_line());
-    if(kind.size() < 3 || kind.substr(kind.size() - 3) != "OFF" ||
-       kind.find_first_not_of("STCN4") < kind.size() - 3) {
+    const std::string_view first = m_text.lines.word_in_any_line();
+    const std::size_t off = first.find("OFF");
+    if(off == first.npos || first.find_first_not_of("STCN4") < off) {
       refuse_header();
     }
-    kind.resize(kind.size() - 3);
+    const std::string_view kind = first.substr(0, off), count = first.substr(off + 3);
     m_has_texture = kind.find("ST") != kind.npos;
     m_has_colors = kind.find('C') != kind.npos;
     m_has_normals = kind.find('N') != kind.npos;
     m_is_homogeneous = kind.find('4') != kind.npos;
-    std::string_view word = m_text.lines.word_in_any_line();
+    // ModelNet's files have the first count without a space before it.
+    std::string_view word = count.empty() ? m_text.lines.word_in_any_line() : count;
     if(word == "BINARY") {
       m_text.refuse("binary OFF files are not read; export the mesh as PLY");
     }
@@ -196,6 +202,7 @@ private:
       }
       m_model.vertices.push_back(static_cast<Index>(index));
     }
+    m_colored_faces += m_words.size() > size + 1;
     m_model.end_polygon();
   }
 
@@ -213,15 +220,17 @@ private:
   Model& m_model;
   bool m_has_texture = false, m_has_colors = false, m_has_normals = false, m_is_homogeneous = false;
   std::size_t m_vertices = 0, m_faces = 0; // as the header says
+  std::size_t m_colored_faces = 0;
   std::vector<std::string_view> m_words;
 };
 
 } // namespace internal
 
 // Reads an OFF file. Throws an `Input_error` with the number of the line that is wrong.
-inline void read_off(const std::string_view text, Model& model, const Degenerate_faces degenerate)
+inline void read_off(const std::string_view text, Model& model, const Degenerate_faces degenerate,
+                     Notes& notes)
 {
-  internal::Off_reader(text, model, degenerate).read();
+  internal::Off_reader(text, model, degenerate).read(notes);
 }
 
 } // namespace flatten_mesh

@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_READ_PLY_H
 #define FLATTEN_MESH_READ_PLY_H
 
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Ply_header.h"
 #include "flatten_mesh/model/Ply_items.h"
@@ -29,9 +30,9 @@ namespace internal {
 class Ply_reader
 {
 public:
-  Ply_reader(const std::string_view content, Model& model, const Degenerate_faces degenerate)
-      : m_text(content, model, degenerate), m_model(model), m_header(Ply_header_reader(m_text).read()),
-        m_items(content, m_text, m_header, model)
+  Ply_reader(const std::string_view content, Model& model, const Degenerate_faces degenerate, Notes& notes)
+      : m_text(content, model, degenerate), m_model(model), m_notes(notes),
+        m_header(Ply_header_reader(m_text).read()), m_items(content, m_text, m_header, model)
   {}
 
   void read()
@@ -47,10 +48,17 @@ public:
         for(std::size_t i = 0; i < element.count; ++i) {
           m_items.read(element, i);
         }
+        tell_left_out(element, {});
       }
     }
     if(!m_model.corner_texture.empty()) {
       m_model.corner_texture.resize(m_model.number_of_corners(), no_index);
+    }
+    if(!m_left_out.empty()) {
+      m_notes.add("'" + m_model.file + "': outputs are without these properties: " + m_left_out);
+    }
+    if(m_header.names_textures) {
+      m_notes.add("'" + m_model.file + "': outputs are without the names of textures in its header");
     }
   }
 
@@ -80,6 +88,20 @@ private:
       }
     }
     return {};
+  }
+
+  // Remembers which properties of an element are not read.
+  void tell_left_out(const Ply_element& element, const Columns& read)
+  {
+    std::string names;
+    for(std::size_t k = 0; k < element.properties.size(); ++k) {
+      if(std::find(read.begin(), read.end(), k) == read.end()) {
+        names += (names.empty() ? "" : ", ") + element.properties[k].name;
+      }
+    }
+    if(!names.empty() && element.count > 0) {
+      m_left_out += (m_left_out.empty() ? "" : "; ") + names + " of '" + element.name + "'";
+    }
   }
 
   void read_vertices(const Ply_element& element)
@@ -113,6 +135,11 @@ private:
     }
     m_model.has_point_normals = !m_model.normals.empty();
     m_model.has_point_texture = !texture.empty();
+    Columns read = points;
+    for(const Columns* others : {&normals, &texture, &colors}) {
+      read.insert(read.end(), others->begin(), others->end());
+    }
+    tell_left_out(element, read);
   }
 
   void check_finite(const Columns& points) const
@@ -150,6 +177,10 @@ private:
   void read_faces(const Ply_element& element)
   {
     const std::size_t vertices = list_of_vertices(element), texture = element.find("texcoord");
+    if(texture < element.properties.size()) {
+      ignore_equal_texture_of_points();
+    }
+    tell_left_out(element, {vertices, texture, element.find("chart")}); // our own charts are made anew
     for(std::size_t j = 0; j < element.count; ++j) {
       m_items.read(element, j);
       const std::size_t first = m_model.vertices.size();
@@ -163,6 +194,20 @@ private:
         add_texture(m_items.numbers[texture], first);
       }
       m_model.end_polygon();
+    }
+  }
+
+  // Some programs write zeros for each vertex, beside the coordinates of corners.
+  void ignore_equal_texture_of_points()
+  {
+    const std::vector<Kernel::Point_2>& uv = m_model.texture;
+    if(m_model.has_point_texture && uv.size() > 1 &&
+       std::all_of(uv.begin(), uv.end(), [&uv](const Kernel::Point_2& p) { return p == uv[0]; })) {
+      m_model.texture.clear();
+      m_model.has_point_texture = false;
+      m_notes.add(
+          "'" + m_model.file +
+          "': the texture coordinates of all vertices are equal, so that those of the faces are taken");
     }
   }
 
@@ -183,6 +228,7 @@ private:
   void read_strips(const Ply_element& element)
   {
     const std::size_t vertices = list_of_vertices(element);
+    tell_left_out(element, {vertices});
     for(std::size_t j = 0; j < element.count; ++j) {
       m_items.read(element, j);
       const std::vector<double>& numbers = m_items.numbers[vertices];
@@ -223,6 +269,8 @@ private:
 
   Text_reader m_text;
   Model& m_model;
+  Notes& m_notes;
+  std::string m_left_out;
   Ply_header m_header;
   Ply_items m_items;
 };
@@ -231,9 +279,10 @@ private:
 
 // Reads a PLY file: points, their colours, normals and texture coordinates, polygons or strips of triangles, and the
 // texture coordinates of corners. Throws an `Input_error` that names what is wrong.
-inline void read_ply(const std::string_view content, Model& model, const Degenerate_faces degenerate)
+inline void read_ply(const std::string_view content, Model& model, const Degenerate_faces degenerate,
+                     Notes& notes)
 {
-  internal::Ply_reader(content, model, degenerate).read();
+  internal::Ply_reader(content, model, degenerate, notes).read();
 }
 
 } // namespace flatten_mesh

@@ -6,6 +6,7 @@
 #ifndef FLATTEN_MESH_READ_STL_H
 #define FLATTEN_MESH_READ_STL_H
 
+#include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Binary_data.h"
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Text_reader.h"
@@ -40,7 +41,7 @@ public:
   {}
 
   // Binary files may begin with the word for text, and a count that fits tells.
-  void read()
+  void read(Notes& notes)
   {
     std::uint32_t count = 0;
     Binary_data bytes(m_content, boost::endian::order::little);
@@ -52,14 +53,14 @@ public:
     if(!fits && is_text) {
       read_text();
     } else {
-      read_binary(bytes, has_count, count);
+      read_binary(bytes, has_count, count, notes);
     }
   }
 
 private:
   static constexpr std::size_t header_size = 80, triangle_size = 50;
 
-  void read_binary(Binary_data& bytes, const bool has_count, const std::size_t count)
+  void read_binary(Binary_data& bytes, const bool has_count, const std::size_t count, Notes& notes)
   {
     const std::size_t found = bytes.size() / triangle_size;
     if(!has_count) {
@@ -75,6 +76,7 @@ private:
                          : "has room for " + std::to_string(found)) +
           "; export the mesh again");
     }
+    std::size_t colored = 0;
     for(std::size_t t = 0; t < count; ++t) {
       bytes.skip(3 * sizeof(float)); // the normal
       for(int i = 0; i < 3; ++i) {
@@ -85,7 +87,13 @@ private:
         add_corner({point[0], point[1], point[2]});
       }
       m_model.end_polygon();
-      bytes.skip(2); // attributes
+      std::uint16_t attributes = 0;
+      bytes.read(attributes);
+      colored += attributes != 0;
+    }
+    if(colored > 0) {
+      notes.add("'" + m_model.file + "': outputs are without the attributes, such as colours, of " +
+                count_text(colored, "triangle"));
     }
   }
 
@@ -95,6 +103,7 @@ private:
     std::size_t vertices = 0;
     for(std::string keyword = word(); !keyword.empty(); keyword = word()) {
       if(keyword == "solid" || keyword == "endsolid") {
+        begin_facet();
         is_open = keyword == "solid";
         m_text.lines.rest(); // a name
       } else if(keyword == "vertex") {
@@ -105,27 +114,41 @@ private:
         word(), word(), word();
       } else if(keyword == "endfacet") {
         end_facet();
-      } else if(keyword != "outer" && keyword != "loop" && keyword != "endloop") {
+      } else if(keyword != "outer" && keyword != "loop" && keyword != "endloop" && !is_complete()) {
         m_text.refuse(quoted_word(keyword) + " is not a keyword of STL files; export the mesh again");
       }
     }
-    if(is_open || m_model.vertices.size() > m_model.first_corners.back()) {
+    if(is_open || corners_of_facet() > 0) {
       m_text.refuse("the file ends without 'endsolid', so it was cut short; export the mesh again");
     }
   }
 
-  std::string word() { return boost::algorithm::to_lower_copy(std::string(m_text.lines.word_in_any_line())); }
-
-  void begin_facet() const
+  // Some programs write 'end loop'.
+  std::string word()
   {
-    if(m_model.vertices.size() > m_model.first_corners.back()) {
-      m_text.refuse("the facet before has no 'endfacet'; export the mesh again");
+    std::string found(m_text.lines.word_in_any_line());
+    if(boost::algorithm::iequals(found, "end")) {
+      found += m_text.lines.word_in_any_line();
+    }
+    return boost::algorithm::to_lower_copy(found);
+  }
+
+  std::size_t corners_of_facet() const { return m_model.vertices.size() - m_model.first_corners.back(); }
+
+  // Whatever follows the corners of such a facet, up to the next one, does not matter.
+  bool is_complete() const { return corners_of_facet() >= 3; }
+
+  // The one before may have no end.
+  void begin_facet()
+  {
+    if(corners_of_facet() > 0) {
+      end_facet();
     }
   }
 
   void end_facet()
   {
-    if(m_model.vertices.size() < std::size_t(m_model.first_corners.back()) + 3) {
+    if(!is_complete()) {
       m_text.refuse("the facet has fewer than three vertices; export the mesh again");
     }
     m_model.end_polygon();
@@ -165,10 +188,11 @@ private:
 } // namespace internal
 
 // Reads an STL file. Throws an `Input_error` that names the line, or the counts.
-inline void read_stl(const std::string_view content, Model& model, const Degenerate_faces degenerate)
+inline void read_stl(const std::string_view content, Model& model, const Degenerate_faces degenerate,
+                     Notes& notes)
 {
   model.is_welded = true;
-  internal::Stl_reader(content, model, degenerate).read();
+  internal::Stl_reader(content, model, degenerate).read(notes);
 }
 
 } // namespace flatten_mesh

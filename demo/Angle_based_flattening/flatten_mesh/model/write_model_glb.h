@@ -9,10 +9,13 @@
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/model/color_spaces.h"
 #include "flatten_mesh/model/glb_text.h"
 #include "flatten_mesh/model/material_files.h"
 #include "flatten_mesh/texts.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,8 +36,9 @@ namespace internal {
 class Glb_part
 {
 public:
-  Glb_part(const Model& model, const Model_texture& texture, const bool has_uv, const bool has_normals)
-      : m_model(model), m_texture(texture), m_has_uv(has_uv), m_has_normals(has_normals),
+  Glb_part(const Model& model, const Model_texture& texture, const std::array<double, 3>& origin,
+           const bool has_uv, const bool has_normals)
+      : m_model(model), m_texture(texture), m_origin(origin), m_has_uv(has_uv), m_has_normals(has_normals),
         m_has_first(texture.is_second_set && (has_uv || !model.texture.empty()))
   {}
 
@@ -76,7 +80,7 @@ private:
     };
     const Index v = m_model.vertices[c];
     for(int axis = 0; axis < 3; ++axis) {
-      add(m_primitive.positions, m_model.points[v][axis]);
+      add(m_primitive.positions, m_model.points[v][axis] - m_origin[static_cast<std::size_t>(axis)]);
     }
     const auto add_uv = [&add](std::vector<float>& numbers, const Kernel::Point_2& uv) {
       add(numbers, uv.x());
@@ -101,7 +105,7 @@ private:
     }
     if(!m_model.colors.empty()) {
       const Point_color& color = m_model.colors[v];
-      for(const double part : std::isfinite(color[0]) ? color : Point_color{1, 1, 1, 1}) {
+      for(const double part : std::isfinite(color[0]) ? linear_of_srgb(color) : Point_color{1, 1, 1, 1}) {
         add(m_primitive.colors, part);
       }
     }
@@ -109,6 +113,7 @@ private:
 
   const Model& m_model;
   const Model_texture& m_texture;
+  std::array<double, 3> m_origin;
   bool m_has_uv;
   bool m_has_normals;
   bool m_has_first; // of two sets
@@ -140,6 +145,29 @@ inline std::size_t pictured_material(std::vector<Glb_material>& materials, const
 
 } // namespace internal
 
+// Where the origin of a model has to be so that `float` tells its points apart: in the middle, if it is farther away
+// than a hundred times the extent, as that of a terrain in geographic coordinates is. Otherwise it stays.
+inline std::array<double, 3> origin_of_floats(const Model& model)
+{
+  const double most = (std::numeric_limits<double>::max)();
+  std::array<double, 3> low = {most, most, most}, high = {-most, -most, -most};
+  for(const Index v : model.vertices) {
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      const double x = model.points[v][static_cast<int>(axis)];
+      low[axis] = std::isfinite(x) ? (std::min)(low[axis], x) : low[axis];
+      high[axis] = std::isfinite(x) ? (std::max)(high[axis], x) : high[axis];
+    }
+  }
+  double extent = 0, farthest = 0;
+  std::array<double, 3> middle = {0, 0, 0};
+  for(std::size_t axis = 0; axis < 3; ++axis) {
+    extent = (std::max)(extent, high[axis] - low[axis]);
+    farthest = (std::max)({farthest, std::abs(low[axis]), std::abs(high[axis])});
+    middle[axis] = low[axis] / 2 + high[axis] / 2;
+  }
+  return farthest > 100 * extent && extent > 0 ? middle : std::array<double, 3>{0, 0, 0};
+}
+
 // The triangles of a model as a binary glTF file. Each material has at most four primitives: of polygons with and
 // without texture coordinates, with and without normals. Throws an `Output_error` if the file would be too large for
 // the format.
@@ -157,6 +185,7 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
       material.color = {1, 1, 1, material.color[3]};
     }
   }
+  const std::array<double, 3> origin = origin_of_floats(model);
   const std::size_t without_name = materials.size();
   std::map<std::tuple<std::size_t, bool, bool>, internal::Glb_part> parts;
   for(const Model_triangle& triangle : texture.triangles) {
@@ -168,7 +197,7 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
       has_normals = has_normals && internal::has_direction(model, c);
     }
     internal::Glb_part& part =
-        parts.try_emplace({material, !has_uv, !has_normals}, model, texture, has_uv, has_normals)
+        parts.try_emplace({material, !has_uv, !has_normals}, model, texture, origin, has_uv, has_normals)
             .first->second;
     for(const Index c : triangle.corners) {
       part.add_corner(c);
@@ -188,7 +217,7 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
   if(bytes > largest_glb) {
     throw Output_error("cannot write '" + name + "': binary glTF files have at most 4 GB; use .ply or .obj");
   }
-  file.write(glb_text(materials, primitives, {texture.normal_picture, texture.color_picture}));
+  file.write(glb_text(materials, primitives, {texture.normal_picture, texture.color_picture}, origin));
 }
 
 } // namespace flatten_mesh

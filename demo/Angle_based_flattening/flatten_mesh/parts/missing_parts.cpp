@@ -58,12 +58,13 @@ std::string report_page(const Report_contents&, int)
 
 namespace flatten_mesh {
 
-std::string glb_text(const std::vector<Glb_material>&, const std::vector<Glb_primitive>&, const Glb_pictures&)
+std::string glb_text(const std::vector<Glb_material>&, const std::vector<Glb_primitive>&, const Glb_pictures&,
+                     const std::array<double, 3>&)
 {
   CGAL_error_msg("built without the part for .glb files");
 }
 
-Gltf_surface gltf_surface(std::string_view, bool, const std::string&, bool)
+Gltf_surface gltf_surface(std::string_view, bool, const std::string&, const Gltf_options&)
 {
   CGAL_error_msg("built without the part for .glb files");
 }

@@ -113,6 +113,7 @@ Surface read_surface(const Command_line& command, Notes& notes)
   surface.model =
       read_model(command.input, Degenerate_faces::REFUSED, notes, command.format, gltf_options_of(command));
   Polygon_soup soup = polygon_soup(surface.model);
+  tell_repetitions(soup, notes);
   try {
     Surface_of_model built =
         build_mesh(surface.model, soup, command.repair == "on", notes, welding_of(command));

@@ -10,6 +10,7 @@
 #include "flatten_mesh/model/gltf/Gltf_elements.h"
 #include "flatten_mesh/model/gltf/Gltf_file.h"
 #include "flatten_mesh/model/gltf/node_places.h"
+#include "flatten_mesh/model/gltf/texture_transform.h"
 #include "flatten_mesh/model/gltf_surface.h"
 #include "flatten_mesh/texts.h"
 
@@ -19,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,6 +43,9 @@ inline std::string primitive_text(const Gltf_file& file, const std::size_t mesh,
 
 namespace internal {
 
+// In the place of a vertex: another strip or fan begins behind it, as KHR_mesh_primitive_restart says.
+constexpr std::uint32_t restart = (std::numeric_limits<std::uint32_t>::max)();
+
 // Triangles of the vertices of a primitive, in their order. Strips go elsewhere by triangles without extent.
 inline std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>& vertices, const int mode)
 {
@@ -48,9 +53,16 @@ inline std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>&
     return vertices;
   }
   std::vector<std::uint32_t> triangles;
-  for(std::size_t i = 2; i < vertices.size(); ++i) {
-    const bool is_strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP, is_turned = is_strip && i % 2 == 1;
-    std::uint32_t a = vertices[is_strip ? i - 2 : 0], b = vertices[i - 1];
+  std::size_t begin = 0; // of the strip or fan
+  for(std::size_t i = 0; i < vertices.size(); ++i) {
+    if(vertices[i] == restart) {
+      begin = i + 1;
+    }
+    if(i < begin + 2) {
+      continue;
+    }
+    const bool is_strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP, is_turned = is_strip && (i - begin) % 2 == 1;
+    std::uint32_t a = vertices[is_strip ? i - 2 : begin], b = vertices[i - 1];
     const std::uint32_t c = vertices[i];
     if(a != b && b != c && c != a) {
       if(is_turned) {
@@ -68,7 +80,9 @@ inline std::vector<std::uint32_t> triangles_of(const std::vector<std::uint32_t>&
 class Gltf_primitive_reader
 {
 public:
-  explicit Gltf_primitive_reader(const Gltf_file& file) : m_file(file), m_accessors(file) {}
+  Gltf_primitive_reader(const Gltf_file& file, const Gltf_options& options)
+      : m_file(file), m_transforms_texture(options.transforms_texture), m_accessors(file)
+  {}
 
   Gltf_primitive read(const std::size_t m, const std::size_t k, const Gltf_place& place) const
   {
@@ -95,6 +109,9 @@ public:
     result.positions = of_used(positions, 3, result.numbers);
     result.normals = of_used(attribute(given, "NORMAL", 3, text, vertices), 3, result.numbers);
     result.texture = of_used(attribute(given, "TEXCOORD_0", 2, text, vertices), 2, result.numbers);
+    if(m_transforms_texture) {
+      apply_texture_transform(m_file, result.material, result.texture);
+    }
     result.colors = of_used(attribute(given, "COLOR_0", 4, text, vertices), 4, result.numbers);
     put(place, result);
     return result;
@@ -189,9 +206,16 @@ private:
       if(!is_unsigned || elements.width() != 1) {
         refuse_gltf(m_file.name, name.text() + " does not contain indices");
       }
+      const double largest = elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 255
+                             : elements.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 65535
+                                                                                                 : 4294967295;
       vertices.resize(elements.count);
       for(std::size_t i = 0; i < elements.count; ++i) {
         const double index = elements.raw_number(i);
+        if(index == largest && given.mode != TINYGLTF_MODE_TRIANGLES) {
+          vertices[i] = internal::restart;
+          continue;
+        }
         if(!(index < static_cast<double>(number_of_vertices))) {
           refuse_gltf(m_file.name, name.text() + " names vertex " + format_number("%.10g", index) +
                                        " (counted from 0), which does not exist: there are only " +
@@ -226,6 +250,7 @@ private:
   }
 
   const Gltf_file& m_file;
+  bool m_transforms_texture;
   Gltf_accessors m_accessors;
 };
 

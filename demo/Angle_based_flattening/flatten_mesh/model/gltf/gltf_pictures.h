@@ -8,8 +8,8 @@
 
 #include "flatten_mesh/model/gltf/Gltf_accessors.h"
 #include "flatten_mesh/model/gltf/Gltf_file.h"
-
-#include <tiny_gltf.h>
+#include "flatten_mesh/model/gltf/read_uri.h"
+#include "flatten_mesh/texts.h"
 
 #include <cstddef>
 #include <string>
@@ -20,16 +20,6 @@
 namespace flatten_mesh {
 
 namespace internal {
-
-// For tinygltf: pictures stay as they are. Those in buffers are there already, and not yet known to be.
-inline bool keep_picture(tinygltf::Image* const image, int, std::string*, std::string*, int, int,
-                         const unsigned char* const bytes, const int size, void*)
-{
-  if(image->bufferView < 0 && size > 0) {
-    image->image.assign(bytes, bytes + size);
-  }
-  return true;
-}
 
 // The type of a whole picture, or an empty string
 inline std::string type_of_picture(const std::string_view bytes)
@@ -49,31 +39,39 @@ inline std::string type_of_picture(const std::string_view bytes)
                                               : "";
 }
 
-// Moves pictures that are files, or texts, into buffers. Throws if one is no picture.
-inline void take_pictures(Gltf_file& file)
+// Moves pictures that are files, or texts, into buffers. Those that are not there, or damaged, stay as they are named.
+inline void take_pictures(Gltf_file& file, std::vector<std::string>& remarks)
 {
-  for(std::size_t i = 0; i < file.model.images.size(); ++i) {
-    tinygltf::Image& image = file.model.images[i];
-    const std::string& known = image.uri.empty() ? image.name : image.uri;
-    const std::string text = "picture " + std::to_string(i) + (known.empty() ? "" : " ('" + known + "')");
-    if(image.bufferView < 0) {
-      if(image.image.empty()) {
-        refuse_gltf(file.name, text + " cannot be read: there is no such file, or it is empty");
+  const std::vector<Json*> images = objects_in(file, file.json, "images");
+  for(std::size_t i = 0; i < images.size(); ++i) {
+    Json& image = *images[i];
+    const std::string uri = text_in(image, "uri"),
+                      known = uri.empty() || is_data(uri) ? text_in(image, "name") : uri;
+    const std::string text =
+        "picture " + std::to_string(i) + (known.empty() ? "" : " ('" + in_one_line(known) + "')");
+    int view = number_in(file, image, "bufferView", text);
+    if(view < 0) {
+      std::vector<unsigned char> bytes;
+      if(!read_uri(file, uri, bytes) || bytes.empty()) {
+        remarks.push_back(text + " cannot be read: " +
+                          (is_data(uri) ? "it is no data" : "there is no such file, or it is empty"));
+        continue;
       }
-      tinygltf::BufferView view;
-      view.buffer = static_cast<int>(file.bytes.size());
-      view.byteLength = image.image.size();
-      file.bytes.push_back(std::move(image.image));
-      image.image.clear();
-      image.uri.clear();
-      image.bufferView = static_cast<int>(file.model.bufferViews.size());
-      file.model.bufferViews.push_back(view);
+      view = static_cast<int>(file.model.bufferViews.size());
+      file.model.bufferViews.emplace_back();
+      file.model.bufferViews.back().buffer = static_cast<int>(file.bytes.size());
+      file.model.bufferViews.back().byteLength = bytes.size();
+      file.bytes.push_back(std::move(bytes));
     }
-    const auto [first, size] = Gltf_accessors(file).view(image.bufferView, text);
-    image.mimeType = type_of_picture({reinterpret_cast<const char*>(first), size});
-    if(image.mimeType.empty()) {
-      refuse_gltf(file.name, text + " is damaged, or neither PNG, JPEG, WebP, KTX2 nor DDS");
+    const auto [first, size] = Gltf_accessors(file).view(view, text);
+    const std::string type = type_of_picture({reinterpret_cast<const char*>(first), size});
+    if(type.empty()) {
+      remarks.push_back(text + " is damaged, or neither PNG, JPEG, WebP, KTX2 nor DDS");
+      continue;
     }
+    image.erase("uri");
+    image["bufferView"] = view;
+    image["mimeType"] = type;
   }
 }
 

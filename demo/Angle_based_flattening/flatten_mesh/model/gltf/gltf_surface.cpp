@@ -8,46 +8,31 @@
 #include "flatten_mesh/model/gltf/Gltf_primitive_reader.h"
 #include "flatten_mesh/model/gltf/load_gltf.h"
 #include "flatten_mesh/model/gltf/node_places.h"
+#include "flatten_mesh/model/gltf/other_accessors.h"
 #include "flatten_mesh/model/gltf_surface.h"
 #include "flatten_mesh/texts.h"
 
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
 
 namespace {
 
-// Each node gets a mesh of its own.
-void separate_instances(Gltf_file& file)
-{
-  std::vector<bool> is_used(file.model.meshes.size(), false);
-  for(std::size_t n = 0; n < file.model.nodes.size(); ++n) {
-    int& mesh = file.model.nodes[n].mesh;
-    if(mesh >= 0) {
-      const tinygltf::Mesh copy = gltf_element(file, file.model.meshes, mesh, node_text(file, n), "mesh");
-      if(is_used[static_cast<std::size_t>(mesh)]) {
-        mesh = static_cast<int>(file.model.meshes.size());
-        file.model.meshes.push_back(copy);
-        is_used.push_back(false);
-      }
-      is_used[static_cast<std::size_t>(mesh)] = true;
-    }
-  }
-}
-
 class Gltf_surface_reader
 {
 public:
-  Gltf_surface_reader(Gltf_file& file, Gltf_surface& surface)
-      : m_file(file), m_surface(surface), m_accessors(file), m_primitives(file)
+  Gltf_surface_reader(Gltf_file& file, const Gltf_options& options, Gltf_surface& surface)
+      : m_file(file), m_surface(surface), m_accessors(file), m_primitives(file, options)
   {}
 
   void read()
@@ -76,6 +61,9 @@ public:
         }
       }
     }
+    if(left_out > 0 && m_surface.primitives.empty()) {
+      refuse_gltf(m_file.name, "its meshes are only points or lines, and have no triangles");
+    }
     if(left_out > 0) {
       m_surface.remarks.push_back(count_text(left_out, "primitive") + " of points or lines left out");
     }
@@ -84,10 +72,23 @@ public:
   }
 
 private:
-  // Joints place the vertices of a mesh with a skin, and not its node.
+  // Joints place the vertices of a mesh with a skin, and not its node. Some programs hide a mesh by the scale 0.
   std::vector<Gltf_place> places_of_meshes()
   {
-    const std::vector<Gltf_place> places = node_places(m_file);
+    const std::vector<Gltf_place> all_places = node_places(m_file);
+    std::vector<Gltf_place> places = all_places;
+    std::size_t collapsed = 0;
+    for(std::size_t n = 0; n < places.size(); ++n) {
+      if(m_file.model.nodes[n].mesh >= 0 && places[n].determinant() == 0) {
+        places[n] = Gltf_place();
+        ++collapsed;
+      }
+    }
+    if(collapsed > 0) {
+      m_surface.remarks.push_back(count_text(collapsed, "node") + " with a scale of 0: " +
+                                  (collapsed == 1 ? "its mesh is" : "their meshes are") +
+                                  " flattened as if not scaled");
+    }
     std::vector<std::optional<Gltf_place>> first(m_file.model.meshes.size());
     for(std::size_t n = 0; n < places.size(); ++n) {
       const tinygltf::Node& node = m_file.model.nodes[n];
@@ -95,7 +96,7 @@ private:
         gltf_element(m_file, m_file.model.meshes, node.mesh, node_text(m_file, n), "mesh");
         auto& place = first[static_cast<std::size_t>(node.mesh)];
         m_surface.instances += place.has_value();
-        place = place.value_or(node.skin >= 0 ? Gltf_place() : places[n]);
+        place = place.value_or(node.skin >= 0 ? place_of_skin(node.skin, all_places) : places[n]);
       }
     }
     std::vector<Gltf_place> result;
@@ -103,6 +104,44 @@ private:
       result.push_back(place.value_or(Gltf_place()));
     }
     return result;
+  }
+
+  // Joints draw a mesh in another size than its own if, for example, a model in centimeters hangs below a node that
+  // scales it to meters. Its size is the one of the joint in the middle.
+  Gltf_place place_of_skin(const int number, const std::vector<Gltf_place>& places) const
+  {
+    const std::vector<const Json*> skins = objects_in(m_file, std::as_const(m_file.json), "skins");
+    const std::string text = "skin " + std::to_string(number);
+    if(static_cast<std::size_t>(number) >= skins.size()) {
+      refuse_gltf(m_file.name, text + " does not exist: the file has " + std::to_string(skins.size()));
+    }
+    const Json& skin = *skins[static_cast<std::size_t>(number)];
+    const auto joints = skin.find("joints");
+    const int accessor = number_in(m_file, skin, "inverseBindMatrices", text);
+    const std::vector<double> numbers =
+        accessor < 0 ? std::vector<double>() : m_accessors.read({accessor, text}).numbers();
+    std::vector<double> scales;
+    for(std::size_t i = 0; joints != skin.end() && joints->is_array() && i < joints->size(); ++i) {
+      const Json& joint = (*joints)[i];
+      if(!joint.is_number_unsigned() || joint.get<std::size_t>() >= places.size()) {
+        refuse_gltf(m_file.name, text + " names a node that does not exist");
+      }
+      double volume = places[joint.get<std::size_t>()].determinant();
+      if(16 * (i + 1) <= numbers.size()) {
+        volume *= Gltf_place::of_columns(&numbers[16 * i]).determinant();
+      }
+      scales.push_back(std::cbrt(std::abs(volume)));
+    }
+    Gltf_place place;
+    if(!scales.empty()) {
+      const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+      std::nth_element(scales.begin(), middle, scales.end());
+      const bool is_other = std::isfinite(*middle) && *middle > 0 && std::abs(*middle - 1) > 1e-3;
+      for(std::size_t axis = 0; axis < 3 && is_other; ++axis) {
+        place.rows[axis][axis] = *middle;
+      }
+    }
+    return place;
   }
 
   // What is only written again: wrong parts of a file are told before the work begins.
@@ -126,17 +165,10 @@ private:
         }
       }
     }
-    for(std::size_t i = 0; i < model.skins.size(); ++i) {
-      if(model.skins[i].inverseBindMatrices >= 0) {
-        m_accessors.read({model.skins[i].inverseBindMatrices, "skin " + std::to_string(i)});
-      }
-    }
-    for(std::size_t i = 0; i < model.animations.size(); ++i) {
-      for(const tinygltf::AnimationSampler& sampler : model.animations[i].samplers) {
-        m_accessors.read({sampler.input, "animation " + std::to_string(i)});
-        m_accessors.read({sampler.output, "animation " + std::to_string(i)});
-      }
-    }
+    for_each_other_accessor(m_file, std::as_const(m_file.json),
+                            [this](const Json& number, const std::string& text) {
+                              m_accessors.read({number.get<int>(), text});
+                            });
   }
 
   // What the surface does not say
@@ -153,12 +185,15 @@ private:
     const auto add = [&text](const bool is_there, const char* const name) {
       text += !is_there ? "" : text.empty() ? name : std::string(", ") + name;
     };
-    add(!model.textures.empty(), "textures");
-    add(!model.skins.empty(), "skins");
+    const auto has = [this](const char* const key) {
+      return !objects_in(m_file, std::as_const(m_file.json), key).empty();
+    };
+    add(has("textures"), "textures");
+    add(has("skins"), "skins");
     add(has_targets, "morph targets");
-    add(!model.animations.empty(), "animations");
-    add(!model.cameras.empty(), "cameras");
-    add(!model.lights.empty(), "lights");
+    add(has("animations"), "animations");
+    add(has("cameras"), "cameras");
+    add(m_file.json.contains(Json::json_pointer("/extensions/KHR_lights_punctual")), "lights");
     return text;
   }
 
@@ -171,14 +206,12 @@ private:
 } // namespace
 
 Gltf_surface gltf_surface(const std::string_view content, const bool is_binary, const std::string& name,
-                          const bool unique_instances)
+                          const Gltf_options& options)
 {
   Gltf_surface surface;
-  const auto file = std::make_shared<Gltf_file>(load_gltf(content, is_binary, name, surface.remarks));
-  if(unique_instances) {
-    separate_instances(*file);
-  }
-  Gltf_surface_reader(*file, surface).read();
+  const auto file = std::make_shared<Gltf_file>(
+      load_gltf(content, is_binary, name, options.unique_instances, surface.remarks));
+  Gltf_surface_reader(*file, options, surface).read();
   surface.file = file;
   surface.files_beside = file->files_beside;
   return surface;

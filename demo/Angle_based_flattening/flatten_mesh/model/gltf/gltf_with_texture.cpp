@@ -6,12 +6,11 @@
 #include "flatten_mesh/model/gltf/Gltf_accessors.h"
 #include "flatten_mesh/model/gltf/Gltf_elements.h"
 #include "flatten_mesh/model/gltf/Gltf_file.h"
+#include "flatten_mesh/model/gltf/Json.h"
 #include "flatten_mesh/model/gltf/next_texture.h"
+#include "flatten_mesh/model/gltf/other_accessors.h"
 #include "flatten_mesh/model/gltf_surface.h"
 #include "flatten_mesh/texts.h"
-
-#include <boost/iostreams/device/back_inserter.hpp>
-#include <boost/iostreams/stream.hpp>
 
 #include <tiny_gltf.h>
 
@@ -20,7 +19,6 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,30 +31,30 @@ class Gltf_rewriter
 {
 public:
   Gltf_rewriter(const Gltf_file& file, const int set)
-      : m_file(file), m_set(set), m_accessors(file), m_model(file.model)
+      : m_file(file), m_set(set), m_accessors(file), m_json(file.json)
   {
-    m_model.accessors.clear();
-    m_model.bufferViews.clear();
-    m_model.buffers.assign(1, {});
-    m_model.asset.generator = "flatten_mesh";
+    m_json["accessors"] = Json::array();
+    m_json["bufferViews"] = Json::array();
+    m_json["asset"]["generator"] = "flatten_mesh";
   }
 
   void replace_triangles(const std::vector<Gltf_triangles>& all)
   {
-    for(tinygltf::Mesh& mesh : m_model.meshes) {
-      mesh.primitives.clear();
+    for(Json* const mesh : objects_in(m_file, m_json, "meshes")) {
+      (*mesh)["primitives"] = Json::array();
     }
     bool has_textures = false;
     for(const Gltf_triangles& triangles : all) {
       const auto [mesh, number] = m_file.primitives[triangles.primitive];
-      const tinygltf::Primitive& given =
-          m_file.model.meshes[static_cast<std::size_t>(mesh)].primitives[static_cast<std::size_t>(number)];
+      const auto m = static_cast<std::size_t>(mesh), k = static_cast<std::size_t>(number);
+      const tinygltf::Primitive& given = m_file.model.meshes[m].primitives[k];
       has_textures = has_textures || has_moved_keys(given, m_set);
-      m_model.meshes[static_cast<std::size_t>(mesh)].primitives.push_back(primitive(given, triangles));
+      m_json["meshes"][m]["primitives"].push_back(
+          primitive(m_file.json["meshes"][m]["primitives"][k], given, triangles));
     }
     if(has_textures) {
-      for(tinygltf::Material& material : m_model.materials) {
-        use_next_texture(material, m_set);
+      for(Json* const material : objects_in(m_file, m_json, "materials")) {
+        use_next_texture(*material, m_set);
       }
     }
     remove_empty_meshes();
@@ -64,103 +62,123 @@ public:
 
   void keep_other_numbers()
   {
-    for(std::size_t i = 0; i < m_model.skins.size(); ++i) {
-      keep(m_model.skins[i].inverseBindMatrices, "skin " + std::to_string(i));
-    }
-    for(std::size_t i = 0; i < m_model.animations.size(); ++i) {
-      for(tinygltf::AnimationSampler& sampler : m_model.animations[i].samplers) {
-        keep(sampler.input, "animation " + std::to_string(i));
-        keep(sampler.output, "animation " + std::to_string(i));
+    for_each_other_accessor(m_file, m_json,
+                            [this](Json& number, const std::string& text) { keep(number, text); });
+    for(Json* const image : objects_in(m_file, m_json, "images")) {
+      if(image->contains("bufferView")) {
+        const auto [first, size] = m_accessors.view((*image)["bufferView"].get<int>(), "picture");
+        (*image)["bufferView"] = add_view(first, size, 0, 0);
       }
-    }
-    for(tinygltf::Image& image : m_model.images) {
-      const auto [first, size] = m_accessors.view(image.bufferView, "picture");
-      image.bufferView = add_view(first, size, 0, 0);
     }
   }
 
+  // Two chunks, for the description and for the numbers, whose lengths are multiples of 4
   std::string text(const std::string& output)
   {
-    fill_empty_objects();
-    if(m_model.buffers[0].data.size() > largest_glb) {
+    if(m_data.size() > largest_glb) {
       throw Output_error("cannot write '" + output +
                          "': binary glTF files have at most 4 GB; use .ply or .obj");
     }
-    std::string text;
-    text.reserve(m_model.buffers[0].data.size() + 10000);
-    boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> stream(text);
-    if(!tinygltf::TinyGLTF().WriteGltfSceneToStream(&m_model, stream, false, true)) {
-      throw std::runtime_error("tinygltf could not write the model");
-    }
-    stream.flush();
+    m_json["buffers"] = {{{"byteLength", m_data.size()}}};
+    std::string json = m_json.dump();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    m_data.resize((m_data.size() + 3) / 4 * 4, 0);
+    std::string text = "glTF";
+    text.reserve(28 + json.size() + m_data.size());
+    const auto add_number = [&text](const std::size_t number) {
+      for(int shift = 0; shift < 32; shift += 8) {
+        text += static_cast<char>(number >> shift & 0xFF);
+      }
+    };
+    add_number(2);
+    add_number(28 + json.size() + m_data.size());
+    add_number(json.size());
+    text += "JSON" + json;
+    add_number(m_data.size());
+    text.append("BIN\0", 4);
+    text.append(m_data.begin(), m_data.end());
     return text;
   }
 
 private:
-  tinygltf::Primitive primitive(const tinygltf::Primitive& given, const Gltf_triangles& triangles)
+  Json primitive(Json result, const tinygltf::Primitive& given, const Gltf_triangles& triangles)
   {
-    tinygltf::Primitive result = given;
-    result.mode = TINYGLTF_MODE_TRIANGLES;
-    result.attributes.clear();
+    result.erase("mode"); // which is triangles then
+    Json attributes = Json::object();
     for(const auto& [key, accessor] : given.attributes) {
-      result.attributes[next_key(key, m_set)] =
-          add_chosen({accessor, key}, triangles.vertices, key == "POSITION");
+      attributes[next_key(key, m_set)] = add_chosen({accessor, key}, triangles.vertices, key == "POSITION");
     }
     if(!triangles.texture.empty() || has_moved_keys(given, m_set)) {
-      add_texture(triangles.texture, m_set, triangles.vertices.size(), result);
-      if(result.attributes.count(texture_key + "0") == 0) {
-        add_texture({}, 0, triangles.vertices.size(), result);
+      add_texture(triangles.texture, m_set, triangles.vertices.size(), attributes);
+      if(!attributes.contains(texture_key + "0")) {
+        add_texture({}, 0, triangles.vertices.size(), attributes);
       }
     }
-    for(auto& target : result.targets) {
-      std::map<std::string, int> chosen;
-      for(const auto& [key, accessor] : target) {
+    result["attributes"] = attributes;
+    for(std::size_t i = 0; i < given.targets.size(); ++i) {
+      Json chosen = Json::object();
+      for(const auto& [key, accessor] : given.targets[i]) {
         chosen[next_key(key, m_set)] =
             add_chosen({accessor, key + " of a morph target"}, triangles.vertices, key == "POSITION");
       }
-      target = chosen;
+      result["targets"][i] = chosen;
     }
-    result.indices = add(triangles.triangles, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                         TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    result["indices"] = add(triangles.triangles, "SCALAR", TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                            TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     return result;
   }
 
   // A set of texture coordinates, with 0 where there are none: sets are counted from 0 without a gap.
-  void add_texture(std::vector<float> numbers, const int set, const std::size_t vertices,
-                   tinygltf::Primitive& primitive)
+  void add_texture(std::vector<float> numbers, const int set, const std::size_t vertices, Json& attributes)
   {
     numbers.resize(2 * vertices, 0);
-    primitive.attributes[texture_key + std::to_string(set)] =
-        add(numbers, TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    attributes[texture_key + std::to_string(set)] =
+        add(numbers, "VEC2", TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+  }
+
+  // Appends an element to a list, and returns its number.
+  int add_to(const char* const list, Json element)
+  {
+    m_json[list].push_back(std::move(element));
+    return static_cast<int>(m_json[list].size()) - 1;
   }
 
   // Appends bytes to the only buffer, each view where any numbers may begin.
-  int add_view(const void* const bytes, const std::size_t size, const std::size_t stride, const int target)
+  int add_view(const unsigned char* const bytes, const std::size_t size, const std::size_t stride,
+               const int target)
   {
-    std::vector<unsigned char>& data = m_model.buffers[0].data;
-    data.resize((data.size() + 3) / 4 * 4);
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = data.size();
-    view.byteLength = size;
-    view.byteStride = stride;
-    view.target = target;
-    const auto* first = static_cast<const unsigned char*>(bytes);
-    data.insert(data.end(), first, first + size);
-    m_model.bufferViews.push_back(view);
-    return static_cast<int>(m_model.bufferViews.size()) - 1;
+    m_data.resize((m_data.size() + 3) / 4 * 4);
+    Json view = {{"buffer", 0}, {"byteOffset", m_data.size()}, {"byteLength", size}};
+    if(stride != 0) {
+      view["byteStride"] = stride;
+    }
+    if(target != 0) {
+      view["target"] = target;
+    }
+    m_data.insert(m_data.end(), bytes, bytes + size);
+    return add_to("bufferViews", std::move(view));
   }
 
   template <class Number>
-  int add(const std::vector<Number>& numbers, const int type, const int component_type, const int target)
+  int add(const std::vector<Number>& numbers, const std::string& type, const int component_type,
+          const int target)
   {
-    tinygltf::Accessor accessor;
-    accessor.type = type;
-    accessor.componentType = component_type;
-    accessor.count = numbers.size() / (type == TINYGLTF_TYPE_VEC2 ? 2 : 1);
-    accessor.bufferView = add_view(numbers.data(), sizeof(Number) * numbers.size(), 0, target);
-    m_model.accessors.push_back(accessor);
-    return static_cast<int>(m_model.accessors.size()) - 1;
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(numbers.data());
+    const int view = add_view(bytes, sizeof(Number) * numbers.size(), 0, target);
+    return add_to("accessors", {{"bufferView", view},
+                                {"componentType", component_type},
+                                {"count", numbers.size() / (type == "VEC2" ? 2 : 1)},
+                                {"type", type}});
+  }
+
+  // An accessor of the file whose elements are elsewhere now
+  Json moved_accessor(const int number, const int view) const
+  {
+    Json accessor = m_file.json["accessors"][static_cast<std::size_t>(number)];
+    accessor.erase("sparse");
+    accessor.erase("byteOffset");
+    accessor["bufferView"] = view;
+    return accessor;
   }
 
   // Some elements of an accessor of vertices. The format wants each vertex to begin at a multiple of four bytes.
@@ -172,23 +190,19 @@ private:
     for(std::size_t i = 0; i < chosen.size(); ++i) {
       std::memcpy(bytes.data() + i * stride, elements.bytes.data() + chosen[i] * size, size);
     }
-    tinygltf::Accessor accessor = m_file.model.accessors[static_cast<std::size_t>(name.number)];
-    accessor.sparse.isSparse = false;
-    accessor.byteOffset = 0;
-    accessor.count = chosen.size();
-    accessor.minValues.clear();
-    accessor.maxValues.clear();
+    const int view =
+        add_view(bytes.data(), bytes.size(), stride == size ? 0 : stride, TINYGLTF_TARGET_ARRAY_BUFFER);
+    Json accessor = moved_accessor(name.number, view);
+    accessor["count"] = chosen.size();
+    accessor.erase("min");
+    accessor.erase("max");
     if(has_box) {
       add_box(elements, chosen, accessor);
     }
-    accessor.bufferView =
-        add_view(bytes.data(), bytes.size(), stride == size ? 0 : stride, TINYGLTF_TARGET_ARRAY_BUFFER);
-    m_model.accessors.push_back(accessor);
-    return static_cast<int>(m_model.accessors.size()) - 1;
+    return add_to("accessors", std::move(accessor));
   }
 
-  static void add_box(const Gltf_elements& elements, const std::vector<std::uint32_t>& chosen,
-                      tinygltf::Accessor& accessor)
+  static void add_box(const Gltf_elements& elements, const std::vector<std::uint32_t>& chosen, Json& accessor)
   {
     const std::size_t width = elements.width();
     for(std::size_t axis = 0; axis < width; ++axis) {
@@ -198,26 +212,20 @@ private:
         low = (std::min)(low, number);
         high = (std::max)(high, number);
       }
-      accessor.minValues.push_back(low);
-      accessor.maxValues.push_back(high);
+      accessor["min"].push_back(low);
+      accessor["max"].push_back(high);
     }
   }
 
   // Numbers that have nothing to do with vertices: an accessor several times is one again.
-  void keep(int& number, const std::string& use)
+  void keep(Json& number, const std::string& use)
   {
-    if(number < 0) {
-      return;
-    }
-    const auto [place, is_new] = m_kept.emplace(number, -1);
+    const int before = number.get<int>();
+    const auto [place, is_new] = m_kept.emplace(before, -1);
     if(is_new) {
-      const Gltf_elements elements = m_accessors.read({number, use});
-      tinygltf::Accessor accessor = m_file.model.accessors[static_cast<std::size_t>(number)];
-      accessor.sparse.isSparse = false;
-      accessor.byteOffset = 0;
-      accessor.bufferView = add_view(elements.bytes.data(), elements.bytes.size(), 0, 0);
-      place->second = static_cast<int>(m_model.accessors.size());
-      m_model.accessors.push_back(accessor);
+      const Gltf_elements elements = m_accessors.read({before, use});
+      const int view = add_view(elements.bytes.data(), elements.bytes.size(), 0, 0);
+      place->second = add_to("accessors", moved_accessor(before, view));
     }
     number = place->second;
   }
@@ -226,50 +234,33 @@ private:
   void remove_empty_meshes()
   {
     std::vector<int> numbers;
-    int next = 0;
-    for(const tinygltf::Mesh& mesh : m_model.meshes) {
-      numbers.push_back(mesh.primitives.empty() ? -1 : next++);
-    }
-    m_model.meshes.erase(std::remove_if(m_model.meshes.begin(), m_model.meshes.end(),
-                                        [](const tinygltf::Mesh& mesh) { return mesh.primitives.empty(); }),
-                         m_model.meshes.end());
-    for(tinygltf::Node& node : m_model.nodes) {
-      if(node.mesh >= 0) {
-        node.mesh = numbers[static_cast<std::size_t>(node.mesh)];
-      }
-      if(node.mesh < 0) {
-        node.skin = -1;
-        node.weights.clear();
+    Json kept = Json::array();
+    for(Json* const mesh : objects_in(m_file, m_json, "meshes")) {
+      const bool is_empty = (*mesh)["primitives"].empty();
+      numbers.push_back(is_empty ? -1 : static_cast<int>(kept.size()));
+      if(!is_empty) {
+        kept.push_back(std::move(*mesh));
       }
     }
-  }
-
-  // Tinygltf writes objects without any content as `null`, which is none. These contents are the defaults, or names.
-  void fill_empty_objects()
-  {
-    for(tinygltf::Node& node : m_model.nodes) {
-      if(node.matrix.empty() && node.translation.empty()) {
-        node.translation = {0, 0, 0};
+    m_json["meshes"] = std::move(kept);
+    for(Json* const node : objects_in(m_file, m_json, "nodes")) {
+      const int mesh = number_in(m_file, *node, "mesh", "a node");
+      if(mesh >= 0 && numbers[static_cast<std::size_t>(mesh)] >= 0) {
+        (*node)["mesh"] = numbers[static_cast<std::size_t>(mesh)];
+      } else if(mesh >= 0) {
+        for(const char* const key : {"mesh", "skin", "weights"}) {
+          node->erase(key);
+        }
       }
-    }
-    for(tinygltf::Scene& scene : m_model.scenes) {
-      scene.name = scene.name.empty() && scene.nodes.empty() ? "empty" : scene.name;
-    }
-    for(tinygltf::Camera& camera : m_model.cameras) { // no far plane is written as one at 0
-      if(camera.perspective.zfar == 0) {
-        camera.perspective.zfar = 1e9 * (std::max)(camera.perspective.znear, 1.);
-      }
-    }
-    for(tinygltf::Texture& texture : m_model.textures) {
-      texture.name = texture.name.empty() && texture.source < 0 ? "empty" : texture.name;
     }
   }
 
   const Gltf_file& m_file;
   int m_set; // that the new texture coordinates become
   Gltf_accessors m_accessors;
-  tinygltf::Model m_model;
-  std::map<int, int> m_kept; // of accessors in the file: their new number
+  Json m_json;
+  std::vector<unsigned char> m_data; // of the only buffer
+  std::map<int, int> m_kept;         // of accessors in the file: their new number
 };
 
 } // namespace

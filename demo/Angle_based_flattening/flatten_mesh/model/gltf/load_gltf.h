@@ -20,13 +20,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -34,69 +30,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-struct Files_beside
-{
-  std::string folder;
-  std::vector<std::string> read;
-};
-
-// Files are looked for in the folder of the model only, and devices, which may have no end, are none.
-inline bool is_file_beside(const std::string& name, void* const files)
-{
-  const std::string& folder = static_cast<const Files_beside*>(files)->folder;
-  std::error_code ignored;
-  return name.compare(0, folder.size(), folder) == 0 && std::filesystem::is_regular_file(name, ignored);
-}
-
-inline bool read_file_beside(std::vector<unsigned char>* const bytes, std::string* const error,
-                             const std::string& name, void* const files)
-{
-  std::ifstream file(name, std::ios::binary);
-  if(!file) {
-    *error += "it cannot be read";
-    return false;
-  }
-  bytes->assign(std::istreambuf_iterator<char>(file), {});
-  static_cast<Files_beside*>(files)->read.push_back(name);
-  return true;
-}
-
-inline bool size_of_file_beside(std::size_t* const size, std::string* const error, const std::string& name,
-                                void*)
-{
-  std::error_code problem;
-  *size = std::filesystem::file_size(name, problem);
-  if(problem) {
-    *error += "it cannot be read";
-  }
-  return !problem;
-}
-
-// From version 2.9 on, tinygltf asks for the sizes of files as well.
-template <class Callbacks>
-auto set_size_of_file(Callbacks& callbacks, int) -> decltype(callbacks.GetFileSizeInBytes, void())
-{
-  callbacks.GetFileSizeInBytes = &size_of_file_beside;
-}
-
-template <class Callbacks>
-void set_size_of_file(Callbacks&, long)
-{}
-
-template <class Callbacks>
-Callbacks callbacks_for(Files_beside& files)
-{
-  Callbacks callbacks{};
-  callbacks.FileExists = &is_file_beside;
-  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  callbacks.ReadWholeFile = &read_file_beside;
-  callbacks.WriteWholeFile = &tinygltf::WriteWholeFile;
-  set_size_of_file(callbacks, 0);
-  callbacks.user_data = &files;
-  return callbacks;
-}
-
-// The lengths that a binary file promises. Tinygltf reads eight bytes more than there are.
+// The lengths that a binary file promises
 inline void check_glb(const std::string_view content, const std::string& name)
 {
   std::uint32_t magic = 0, version = 0, length = 0, json_length = 0, chunk_length = 0;
@@ -151,36 +85,66 @@ inline std::string gltf_problem(const std::string& text)
   return in_one_line(boost::algorithm::trim_copy_if(text.substr(0, longest), boost::is_any_of(" \n.")));
 }
 
-inline tinygltf::Model parse_gltf(const std::string_view content, const bool is_binary,
-                                  const std::string& name, std::vector<std::string>& files_beside)
+// The parts of a file
+struct Gltf_parts
 {
-  const auto length = static_cast<unsigned>(content.size());
-  if(content.size() > (std::numeric_limits<unsigned>::max)()) {
-    refuse_gltf(name, "glTF files of more than 4 GB are not read");
+  std::string_view description;
+  std::optional<std::string_view> binary;
+};
+
+inline Gltf_parts parts_of_gltf(const std::string_view content, const bool is_binary, const std::string& name)
+{
+  if(!is_binary) {
+    return {content, std::nullopt};
   }
-  if(is_binary) {
-    check_glb(content, name);
-    std::uint32_t json_length = 0;
-    Binary_data bytes(content.substr(12), boost::endian::order::little);
-    bytes.read(json_length);
-    check_depth(content.substr(20, json_length), name);
-  } else {
-    check_depth(content, name);
+  check_glb(content, name);
+  std::uint32_t total = 0, json_length = 0, length = 0, type = 0;
+  Binary_data bytes(content.substr(8), boost::endian::order::little);
+  bytes.read(total);
+  bytes.read(json_length);
+  bytes.skip(4 + static_cast<std::size_t>(json_length));
+  Gltf_parts parts{content.substr(20, json_length), std::nullopt};
+  const std::size_t begin = std::size_t(28) + json_length;
+  if(begin <= total && bytes.read(length) && bytes.read(type) && type == 0x004E4942) {
+    parts.binary = content.substr(begin, length);
   }
-  Files_beside files{std::filesystem::absolute(name).parent_path().string(), {}};
+  return parts;
+}
+
+inline Json parse_description(const std::string_view text, const std::string& name)
+{
+  check_depth(text, name);
+  try {
+    Json json = Json::parse(text.substr(0, text.find_last_not_of('\0') + 1));
+    if(!json.is_object()) {
+      refuse_gltf(name, "its description is no JSON object");
+    }
+    return json;
+  } catch(const Json::parse_error& error) {
+    refuse_gltf(name, "its description is no JSON: byte " + std::to_string(error.byte) + " does not fit");
+  } catch(const Json::exception&) {
+    refuse_gltf(name, "its description has a number that is too large");
+  }
+}
+
+// What tinygltf is to read. It refuses some animations and skins that are right, and changes numbers of other parts.
+inline tinygltf::Model surface_of_description(const Json& json, const std::string& name)
+{
+  Json surface = Json::object();
+  for(const char* const key :
+      {"asset", "scene", "scenes", "nodes", "meshes", "materials", "accessors", "bufferViews"}) {
+    if(const auto part = json.find(key); part != json.end()) {
+      surface[key] = *part;
+    }
+  }
+  const std::string text = surface.dump();
   tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks(callbacks_for<tinygltf::FsCallbacks>(files));
-  loader.SetImageLoader(&keep_picture, nullptr);
   tinygltf::Model model;
-  std::string error, warning; // about pictures, which are checked afterwards
+  std::string error, warning;
   bool is_loaded = false;
   try {
-    is_loaded =
-        is_binary
-            ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(content.data()), length,
-                                          files.folder)
-            : loader.LoadASCIIFromString(&model, &error, &warning, content.data(), length, files.folder);
+    is_loaded = loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                           static_cast<unsigned>(text.size()), "");
   } catch(const std::exception& exception) {
     error = exception.what();
   }
@@ -188,27 +152,76 @@ inline tinygltf::Model parse_gltf(const std::string_view content, const bool is_
     refuse_gltf(name, error.empty() ? "it is damaged" : gltf_problem(error));
   }
   if(model.asset.version.compare(0, 2, "2.") != 0) {
-    refuse_gltf(name, "it is glTF of version '" + model.asset.version + "', and 2.0 is read");
+    refuse_gltf(name, "it is glTF of version '" + in_one_line(model.asset.version) + "', and 2.0 is read");
   }
-  files_beside = std::move(files.read);
   return model;
+}
+
+// Only the first buffer can be the binary part of the file.
+inline void read_buffers(Gltf_file& file, const std::optional<std::string_view> binary)
+{
+  const std::vector<Json*> buffers = objects_in(file, file.json, "buffers");
+  for(std::size_t i = 0; i < buffers.size(); ++i) {
+    const std::string text = "buffer " + std::to_string(i), uri = text_in(*buffers[i], "uri");
+    const auto length = buffers[i]->find("byteLength");
+    if(length == buffers[i]->end() || !length->is_number_unsigned()) {
+      refuse_gltf(file.name, text + " does not say how long it is");
+    }
+    std::vector<unsigned char> bytes;
+    if(uri.empty() && i == 0 && binary) {
+      bytes.assign(binary->begin(), binary->end());
+    } else if(!read_uri(file, uri, bytes)) {
+      refuse_gltf(file.name,
+                  text + (uri.empty()    ? " names no file"
+                          : is_data(uri) ? " is no data"
+                                         : " cannot be read: there is no file '" + in_one_line(uri) + "'"));
+    }
+    const auto promised = length->get<std::size_t>();
+    if(promised > bytes.size()) {
+      refuse_gltf(file.name, text + " has " + count_text(bytes.size(), "byte") + " instead of " +
+                                 std::to_string(promised));
+    }
+    bytes.resize(promised);
+    file.bytes.push_back(std::move(bytes));
+  }
+}
+
+// Each node gets a mesh of its own. What is wrong with the meshes is told later.
+inline void separate_instances(const Gltf_file& file, Json& json)
+{
+  const std::size_t meshes = objects_in(file, json, "meshes").size();
+  std::vector<bool> is_used(meshes, false);
+  for(Json* const node : objects_in(file, json, "nodes")) {
+    const int mesh = number_in(file, *node, "mesh", "a node");
+    if(mesh < 0 || static_cast<std::size_t>(mesh) >= meshes) {
+      continue;
+    }
+    if(is_used[static_cast<std::size_t>(mesh)]) {
+      (*node)["mesh"] = json["meshes"].size();
+      const Json copy = json["meshes"][static_cast<std::size_t>(mesh)];
+      json["meshes"].push_back(copy);
+    }
+    is_used[static_cast<std::size_t>(mesh)] = true;
+  }
 }
 
 } // namespace internal
 
-// A glTF file, its pictures checked, without extensions that are not known. Those are told in `remarks`.
+// A glTF file without extensions that are not known. Those are told in `remarks`, and pictures that are not there.
 inline Gltf_file load_gltf(const std::string_view content, const bool is_binary, const std::string& name,
-                           std::vector<std::string>& remarks)
+                           const bool unique_instances, std::vector<std::string>& remarks)
 {
+  const internal::Gltf_parts parts = internal::parts_of_gltf(content, is_binary, name);
   Gltf_file file;
   file.name = name;
-  file.model = internal::parse_gltf(content, is_binary, name, file.files_beside);
-  for(tinygltf::Buffer& buffer : file.model.buffers) {
-    file.bytes.push_back(std::move(buffer.data));
-  }
-  file.model.buffers.clear();
+  file.json = internal::parse_description(parts.description, name);
   internal::check_extensions(file, remarks);
-  internal::take_pictures(file);
+  if(unique_instances) {
+    internal::separate_instances(file, file.json);
+  }
+  file.model = internal::surface_of_description(file.json, name);
+  internal::read_buffers(file, parts.binary);
+  internal::take_pictures(file, remarks);
   return file;
 }
 

@@ -6,6 +6,8 @@
 #ifndef FLATTEN_MESH_NEXT_TEXTURE_H
 #define FLATTEN_MESH_NEXT_TEXTURE_H
 
+#include "flatten_mesh/model/gltf/Json.h"
+
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -45,47 +47,22 @@ inline bool has_moved_keys(const tinygltf::Primitive& primitive, const int set)
   });
 }
 
-// Textures that extensions name, wherever they are
-inline void use_next_texture(tinygltf::Value& value, const int set)
+// Textures that a material names, wherever they are
+inline void use_next_texture(Json& part, const int set)
 {
-  if(value.IsArray()) {
-    for(tinygltf::Value& item : value.Get<tinygltf::Value::Array>()) {
-      use_next_texture(item, set);
-    }
-  } else if(value.IsObject()) {
-    auto& object = value.Get<tinygltf::Value::Object>();
-    for(auto& [key, item] : object) {
-      use_next_texture(item, set);
-    }
-    if(object.count("index") != 0 || object.count("texCoord") != 0) {
-      const int before = object.count("texCoord") != 0 ? object["texCoord"].GetNumberAsInt() : 0;
-      object["texCoord"] = tinygltf::Value(next_set(before, set));
+  if(!part.is_structured()) {
+    return;
+  }
+  for(const auto& [key, member] : part.items()) {
+    if(key != "extras") {
+      use_next_texture(member, set);
     }
   }
-}
-
-inline void use_next_texture(tinygltf::ExtensionMap& extensions, const int set)
-{
-  for(auto& [name, value] : extensions) {
-    use_next_texture(value, set);
+  if(part.is_object() && (part.contains("index") || part.contains("texCoord"))) {
+    const auto before = part.find("texCoord");
+    part["texCoord"] =
+        next_set(before != part.end() && before->is_number_integer() ? before->get<int>() : 0, set);
   }
-}
-
-template <class Info>
-void use_next_texture_of(Info& info, const int set)
-{
-  info.texCoord = next_set(info.texCoord, set);
-  use_next_texture(info.extensions, set);
-}
-
-inline void use_next_texture(tinygltf::Material& material, const int set)
-{
-  use_next_texture_of(material.pbrMetallicRoughness.baseColorTexture, set);
-  use_next_texture_of(material.pbrMetallicRoughness.metallicRoughnessTexture, set);
-  use_next_texture_of(material.normalTexture, set);
-  use_next_texture_of(material.occlusionTexture, set);
-  use_next_texture_of(material.emissiveTexture, set);
-  use_next_texture(material.extensions, set);
 }
 
 } // namespace flatten_mesh

@@ -23,6 +23,18 @@ struct Gltf_place
 {
   std::array<std::array<double, 4>, 3> rows = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
+  // Of a matrix of glTF: four columns, one after the other
+  static Gltf_place of_columns(const double* const numbers)
+  {
+    Gltf_place place;
+    for(std::size_t i = 0; i < 3; ++i) {
+      for(std::size_t j = 0; j < 4; ++j) {
+        place.rows[i][j] = numbers[4 * j + i];
+      }
+    }
+    return place;
+  }
+
   std::array<double, 3> point(const std::array<double, 3>& p) const
   {
     std::array<double, 3> result;
@@ -92,12 +104,7 @@ inline Gltf_place own_place(const Gltf_file& file, const tinygltf::Node& node, c
   check_numbers(file, node.scale, 3, "the scale of " + text);
   Gltf_place place;
   if(!node.matrix.empty()) {
-    for(std::size_t i = 0; i < 3; ++i) {
-      for(std::size_t j = 0; j < 4; ++j) {
-        place.rows[i][j] = node.matrix[4 * j + i];
-      }
-    }
-    return place;
+    return Gltf_place::of_columns(node.matrix.data());
   }
   if(!node.rotation.empty()) {
     const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3],

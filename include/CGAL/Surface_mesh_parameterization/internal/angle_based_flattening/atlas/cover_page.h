@@ -95,8 +95,12 @@ private:
       }
     }
     for(std::size_t i = 0; i < m_parts.size(); ++i)
-      if(m_atlases[i].succeeded())
-        m_cutters[i].emplace(m_atlases[i].chart, m_atlases[i].uv, m_parts[i].cost, least_share * m_area);
+      if(m_atlases[i].succeeded()) {
+        const double unit =
+            m_parts[i].chart.scale; // of the map, whereas `m_area` is that of the scaled points
+        m_cutters[i].emplace(m_atlases[i].chart, m_atlases[i].uv, m_parts[i].cost,
+                             least_share * m_area * unit * unit);
+      }
   }
 
   int number_of_charts() const

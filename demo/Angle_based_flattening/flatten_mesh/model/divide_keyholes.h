@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef FLATTEN_MESH_DIVIDE_KEYHOLES_H
+#define FLATTEN_MESH_DIVIDE_KEYHOLES_H
+
+#include "flatten_mesh/Notes.h"
+#include "flatten_mesh/model/Corner_origins.h"
+#include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Polygon_soup.h"
+#include "flatten_mesh/model/triangulate_polygon.h"
+#include "flatten_mesh/texts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flatten_mesh {
+
+namespace internal {
+
+// Whether a polygon runs along a side in both directions: formats without holes join a hole to the border by such a
+// bridge.
+inline bool has_bridge(const Polygon& polygon)
+{
+  Polygon sorted(polygon);
+  std::sort(sorted.begin(), sorted.end());
+  if(polygon.size() < 6 || std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
+    return false;
+  }
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    sides.emplace(polygon[i], polygon[i + 1 < polygon.size() ? i + 1 : 0]);
+  }
+  return std::any_of(sides.begin(), sides.end(), [&sides](const std::pair<std::size_t, std::size_t>& side) {
+    return sides.count({side.second, side.first}) > 0;
+  });
+}
+
+} // namespace internal
+
+// Replaces polygons with a hole that is joined to their border by their triangles.
+inline void divide_keyholes(const Model& model, Polygon_soup& soup, Notes& notes)
+{
+  std::size_t divided = 0, first = 0;
+  const std::size_t polygons = soup.polygons.size();
+  for(std::size_t p = 0; p < polygons; ++p) {
+    if(!internal::has_bridge(soup.polygons[p])) {
+      continue;
+    }
+    const Polygon polygon = soup.polygons[p];
+    std::vector<Kernel::Point_3> points;
+    std::set<std::pair<std::size_t, std::size_t>> sides;
+    for(std::size_t i = 0; i < polygon.size(); ++i) {
+      points.push_back(soup.points[polygon[i]]);
+      sides.insert(std::minmax(polygon[i], polygon[i + 1 < polygon.size() ? i + 1 : 0]));
+    }
+    if(!std::all_of(points.begin(), points.end(), [](const Kernel::Point_3& point) {
+         return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
+       })) {
+      continue;
+    }
+    const Polygon_triangles triangles = triangulate_polygon(points, [&](const Index i, const Index j) {
+      return polygon[i] == polygon[j] || sides.count(std::minmax(polygon[i], polygon[j])) > 0;
+    });
+    std::vector<Index> corners;
+    for(std::size_t i = 0; i < polygon.size(); ++i) {
+      corners.push_back(internal::corner_in_model(model, soup, p, i));
+    }
+    for(Index t = 0; t < triangles.size(); ++t) {
+      const std::size_t place = t == 0 ? p : soup.polygons.size();
+      if(t > 0) {
+        soup.polygons.emplace_back();
+        soup.origins.push_back(soup.origins[p]);
+        soup.is_turned.push_back(soup.is_turned[p]);
+      }
+      soup.polygons[place].clear();
+      soup.corners[place].clear();
+      for(Index k = 3 * t; k < 3 * t + 3; ++k) {
+        soup.polygons[place].push_back(polygon[triangles.corners[k]]);
+        soup.corners[place].push_back(corners[triangles.corners[k]]);
+      }
+    }
+    if(triangles.size() > 0) {
+      first = divided == 0 ? p : first;
+      ++divided;
+    }
+  }
+  if(divided > 0) {
+    notes.add(count_text(divided, "face has a hole", "faces have holes") +
+              " that a bridge joins to the border, and became triangles; the first is " +
+              face_name(soup.origins[first]));
+  }
+}
+
+} // namespace flatten_mesh
+
+#endif // FLATTEN_MESH_DIVIDE_KEYHOLES_H

@@ -1,0 +1,129 @@
+# Copyright (c) 2026 The Angle_based_flattening authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One bad face does not condemn others: they have the charts and the coordinates that they have without it.
+Usage: test_bad_elements.py FLATTEN_MESH"""
+
+import json
+import math
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = sys.argv[1]
+
+
+def sphere(n, m):
+    """Points, and faces as numbers of points from 0"""
+    points = [(0, 0, 1), (0, 0, -1)]
+    points += [(math.sin(math.pi * i / n) * math.cos(2 * math.pi * j / m),
+                math.sin(math.pi * i / n) * math.sin(2 * math.pi * j / m), math.cos(math.pi * i / n))
+               for i in range(1, n) for j in range(m)]
+    faces = []
+    for j in range(m):
+        k = (j + 1) % m
+        faces += [(0, 2 + j, 2 + k), (1, 2 + (n - 2) * m + k, 2 + (n - 2) * m + j)]
+        for i in range(n - 2):
+            a, b = 2 + i * m, 2 + (i + 1) * m
+            faces += [(a + j, b + j, b + k), (a + j, b + k, a + k)]
+    return points, faces
+
+
+class Bad_elements(unittest.TestCase):
+    """Faces added to a sphere"""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.points, cls.faces = sphere(8, 12)
+
+    def write(self, name, points, faces, uvs=None):
+        """Writes an OBJ file; `uvs` are those of the corners of the first faces."""
+        lines = ["v " + " ".join(map(repr, p)) for p in points]
+        lines += [f"vt {u!r} {v!r}" for face in uvs or [] for u, v in face]
+        for i, face in enumerate(faces):
+            has_uv = uvs is not None and i < len(uvs)
+            lines.append("f " + " ".join(f"{v + 1}/{3 * i + c + 1}" if has_uv else str(v + 1)
+                                         for c, v in enumerate(face)))
+        (self.folder / name).write_text("\n".join(lines) + "\n")
+
+    def flatten(self, points, faces, options=(), uvs=None):
+        """Exit status, what is said, the report, and the coordinates of each face; None where it has none"""
+        self.write("in.obj", points, faces, uvs)
+        output, report = self.folder / "out.obj", self.folder / "out.json"
+        output.unlink(missing_ok=True)
+        run = subprocess.run([PROGRAM, self.folder / "in.obj", "-o", output, "--json", report, "--threads", "1", *options],
+                             capture_output=True, text=True, check=False)
+        lines = output.read_text().splitlines() if output.exists() else []
+        texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
+        corners = [[corner.split("/") for corner in line.split()[1:]] for line in lines if line.startswith("f ")]
+        result = [[texture[int(c[1]) - 1] for c in face] if all(len(c) > 1 and c[1] for c in face) else None
+                  for face in corners]
+        return run.returncode, run.stderr, json.loads(report.read_text()), result
+
+    def options_and_uvs(self):
+        """Ways to an atlas; --repack keeps one."""
+        *_, uvs = self.flatten(self.points, self.faces)
+        return [([], None), (["--for", "few-charts"], None), (["--repack"], uvs)]
+
+    def with_flaps(self, corner):
+        """The sphere with faces at 20 of its edges, whose third corner is a new point"""
+        generator = random.Random(3)
+        points, faces = list(self.points), list(self.faces)
+        for a, b, _ in generator.sample(self.faces, 20):
+            points.append(corner(self.points[a], self.points[b]))
+            faces.append((a, len(points) - 1, b))
+        return points, faces
+
+    def check(self, corner, options, uvs):
+        """Returns what happens with the flaps, after a look at the others."""
+        _, _, expected, charts = self.flatten(self.points, self.faces, options, uvs)
+        status, text, report, found = self.flatten(*self.with_flaps(corner), options, uvs)
+        self.assertEqual(found[:len(charts)], charts)
+        self.assertEqual(report["atlas"]["charts"], expected["atlas"]["charts"])
+        return status, text, found[len(charts):]
+
+    def test_faces_without_area_lie_on_an_edge(self):
+        corners = {"the middle of an edge": lambda p, q: tuple((x + y) / 2 for x, y in zip(p, q)),
+                   "an end of an edge": lambda p, q: p,
+                   "beyond an edge": lambda p, q: tuple(2 * y - x for x, y in zip(p, q))}
+        for options, uvs in self.options_and_uvs():
+            for name, corner in corners.items():
+                with self.subTest(options=options, corner=name):
+                    status, text, flaps = self.check(corner, options, uvs)
+                    self.assertEqual(status, 0, text)
+                    self.assertRegex(text, f"20 faces without area, the first is face {len(self.faces) + 1}: ")
+                    for (u1, v1), (u2, v2), (u3, v3) in flaps:
+                        area = (u2 - u1) * (v3 - v1) - (u3 - u1) * (v2 - v1)
+                        self.assertAlmostEqual(area, 0, delta=1e-15)
+                        self.assertTrue(min(u1, u3) <= u2 <= max(u1, u3) and min(v1, v3) <= v2 <= max(v1, v3))
+
+    def test_faces_at_wrong_points_are_left_out(self):
+        corners = {"NON_FINITE_POINT": lambda p, q: (math.nan, 0., 0.), "FAR_POINT": lambda p, q: (0., -1e20, 1.)}
+        for options, uvs in self.options_and_uvs():
+            for name, corner in corners.items():
+                with self.subTest(options=options, corner=name):
+                    status, text, flaps = self.check(corner, options, uvs)
+                    self.assertEqual(status, 2, text)
+                    self.assertRegex(text, f"no chart for 20 faces, the first is face {len(self.faces) + 1}: {name}: ")
+                    self.assertEqual(flaps, 20 * [None])
+
+    def test_holes_at_bridges(self):
+        """A plate of one face with a hole, which a bridge joins to the border: the triangles cover all but the hole."""
+        points = [(x, y, 0.) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4), (1, 1), (1, 3), (3, 3), (3, 1))]
+        status, text, _, found = self.flatten(points, [(0, 1, 2, 3, 0, 4, 5, 6, 7, 4)])
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, "1 face has a hole that a bridge joins to the border, .*; the first is face 1")
+        areas = [((p[0] - o[0]) * (q[1] - o[1]) - (q[0] - o[0]) * (p[1] - o[1])) / 2 for o, p, q in found]
+        self.assertEqual(len(areas), 8)
+        u, v = ([corner[axis] for face in found for corner in face] for axis in (0, 1))
+        self.assertGreater(min(areas), 0)
+        self.assertAlmostEqual(sum(areas), (max(u) - min(u)) * (max(v) - min(v)) * 12 / 16, delta=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
