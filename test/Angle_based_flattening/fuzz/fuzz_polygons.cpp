@@ -10,10 +10,13 @@
 
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/model/Edge_marks.h"
+#include "flatten_mesh/model/divide_keyholes.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -53,26 +56,34 @@ Model model_of(Bytes& bytes)
   return model;
 }
 
-// The polygons that the mesh has; with all corners, and one triangle for two edges to be cut
+// The polygons that the mesh has; with all corners that do not repeat a vertex, and one triangle for two edges to be cut.
+// Of the triangles of a polygon with a hole at a bridge, some may be those of other polygons, and missing.
 std::set<Index> require_whole(const Atlas_input& input)
 {
-  std::vector<Index> triangles(input.model.number_of_polygons(), 0);
-  std::set<Index> corners, polygons;
+  const Model& model = input.model;
+  std::map<Index, std::set<Index>> corners;
+  std::map<Index, std::size_t> triangles;
+  std::set<Index> polygons;
   for(const Face f : input.mesh.faces()) {
     require(CGAL::is_triangle(input.mesh.halfedge(f), input.mesh), "a face is not a triangle");
-    const Model_triangle triangle = input.origins.triangle(input.model, input.mesh, f);
+    const Model_triangle triangle = input.origins.triangle(model, input.mesh, f);
     ++triangles[triangle.polygon];
-    corners.insert(triangle.corners.begin(), triangle.corners.end());
+    corners[triangle.polygon].insert(triangle.corners.begin(), triangle.corners.end());
     polygons.insert(triangle.polygon);
     for(const Index c : triangle.corners)
-      require(input.model.polygon_of_corner(c) == triangle.polygon, "a triangle in two polygons");
+      require(model.polygon_of_corner(c) == triangle.polygon, "a triangle in two polygons");
   }
-  std::size_t expected = 0;
   for(const Index p : polygons) {
-    require(triangles[p] + 2 == input.model.size(p), "a polygon with too few triangles");
-    expected += input.model.size(p);
+    Polygon polygon;
+    for(const Index c : corners_without_repetition(model, p))
+      polygon.push_back(model.vertices[c]);
+    if(internal::has_bridge(polygon))
+      require(triangles[p] + 2 <= polygon.size(), "a polygon with too many triangles");
+    else {
+      require(triangles[p] + 2 == polygon.size(), "a polygon with too few triangles");
+      require(corners[p].size() == polygon.size(), "a corner without triangle");
+    }
   }
-  require(corners.size() == expected, "a corner without triangle");
   return polygons;
 }
 
@@ -104,6 +115,8 @@ void make_mesh(const Model& model, bool repair)
     std::size_t named = 0;
     for(const Skipped_part& part : input.set_aside)
       named += part.faces;
+    const std::vector<bool>& has_no_area = input.origins.has_no_area; // which is told with the atlas
+    named += static_cast<std::size_t>(std::count(has_no_area.begin(), has_no_area.end(), true));
     if(notes.texts().empty())
       require(named + polygons.size() == model.number_of_polygons(), "a polygon is lost, and not named");
   } catch(const Input_error& error) {

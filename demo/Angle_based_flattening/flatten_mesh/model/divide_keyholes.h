@@ -69,6 +69,18 @@ inline void divide_keyholes(const Model& model, Polygon_soup& soup, Notes& notes
     const Polygon_triangles triangles = triangulate_polygon(points, [&](const Index i, const Index j) {
       return polygon[i] == polygon[j] || sides.count(std::minmax(polygon[i], polygon[j])) > 0;
     });
+    const auto is_degenerate = [&](const Index t) {
+      const std::size_t a = polygon[triangles.corners[3 * t]], b = polygon[triangles.corners[3 * t + 1]],
+                        c = polygon[triangles.corners[3 * t + 2]];
+      return a == b || b == c || c == a;
+    };
+    bool has_degenerate = false;
+    for(Index t = 0; t < triangles.size(); ++t) {
+      has_degenerate = has_degenerate || is_degenerate(t);
+    }
+    if(has_degenerate) {
+      continue;
+    }
     std::vector<Index> corners;
     for(std::size_t i = 0; i < polygon.size(); ++i) {
       corners.push_back(internal::corner_in_model(model, soup, p, i));
