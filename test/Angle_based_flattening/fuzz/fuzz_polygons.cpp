@@ -10,7 +10,6 @@
 
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/model/Edge_marks.h"
-#include "flatten_mesh/model/divide_keyholes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -56,8 +55,7 @@ Model model_of(Bytes& bytes)
   return model;
 }
 
-// The polygons that the mesh has; with all corners that do not repeat a vertex, and one triangle for two edges to be cut.
-// Of the triangles of a polygon with a hole at a bridge, some may be those of other polygons, and missing.
+// The polygons that the mesh has; with all corners that do not repeat a vertex, and one triangle for two edges to be cut
 std::set<Index> require_whole(const Atlas_input& input)
 {
   const Model& model = input.model;
@@ -77,12 +75,8 @@ std::set<Index> require_whole(const Atlas_input& input)
     Polygon polygon;
     for(const Index c : corners_without_repetition(model, p))
       polygon.push_back(model.vertices[c]);
-    if(internal::has_bridge(polygon))
-      require(triangles[p] + 2 <= polygon.size(), "a polygon with too many triangles");
-    else {
-      require(triangles[p] + 2 == polygon.size(), "a polygon with too few triangles");
-      require(corners[p].size() == polygon.size(), "a corner without triangle");
-    }
+    require(triangles[p] + 2 == polygon.size(), "a polygon with too few triangles");
+    require(corners[p].size() == polygon.size(), "a corner without triangle");
   }
   return polygons;
 }

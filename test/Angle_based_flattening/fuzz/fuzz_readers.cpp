@@ -84,6 +84,8 @@ void read(std::string_view content, const std::string& format, bool repair)
         static_cast<std::size_t>(std::unique(polygons.begin(), polygons.end()) - polygons.begin());
     for(const Skipped_part& part : input.set_aside)
       found += part.faces;
+    const std::vector<bool>& has_no_area = input.origins.has_no_area; // which is told with the atlas
+    found += static_cast<std::size_t>(std::count(has_no_area.begin(), has_no_area.end(), true));
     require(found == model.number_of_polygons(), "a lost polygon");
   } catch(const Input_error& error) {
     require(*error.what() != '\0', "an error without a message");

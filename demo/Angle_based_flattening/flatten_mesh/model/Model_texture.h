@@ -9,7 +9,6 @@
 #include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -87,23 +86,6 @@ inline void fill_repetitions(const Model& model, Model_texture& texture)
   }
 }
 
-// Polygons without coordinates at a corner, because some of their triangles are not in the mesh, get none.
-inline void clear_incomplete_polygons(const Model& model, Model_texture& texture)
-{
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  for(Index p = 0; p < model.number_of_polygons(); ++p) {
-    const Index first = model.first_corners[p], end = model.first_corners[p + 1];
-    bool is_complete = true;
-    for(Index c = first; c < end && texture.charts[p] != no_index; ++c) {
-      is_complete = is_complete && texture.has_uv(c);
-    }
-    if(!is_complete) {
-      texture.charts[p] = no_index;
-      std::fill(texture.uv.begin() + first, texture.uv.begin() + end, Kernel::Point_2(none, none));
-    }
-  }
-}
-
 } // namespace internal
 
 // A texture without any coordinates, for the polygons of a mesh and those that were left out of it.
@@ -140,7 +122,6 @@ Model_texture model_texture(const Model& model, const Mesh& mesh, const Corner_o
     }
   }
   internal::fill_repetitions(model, texture);
-  internal::clear_incomplete_polygons(model, texture);
   return texture;
 }
 

@@ -16,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -108,10 +109,28 @@ inline void tell_repetitions(const Polygon_soup& soup, Notes& notes)
   }
 }
 
+// Polygons of the same polygon of the model are removed together.
+inline void remove_whole_polygons(const Polygon_soup& soup, std::vector<Index>& part_of)
+{
+  std::map<Index, Index> parts; // of polygons of the model
+  for(const auto& [p, corners] : soup.corners) {
+    if(part_of[p] != no_index) {
+      parts.emplace(soup.origins[p], part_of[p]);
+    }
+  }
+  for(const auto& [p, corners] : soup.corners) {
+    if(const auto part = parts.find(soup.origins[p]); part != parts.end()) {
+      part_of[p] = part->second;
+    }
+  }
+}
+
 // Removes polygons, and remembers how many and why. `part_of` is, for each polygon, the number of its part, or
 // `no_index` for one that stays. Of the parts, only the diagnosis and the message have to be known.
-inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std::vector<Skipped_part> parts)
+inline void leave_out(Polygon_soup& soup, std::vector<Index> part_of, std::vector<Skipped_part> parts)
 {
+  remove_whole_polygons(soup, part_of);
+  std::set<Index> divided; // polygons of the model, of which only the first triangle counts
   for(Skipped_part& part : parts) {
     part.first_face = (std::numeric_limits<std::size_t>::max)();
     part.faces = 0;
@@ -122,7 +141,7 @@ inline void leave_out(Polygon_soup& soup, const std::vector<Index>& part_of, std
     if(part_of[p] != no_index) {
       Skipped_part& part = parts[part_of[p]];
       part.first_face = (std::min)(part.first_face, std::size_t(soup.origins[p]));
-      ++part.faces;
+      part.faces += soup.corners.count(p) == 0 || divided.insert(soup.origins[p]).second;
     } else {
       soup.polygons[kept].swap(soup.polygons[p]);
       soup.origins[kept] = soup.origins[p];
