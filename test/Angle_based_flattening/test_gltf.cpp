@@ -537,6 +537,33 @@ BOOST_AUTO_TEST_CASE(mirrored_charts_are_repacked)
   BOOST_TEST(content("stderr").empty(), content("stderr"));
 }
 
+// The first of two materials moves its texture by one half.
+BOOST_AUTO_TEST_CASE(transforms_of_textures)
+{
+  Gltf_options options;
+  options.transforms_texture = true;
+  const std::string text = ball_with_nodes("{\"mesh\":0}").binary();
+  const Model given = read("ball.glb", text), moved = read("ball.glb", text, options);
+  BOOST_TEST_REQUIRE(moved.number_of_corners() == given.number_of_corners());
+  for(Index c = 0; c < given.number_of_corners(); ++c) {
+    const double move = given.material(given.polygon_of_corner(c)) == 0 ? 0.5 : 0;
+    const Kernel::Vector_2 difference =
+        moved.texture[moved.texture_point(c)] - given.texture[given.texture_point(c)];
+    BOOST_TEST(std::abs(difference.x() - move) < 1e-12);
+    BOOST_TEST(difference.y() == 0);
+  }
+}
+
+// With one input, a percent sign behind a digit is part of the name.
+BOOST_AUTO_TEST_CASE(percent_signs_in_the_name_of_an_output)
+{
+  write("ball.glb", ball_with_nodes("{\"mesh\":0}").binary());
+  BOOST_TEST_REQUIRE(flatten("ball.glb", "50% off.glb") == 0, content("stderr"));
+  BOOST_TEST(fs::exists(file("50% off.glb")));
+  BOOST_TEST_REQUIRE(flatten("ball.glb", "flat %.glb") == 0, content("stderr"));
+  BOOST_TEST(fs::exists(file("flat ball.glb")));
+}
+
 // A skin shows the mesh in the size of the joints: here, a hundredth.
 BOOST_AUTO_TEST_CASE(skinned_meshes_have_the_size_of_their_joints)
 {
