@@ -63,6 +63,7 @@ class Includes:
                     rest.append(other)
         return names, seen
 
+    @functools.cache
     def defines_first(self, file):
         """Whether a file defines a macro before it includes anything, which may change what it includes"""
         return re.search(r"^\s*#\s*define\b(?!.*_H\b)", self.texts[file].split("#include")[0], re.M) is not None

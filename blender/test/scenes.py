@@ -75,8 +75,8 @@ def add_polygons(seed, name="polygons", subdivisions=3):
 
 
 def pin(found, corners):
-    """Pins corners. Since Blender 3.5, pins are an attribute, and where it is not there yet, `pin_uv` of Blender 4.3 pins
-    others as well."""
+    """Pins corners. Since Blender 3.5, pins are an attribute, and where it is not there yet, `pin_uv` of Blender 4.3
+    pins others as well."""
     layer = found.data.uv_layers.active
     pins = np.zeros(len(layer.data), bool)
     pins[corners] = True

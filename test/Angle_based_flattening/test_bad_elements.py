@@ -56,8 +56,8 @@ class Bad_elements(unittest.TestCase):
         self.write("in.obj", points, faces, uvs)
         output, report = self.folder / "out.obj", self.folder / "out.json"
         output.unlink(missing_ok=True)
-        run = subprocess.run([PROGRAM, self.folder / "in.obj", "-o", output, "--json", report, "--threads", "1", *options],
-                             capture_output=True, text=True, check=False)
+        command = [PROGRAM, self.folder / "in.obj", "-o", output, "--json", report, "--threads", "1", *options]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
         lines = output.read_text().splitlines() if output.exists() else []
         texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
         corners = [[corner.split("/") for corner in line.split()[1:]] for line in lines if line.startswith("f ")]
@@ -101,6 +101,15 @@ class Bad_elements(unittest.TestCase):
                         area = (u2 - u1) * (v3 - v1) - (u3 - u1) * (v2 - v1)
                         self.assertAlmostEqual(area, 0, delta=1e-15)
                         self.assertTrue(min(u1, u3) <= u2 <= max(u1, u3) and min(v1, v3) <= v2 <= max(v1, v3))
+
+    def test_faces_without_area_elsewhere_do_not_matter_to_a_component(self):
+        """Faces outside of the component that is asked for are never told to lack a chart."""
+        points, faces = self.with_flaps(lambda p, q: p)
+        points = points + [(0., 0., 9.), (1., 0., 9.), (0., 1., 9.)]
+        status, text, _, found = self.flatten(points, faces + [tuple(len(points) - k for k in (3, 2, 1))],
+                                              ["--component", "2"])
+        self.assertEqual(status, 0, text)
+        self.assertEqual([i for i, uv in enumerate(found) if uv], [len(faces)])
 
     def test_faces_at_wrong_points_are_left_out(self):
         corners = {"NON_FINITE_POINT": lambda p, q: (math.nan, 0., 0.), "FAR_POINT": lambda p, q: (0., -1e20, 1.)}

@@ -364,6 +364,10 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named)
   refused("\"asset\"", "\"extensionsRequired\":[\"ABC_new\"],\"asset\"", "ABC_new");
   refused("\"asset\"", "\"images\":[{\"bufferView\":8,\"mimeType\":\"image/png\"}],\"asset\"",
           "picture 0 names buffer view 8, which does not exist");
+  for(const std::string number : {"-2", "4294967296", "0.5"}) {
+    refused("\"asset\"", "\"skins\":[{\"inverseBindMatrices\":" + number + "}],\"asset\"",
+            "skin 0 has a wrong 'inverseBindMatrices'");
+  }
   refused("\"asset\"", "\"skins\":[7],\"asset\"", "'skins' is not a list of objects");
   refused("\"asset\"", "\"skins\":[{\"inverseBindMatrices\":\"no\"}],\"asset\"",
           "skin 0 has a wrong 'inverseBindMatrices'");

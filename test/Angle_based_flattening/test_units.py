@@ -1,7 +1,9 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The unit of length does not matter. Surfaces times a power of two, which rounds nothing, have the same charts and the same
-coordinates, bit for bit. Surfaces times another factor have the same charts. Usage: test_units.py FLATTEN_MESH"""
+"""The unit of length does not matter. Surfaces times a power of two, which rounds nothing, have the same charts and the
+same coordinates, bit for bit. Surfaces times another factor have the same charts.
+
+Usage: test_units.py FLATTEN_MESH"""
 
 import json
 import math

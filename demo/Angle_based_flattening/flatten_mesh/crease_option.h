@@ -11,6 +11,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -28,6 +29,13 @@ struct Symmetry
   double extra_length = 0; // of the seams, as a share of the length of seams that need not be symmetric
 };
 
+// What became of mirrored charts of the texture in the file
+struct Mirrored_charts
+{
+  std::size_t number = 0;         // that were turned over
+  std::size_t new_seam_edges = 0; // along which the orientation changes
+};
+
 // What became of `--seams`
 struct Seam_way
 {
@@ -36,18 +44,18 @@ struct Seam_way
   bool lacks_creases = false;          // whether there is none
   std::optional<bool> is_hard_surface; // if that matters: see `Crease_report::is_hard_surface()`
   std::optional<Symmetry> symmetry{};  // if it was asked for
-  std::size_t mirrored_charts = 0;     // of the texture in the file, which were turned over
-  std::size_t edges_of_mirrors = 0;    // along which the texture in the file is mirrored
+  Mirrored_charts mirrored{};          // with `--repack`
 };
 
 // That of several models: "various" if they differ
 inline Seam_way way_in_common(const std::vector<Seam_way>& ways)
 {
   Seam_way common = ways.empty() ? Seam_way{"length", std::nullopt, false, std::nullopt} : ways.front();
+  common.mirrored = Mirrored_charts();
   for(const Seam_way& way : ways) {
     common.name = way.name == common.name ? way.name : "various";
-    common.mirrored_charts += &way == &ways.front() ? 0 : way.mirrored_charts;
-    common.edges_of_mirrors += &way == &ways.front() ? 0 : way.edges_of_mirrors;
+    common.mirrored.number += way.mirrored.number;
+    common.mirrored.new_seam_edges += way.mirrored.new_seam_edges;
     common.lacks_creases = common.lacks_creases && way.lacks_creases;
     if(way.is_hard_surface) {
       common.is_hard_surface = common.is_hard_surface.value_or(false) || *way.is_hard_surface;

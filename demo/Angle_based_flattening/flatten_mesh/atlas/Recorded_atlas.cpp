@@ -45,9 +45,10 @@ std::size_t count_faces(const Atlas_input& input, const Atlas& atlas, const Face
   return faces.size();
 }
 
-// Tells of the polygons of a model that have no area, and lists those that no neighbor gives coordinates.
-void look_at_polygons_without_area(const Atlas_input& input, const Atlas& atlas, const std::size_t model,
-                                   Atlas_record& record, Notes& notes)
+// Tells of the polygons of a model that have no area, and lists those that no neighbor gives coordinates. If only one
+// component is to be flattened, it is not known whether they belong to it.
+void look_at_polygons_without_area(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
+                                   const std::size_t model, Atlas_record& record, Notes& notes)
 {
   const std::vector<bool>& has_no_area = input.origins.has_no_area;
   if(has_no_area.empty()) {
@@ -64,21 +65,22 @@ void look_at_polygons_without_area(const Atlas_input& input, const Atlas& atlas,
     notes.add(count_text(with.size(), "face") + " without area, the first is " + face_name(with.front()) +
               ": coordinates on an edge of a neighbor");
   }
-  if(!without.empty()) {
+  if(!without.empty() && !command.asks_for_component) {
     record.skipped.push_back({without.front(), without.size(), to_string(SMP::Diagnosis::NO_AREA),
                               face_name(without.front()) + " has no area, and no neighbor with a chart",
                               model});
   }
 }
 
-void look_at_polygons_without_area(Atlas_input& input, const Atlas& atlas, Atlas_record& record, Notes& notes)
+void look_at_polygons_without_area(const Command_line& command, Atlas_input& input, const Atlas& atlas,
+                                   Atlas_record& record, Notes& notes)
 {
-  look_at_polygons_without_area(input, atlas, 0, record, notes);
+  look_at_polygons_without_area(command, input, atlas, 0, record, notes);
   for(std::size_t i = 0; i < input.joined.size(); ++i) {
     Joined_model& model = input.joined[i];
     if(!model.input.origins.has_no_area.empty()) {
       notes.set_subject(model.command.title);
-      look_at_polygons_without_area(model.input, atlas_of_model(atlas, model), i, record, notes);
+      look_at_polygons_without_area(command, model.input, atlas_of_model(atlas, model), i, record, notes);
     }
   }
   notes.set_subject("");
@@ -135,11 +137,11 @@ void look_at_creases(const Atlas_record& record, Notes& notes)
 // Says so if charts of the file were mirrored.
 void look_at_mirrored_charts(const Atlas_record& record, Notes& notes)
 {
-  if(const std::size_t edges = record.seam_way.edges_of_mirrors; edges > 0) {
+  if(const std::size_t edges = record.seam_way.mirrored.new_seam_edges; edges > 0) {
     notes.add("--repack: the texture in the file is mirrored along " + count_text(edges, "edge") +
               (edges == 1 ? ", which is a seam now" : ", which are seams now"));
   }
-  if(const std::size_t charts = record.seam_way.mirrored_charts; charts > 0) {
+  if(const std::size_t charts = record.seam_way.mirrored.number; charts > 0) {
     notes.add("--repack: " + count_text(charts, "chart") + " of the file turned over, because " +
               (charts == 1 ? "it is" : "they are") + " mirrored as a whole");
   }
@@ -236,7 +238,7 @@ Recorded_atlas make_recorded_atlas(const Command_line& command, Atlas_input& inp
 {
   Recorded_atlas made{empty_atlas(input.mesh), record_of(command, input)};
   make_charts(command, input, made.atlas, made.record, visitor);
-  look_at_polygons_without_area(input, made.atlas, made.record, notes);
+  look_at_polygons_without_area(command, input, made.atlas, made.record, notes);
   list_skipped_parts(input, made.atlas, made.record);
   list_models(input, made.atlas, made.record);
   measure_charts(made.record);

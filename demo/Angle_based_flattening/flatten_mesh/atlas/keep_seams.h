@@ -80,7 +80,8 @@ inline void keep_seams(const Atlas_options& options, Atlas_input& input, const E
   }
 }
 
-// Marks the seams of the coordinates in the file, and sets these for each corner, as no numbers where there are none.
+// Marks the seams of the coordinates in the file, and sets `uv(h)` to these for each corner; no numbers where there are
+// none.
 // Mirrored charts are turned over. If charts are repaired, there may be no coordinates at all, and charts that are
 // mirrored in part are not divided. Otherwise throws an `Input_error` if there are none.
 template <class Uv>
@@ -94,7 +95,7 @@ Mirrored_charts take_texture(const bool repairs, Atlas_input& input, const Edge_
   for(const Halfedge h : input.mesh.halfedges()) {
     if(!input.mesh.is_border(h)) {
       const Index t = model.texture_point(input.origins.corners[h.idx()]);
-      uv[h] = t == no_index ? Kernel::Point_2(none, none) : model.texture[t];
+      uv(h) = t == no_index ? Kernel::Point_2(none, none) : model.texture[t];
     }
   }
   return orient_texture(!repairs, input.mesh, seams, uv);

@@ -212,15 +212,11 @@ inline Seam_way prepare_model(Joined_model& model, const Atlas& whole,
   keep_seams(model.command.atlas, model.input, is_seam);
   Mirrored_charts mirrored;
   if(model.command.atlas.repacks) {
-    const Atlas given = empty_atlas(mesh);
-    mirrored = take_texture(model.command.atlas.repairs_charts, model.input, is_seam, given.uv);
-    for(const Halfedge h : mesh.halfedges()) {
-      whole.uv[in_common_mesh(model, h)] = given.uv[h];
-    }
+    const auto uv = [&](const Halfedge h) -> Kernel::Point_2& { return whole.uv[in_common_mesh(model, h)]; };
+    mirrored = take_texture(model.command.atlas.repairs_charts, model.input, is_seam, uv);
   }
   Seam_way way = prepare_edges(model.command.atlas, mesh, is_seam);
-  way.mirrored_charts = mirrored.number;
-  way.edges_of_mirrors = mirrored.new_seam_edges;
+  way.mirrored = mirrored;
   const auto weight = edge_weights(mesh);
   if(!has_weights(way)) {
     weigh_by_length(mesh, weight);
@@ -254,15 +250,18 @@ inline Report_on_atlas make_atlas_of_model(const Command_line& command, Atlas_in
   keep_seams(command.atlas, input, atlas.seams);
   Mirrored_charts mirrored;
   if(command.atlas.repacks) {
-    mirrored = take_texture(command.atlas.repairs_charts, input, atlas.seams, atlas.uv);
+    const auto uv = [&atlas](const Halfedge h) -> Kernel::Point_2& { return atlas.uv[h]; };
+    mirrored = take_texture(command.atlas.repairs_charts, input, atlas.seams, uv);
   }
+  Report_on_atlas report;
   if(command.asks_for_component) {
-    return make_atlas_of_component(command, input.mesh, atlas, way, visitor);
+    report = make_atlas_of_component(command, input.mesh, atlas, way, visitor);
+  } else {
+    way = prepare_edges(command.atlas, input.mesh, atlas.seams);
+    report = make_charts(command, input.mesh, atlas, way, visitor);
   }
-  way = prepare_edges(command.atlas, input.mesh, atlas.seams);
-  way.mirrored_charts = mirrored.number;
-  way.edges_of_mirrors = mirrored.new_seam_edges;
-  return make_charts(command, input.mesh, atlas, way, visitor);
+  way.mirrored = mirrored;
+  return report;
 }
 
 } // namespace internal

@@ -6,12 +6,10 @@
 #ifndef FLATTEN_MESH_ORIENT_TEXTURE_H
 #define FLATTEN_MESH_ORIENT_TEXTURE_H
 
-#include "flatten_mesh/atlas/Atlas.h"
+#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/model/build_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,23 +19,16 @@
 
 namespace flatten_mesh {
 
-// What was done with mirrored charts of a texture
-struct Mirrored_charts
-{
-  std::size_t number = 0;
-  std::size_t new_seam_edges = 0;
-};
-
 // Turns mirrored charts over. Models of games often show one half of the texture on both sides, one of them mirrored:
 // where the orientation changes, a seam is added if `adds_seams`, but not within polygons. Charts of both orientations
-// stay as they are. A map without numbers has no orientation.
+// stay as they are. `uv(h)` is a reference; a map without numbers has no orientation.
 template <class Uv>
 Mirrored_charts orient_texture(const bool adds_seams, Mesh& mesh, const Edge_marks& seams, const Uv& uv)
 {
   std::vector<double> area(mesh.number_of_faces()); // its sign is the orientation
   for(const Face f : mesh.faces()) {
     const Halfedge h = mesh.halfedge(f);
-    const Kernel::Point_2 p = uv[h], q = uv[mesh.next(h)], r = uv[mesh.prev(h)];
+    const Kernel::Point_2 p = uv(h), q = uv(mesh.next(h)), r = uv(mesh.prev(h));
     area[f.idx()] = (q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y());
   }
   Mirrored_charts result;
@@ -61,14 +52,14 @@ Mirrored_charts orient_texture(const bool adds_seams, Mesh& mesh, const Edge_mar
     is_mirrored[c] = is_mirrored[c] || area[f.idx()] < 0;
     is_upright[c] = is_upright[c] || area[f.idx()] > 0;
     for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      range[c] = {(std::min)(range[c][0], uv[h].x()), (std::max)(range[c][1], uv[h].x())};
+      range[c] = {(std::min)(range[c][0], uv(h).x()), (std::max)(range[c][1], uv(h).x())};
     }
   }
   for(const Face f : mesh.faces()) {
     const std::size_t c = chart[f];
     for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
       if(is_mirrored[c] && !is_upright[c]) {
-        uv[h] = Kernel::Point_2(range[c][0] + (range[c][1] - uv[h].x()), uv[h].y());
+        uv(h) = Kernel::Point_2(range[c][0] + (range[c][1] - uv(h).x()), uv(h).y());
       }
     }
   }

@@ -29,11 +29,6 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline bool is_finite(const Kernel::Point_3& point)
-{
-  return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
-}
-
 // The points that are so much farther from the middle than two thirds of all that beside them nothing else could be
 // seen: stray points, which some scanners write. In each coordinate, the middle is the median.
 inline std::vector<bool> far_points(const Polygon_soup& soup)

@@ -12,6 +12,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -36,6 +37,21 @@ struct Polygon_soup
   bool is_welded = false;
   std::vector<Skipped_part> left_out; // what `leave_out()` removed, in the order of the file
 };
+
+namespace internal {
+
+inline bool is_finite(const Kernel::Point_3& point)
+{
+  return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
+}
+
+inline bool has_repeated_vertex(Polygon polygon)
+{
+  std::sort(polygon.begin(), polygon.end());
+  return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+}
+
+} // namespace internal
 
 // Of a polygon, the corners that do not repeat the vertex of the corner before. Some programs name a vertex twice in a
 // row, which changes nothing. All corners, if fewer than three were left.

@@ -14,7 +14,6 @@
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -29,9 +28,7 @@ namespace internal {
 // bridge.
 inline bool has_bridge(const Polygon& polygon)
 {
-  Polygon sorted(polygon);
-  std::sort(sorted.begin(), sorted.end());
-  if(polygon.size() < 6 || std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
+  if(polygon.size() < 6 || !has_repeated_vertex(polygon)) {
     return false;
   }
   std::set<std::pair<std::size_t, std::size_t>> sides;
@@ -61,9 +58,7 @@ inline void divide_keyholes(const Model& model, Polygon_soup& soup, Notes& notes
       points.push_back(soup.points[polygon[i]]);
       sides.insert(std::minmax(polygon[i], polygon[i + 1 < polygon.size() ? i + 1 : 0]));
     }
-    if(!std::all_of(points.begin(), points.end(), [](const Kernel::Point_3& point) {
-         return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
-       })) {
+    if(!std::all_of(points.begin(), points.end(), internal::is_finite)) {
       continue;
     }
     const Polygon_triangles triangles = triangulate_polygon(points, [&](const Index i, const Index j) {

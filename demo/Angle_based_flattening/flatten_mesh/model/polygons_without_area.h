@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -69,17 +68,19 @@ inline std::vector<bool> have_no_area(const Polygon_soup& soup, const std::vecto
   std::vector<bool> result;
   std::map<Point_pair, bool> sides; // of those that are nearly so: whether another polygon has it
   std::vector<std::size_t> nearly;
+  std::vector<Kernel::Point_3> points;
   for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
     const Polygon& polygon = soup.polygons[p];
-    std::vector<Kernel::Point_3> points;
+    points.clear();
     for(const std::size_t v : polygon) {
       points.push_back(soup.points[v]);
     }
-    const bool is_polygon =
-        std::set<std::size_t>(polygon.begin(), polygon.end()).size() == polygon.size() &&
-        polygon.size() > 2 &&
-        std::none_of(polygon.begin(), polygon.end(), [&is_far](const std::size_t v) { return is_far[v]; });
-    const double distance = is_polygon ? distance_from_line(points) : 1;
+    double distance = distance_from_line(points);
+    if(distance <= rounding &&
+       (polygon.size() < 3 || has_repeated_vertex(polygon) ||
+        std::any_of(polygon.begin(), polygon.end(), [&is_far](const std::size_t v) { return is_far[v]; }))) {
+      distance = 1; // these are set aside for another reason
+    }
     result.push_back(distance <= rounding);
     if(distance > 0 && distance <= rounding) {
       nearly.push_back(p);

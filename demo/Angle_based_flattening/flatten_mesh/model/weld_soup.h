@@ -24,12 +24,6 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline bool has_repeated_vertex(Polygon polygon)
-{
-  std::sort(polygon.begin(), polygon.end());
-  return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
-}
-
 inline bool has_repeated_point(const Polygon_soup& soup, const Polygon& polygon)
 {
   std::vector<Kernel::Point_3> points;

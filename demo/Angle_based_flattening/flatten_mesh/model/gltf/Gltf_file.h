@@ -12,6 +12,8 @@
 #include <tiny_gltf.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,10 +59,13 @@ inline int number_in(const Gltf_file& file, const Json& parent, const std::strin
                      const std::string& text)
 {
   const auto number = parent.find(key);
-  if(number != parent.end() && !number->is_number_integer()) {
+  if(number == parent.end()) {
+    return -1;
+  }
+  if(!number->is_number_unsigned() || number->get<std::uint64_t>() > (std::numeric_limits<int>::max)()) {
     refuse_gltf(file.name, text + " has a wrong '" + key + "'");
   }
-  return number == parent.end() ? -1 : number->get<int>();
+  return number->get<int>();
 }
 
 // The element with this number, or an `Input_error` that says what names it

@@ -193,6 +193,12 @@ private:
     add(has_targets, "morph targets");
     add(has("animations"), "animations");
     add(has("cameras"), "cameras");
+    const std::vector<const Json*> nodes = objects_in(m_file, std::as_const(m_file.json), "nodes");
+    add(std::any_of(nodes.begin(), nodes.end(),
+                    [](const Json* const node) {
+                      return node->contains(Json::json_pointer("/extensions/EXT_mesh_gpu_instancing"));
+                    }),
+        "instances");
     add(m_file.json.contains(Json::json_pointer("/extensions/KHR_lights_punctual")), "lights");
     return text;
   }

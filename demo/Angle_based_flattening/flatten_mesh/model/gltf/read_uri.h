@@ -53,8 +53,8 @@ inline std::string without_percent_codes(const std::string& uri)
   return name;
 }
 
-// The file that a URI names, or an empty name. Files are looked for in the folder of the model only, by the name that
-// the URI stands for and by the URI itself, which some programs write. Devices, which may have no end, are none.
+// The file that a URI names, or an empty name. All names begin in the folder of the model. They are the name that the
+// URI stands for, or the URI itself, which some programs write. Devices, which may have no end, are no files.
 inline std::filesystem::path file_beside(const std::string& model, const std::string& uri)
 {
   for(const std::string& name : {without_percent_codes(uri), uri}) {

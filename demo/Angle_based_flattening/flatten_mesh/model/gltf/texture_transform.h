@@ -30,26 +30,20 @@ inline void apply_texture_transform(const Gltf_file& file, const int material, s
     return;
   }
   const Json& transform = texture[transform_pointer];
-  const auto number = [](const Json* const json, const double otherwise) {
-    return json != nullptr && json->is_number() ? json->get<double>() : otherwise;
+  const auto number = [](const Json& json, const std::string& place, const double otherwise) {
+    const auto found = Json::json_pointer(place);
+    return json.contains(found) && json[found].is_number() ? json[found].get<double>() : otherwise;
   };
-  const auto member = [](const Json& json, const char* const key) -> const Json* {
-    const auto place = json.find(key);
-    return place == json.end() ? nullptr : &*place;
-  };
-  const auto pair_member = [&](const char* const key, const std::size_t i) -> const Json* {
-    const Json* const pair = member(transform, key);
-    return pair != nullptr && pair->is_array() && pair->size() == 2 ? &(*pair)[i] : nullptr;
-  };
-  if(number(member(transform, "texCoord"), number(member(texture, "texCoord"), 0)) != 0) {
+  if(number(transform, "/texCoord", number(texture, "/texCoord", 0)) != 0) {
     return;
   }
-  const double a = number(member(transform, "rotation"), 0), c = std::cos(a), s = std::sin(a);
+  const double angle = number(transform, "/rotation", 0), c = std::cos(angle), s = std::sin(angle),
+               u_scale = number(transform, "/scale/0", 1), v_scale = number(transform, "/scale/1", 1),
+               u_offset = number(transform, "/offset/0", 0), v_offset = number(transform, "/offset/1", 0);
   for(std::size_t i = 0; i < uv.size(); i += 2) {
-    const double u = number(pair_member("scale", 0), 1) * uv[i],
-                 v = number(pair_member("scale", 1), 1) * uv[i + 1];
-    uv[i] = c * u - s * v + number(pair_member("offset", 0), 0);
-    uv[i + 1] = s * u + c * v + number(pair_member("offset", 1), 0);
+    const double u = u_scale * uv[i], v = v_scale * uv[i + 1];
+    uv[i] = c * u - s * v + u_offset;
+    uv[i + 1] = s * u + c * v + v_offset;
   }
 }
 
