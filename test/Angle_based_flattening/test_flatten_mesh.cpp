@@ -239,19 +239,39 @@ BOOST_AUTO_TEST_CASE(far_borders)
   };
   flatten(write("short.off", tube(12)));
   check_success();
-  BOOST_TEST(json().get_child("notes").size() == 0u);
+  BOOST_TEST(is_stretched());
   BOOST_TEST(json().get<double>("predicted_scale_range") > 300);
   BOOST_TEST(json().get<double>("predicted_scale_range") < 900);
   for(const std::string method : {"direct", "hierarchical"}) {
     flatten(write("long.off", tube(30)), "--method " + method);
     BOOST_TEST(status == 0);
     BOOST_TEST(json().get_child("notes").size() == 1u);
-    check_told("a cut from border to border");
+    BOOST_TEST(is_stretched());
+    flatten(file("long.off"), "--stretch-bound 1.5 --method " + method);
+    check_success();
+    BOOST_TEST(!is_stretched());
+    BOOST_TEST(json().get<double>("l2_stretch") < 1.01);
     flatten(write("tube.off", tube(60)), "--method " + method);
     BOOST_TEST(status == 2);
     BOOST_TEST(json().get<std::string>("status") == "SCALE_TOO_LARGE");
     check_told("cut the surface open from the border");
   }
+}
+
+// Six needles at a vertex that a scanner did not measure
+BOOST_AUTO_TEST_CASE(a_stray_vertex_is_named)
+{
+  Sheet sheet;
+  sheet.columns = sheet.rows = 12;
+  sheet.holes = {30, 100};
+  std::istringstream points(sheet.points());
+  std::string moved, line;
+  for(int v = 0; std::getline(points, line); ++v) {
+    moved += v == 80 ? "0 0 -1e6\n" : line + "\n";
+  }
+  flatten(write("stray.off", off(sheet.vertices(), moved, sheet.faces())));
+  BOOST_TEST(status == 2);
+  check_told("remove vertex 81, at (0, 0, -1e+06)");
 }
 
 BOOST_AUTO_TEST_CASE(all_options)

@@ -103,11 +103,6 @@ void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer& parameteri
   flattening.parameterize_seconds += timer.time();
   take_report(parameterizer.report(), flattening);
   flattening.place = place_text(mesh, chart, parameterizer);
-  if(flattening.report.predicted_scale_range > 1e4 && flattening.succeeded()) {
-    flattening.note = "one border is far from the outer border, so that lengths vary by a factor of about " +
-                      format_number("%.1g", flattening.report.predicted_scale_range) +
-                      ": a cut from border to border gives a better map";
-  }
 }
 
 void flatten_directly(Mesh& mesh, const Chart& chart, const Chosen_solver& solver,

@@ -26,8 +26,10 @@
 #include "flatten_mesh/plain/prescribe_angles.h"
 #include "flatten_mesh/plain/report_json.h"
 #include "flatten_mesh/plain/report_text.h"
+#include "flatten_mesh/plain/scale_stretch.h"
 #include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/plain/split_chart.h"
+#include "flatten_mesh/plain/stray_vertex.h"
 #include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/model/write_model.h"
@@ -411,10 +413,27 @@ std::string remedy(Surface& surface, const SMP::ABF_plus_plus_report& report)
   if(surface.seamed) {
     return "";
   }
-  const std::string cut = report.status == SMP::Diagnosis::NONZERO_GENUS     ? "; --cut auto does that"
-                          : report.status == SMP::Diagnosis::SCALE_TOO_LARGE ? "; --cut topology does that"
-                                                                             : "";
+  const std::string cut = report.status == SMP::Diagnosis::NONZERO_GENUS ? "; --cut auto does that"
+                          : report.status == SMP::Diagnosis::SCALE_TOO_LARGE
+                              ? "; --cut topology does that" + stray_vertex_text(surface.input, surface.chart)
+                              : "";
   return cut + other_component_text(surface.input, surface.component.number);
+}
+
+// Says so if the map changes sizes more than those of good charts of atlases do, unless angles are prescribed.
+void look_at_stretch(const Command_line& command, const Surface& surface, const Flattening& flattening,
+                     Notes& notes)
+{
+  if(!flattening.succeeded() || prescribes_angles(command)) {
+    return;
+  }
+  const double stretch = scale_stretch(surface.mesh(), surface.chart, flattening.uv);
+  if(stretch > 2) {
+    notes.add(
+        "parts of the surface are much smaller in the plane than others, with a scale stretch of " +
+        format_number("%.4g", stretch) +
+        ": --stretch-bound 1.5 cuts the surface where that helps, and without --plain it gets an atlas");
+  }
 }
 
 // Says so if the map overlaps itself and nothing was asked for that prevents this.
@@ -466,6 +485,7 @@ Exit_status run_plain(const Command_line& command)
     notes.add(record.flattening.note);
   }
   const std::size_t mended = record.flattening.succeeded() ? mend_surface(surface, record.flattening) : 0;
+  look_at_stretch(command, surface, record.flattening, notes);
   look_at_overlap(command, record.flattening, notes);
   if(command.split_overlaps && record.flattening.succeeded()) {
     split_surface(surface, record, progress);

@@ -44,9 +44,8 @@ std::vector<int> limit_scale(const Chart& chart, const Linear_solvers& solvers, 
   const std::vector<int>& border = chart.borders[prediction->far_border];
   for(int c : border)
     triangles.push_back(c / 3);
-  std::ostringstream text;
-  text.precision(2);
-  text << "lengths would vary by a factor of " << report.predicted_scale_range
+  std::ostringstream text; // with the exponent alone, since the factor itself may be too large for `double`
+  text << "lengths would vary by a factor of about 1e" << std::floor(prediction->log_range / std::log(10.))
        << " in the plane: cut the surface open from the border at the vertex at "
        << position_text(chart, chart.edge_source(border.front())) << " to the outer border";
   fail(report, Diagnosis::SCALE_TOO_LARGE, text.str());
