@@ -668,7 +668,10 @@ BOOST_AUTO_TEST_CASE(what_is_no_surface_is_separated)
              std::to_string(b + 1) + "\n";
   }
   const Model moebius = read("strip.obj", strip);
-  check_origins(moebius, separated_surface(moebius, notes));
+  const Surface_of_model band = separated_surface(moebius, notes);
+  check_origins(moebius, band);
+  check_told("one-sided, like a Moebius strip: it is cut along 1 edge");
+  BOOST_TEST(band.mesh.number_of_vertices() == 2 * n + 2);
 
   const Model flat = read("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 1.5 1 0\nf 1 2 3 4\nf 1 4 5\n");
   check_origins(flat, separated_surface(flat, notes), {0});

@@ -51,6 +51,13 @@ inline bool has_repeated_vertex(Polygon polygon)
   return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
 }
 
+using Vertex_pair = std::pair<std::size_t, std::size_t>;
+
+inline Vertex_pair side_of(const Polygon& polygon, const std::size_t corner)
+{
+  return std::minmax(polygon[corner], polygon[corner + 1 < polygon.size() ? corner + 1 : 0]);
+}
+
 } // namespace internal
 
 // Of a polygon, the corners that do not repeat the vertex of the corner before. Some programs name a vertex twice in a

@@ -65,13 +65,6 @@ inline std::vector<std::size_t> first_equal_polygons(const std::vector<Polygon>&
   return first;
 }
 
-using Vertex_pair = std::pair<std::size_t, std::size_t>;
-
-inline Vertex_pair side_of(const Polygon& polygon, const std::size_t corner)
-{
-  return std::minmax(polygon[corner], polygon[corner + 1 < polygon.size() ? corner + 1 : 0]);
-}
-
 // The edges among these, sorted, that have more than two polygons
 inline std::vector<bool> have_more_than_two(const std::vector<Polygon>& polygons,
                                             const std::vector<Vertex_pair>& edges)

@@ -9,6 +9,7 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/one_sided_cut.h"
 #include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/texts.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,10 +40,24 @@ struct Separation_visitor : public CGAL::Polygon_mesh_processing::Default_orient
   void duplicated_vertex(const std::size_t v, std::size_t) { vertices->push_back(v); }
 };
 
+// As `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, which has no argument for edges along which polygons are
+// to be separated
+inline void orient_and_separate(const std::set<Vertex_pair>& cut, Separation_visitor& visitor,
+                                Polygon_soup& soup)
+{
+  CGAL::Polygon_mesh_processing::internal::Polygon_soup_orienter<std::vector<Kernel::Point_3>,
+                                                                 std::vector<Polygon>, Separation_visitor>
+      orienter(soup.points, soup.polygons, visitor);
+  orienter.fill_edge_map();
+  orienter.marked_edges.insert(cut.begin(), cut.end());
+  orienter.orient();
+  orienter.duplicate_singular_vertices();
+}
+
 } // namespace internal
 
-// Makes surfaces of any polygons: orients them, and separates them where more than two meet in an edge, where
-// they cannot be oriented alike, and where parts touch in a vertex.
+// Makes surfaces of any polygons: orients them, and separates them where more than two meet in an edge, where parts
+// touch in a vertex, and along a short cut where they are one-sided.
 inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
 {
   std::vector<bool> is_turned(soup.polygons.size(), false);
@@ -51,8 +67,8 @@ inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
   visitor.is_turned = &is_turned;
   visitor.edges = &edges;
   visitor.vertices = &vertices;
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons,
-                                                     CGAL::parameters::visitor(visitor));
+  const std::set<internal::Vertex_pair> cut = one_sided_cut(soup);
+  internal::orient_and_separate(cut, visitor, soup);
   internal::keep_majority(soup, is_turned);
   for(std::size_t p = 0; p < is_turned.size(); ++p) {
     soup.is_turned[p] = soup.is_turned[p] != is_turned[p];
@@ -64,6 +80,17 @@ inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
               count_text(static_cast<std::size_t>(std::count(turned, is_turned.end(), true)), "face") +
               " turned; the first is " +
               face_name(soup.origins[static_cast<std::size_t>(turned - is_turned.begin())]));
+  }
+  if(!cut.empty()) {
+    const auto& [v, w] = *cut.begin();
+    notes.add(begin + "the surface is one-sided, like a Moebius strip: it is cut along " +
+              count_text(cut.size(), "edge") + "; the first is " + internal::edge_name(v, w));
+    std::set<std::size_t> ends;
+    for(const auto& edge : cut) {
+      ends.insert({edge.first, edge.second});
+    }
+    const auto is_told = [&ends](const std::size_t end) { return ends.count(end) > 0; };
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_told), vertices.end());
   }
   if(!edges.empty()) {
     const auto& [v, w] = edges.front();
