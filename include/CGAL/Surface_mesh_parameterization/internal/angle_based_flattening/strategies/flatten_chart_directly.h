@@ -13,27 +13,76 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/patch_layouts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/hole_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Needles are thinner than target angles may be. A chart that unfolds without stretch keeps their shape nevertheless.
+inline std::optional<Direct_flattening> unfold_needles(const Direct_task& task,
+                                                       const std::vector<double>& beta)
+{
+  const Chart& chart = task.chart;
+  if(&chart != &task.part || !chart.targets.empty() || chart.has_prescribed_angles() ||
+     std::find(beta.begin(), beta.end(), least_target_angle) == beta.end())
+    return std::nullopt;
+  for(int c = 0; c < chart.number_of_corners();
+      ++c) // most charts do not unfold, and most of their angles tell
+    if(std::abs(beta[c] - surface_angle(chart, c)) > least_target_angle)
+      return std::nullopt;
+  const double largest_quasi_conformal_ratio = 1 + 1e-4;
+  const int n = chart.number_of_triangles();
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<int> patch(n, 0);
+  std::vector<Chart::Point_2> layout(chart.vertex.size());
+  Patch_unfolding(chart, patch, layout).run(all, 1);
+  Direct_flattening result;
+  result.uv.resize(chart.points.size());
+  for(std::size_t c = 0; c < layout.size(); ++c)
+    result.uv[chart.vertex[c]] = layout[c];
+  for(int t : all)
+    if(Triangle_differential(chart, result.uv, t).is_thinner(largest_quasi_conformal_ratio))
+      return std::nullopt;
+  scale_to_surface_area(chart, result.uv);
+  task.round(result.uv);
+  const Certificate certificate = certify(chart, result.uv);
+  if(!certificate.is_valid())
+    return std::nullopt;
+  result.report = report_of<ABF_plus_plus_report>(chart);
+  result.report.converged = true;
+  result.report.layout = ABF_plus_plus_report::EXACT;
+  take_certificate(certificate, result.report);
+  return result;
+}
 
 // The strategies for a disk, one after the other until one gives a valid map
 inline Flattening<ABF_plus_plus_report> flatten_disk(const Direct_task& task, const Planar_angles* last)
 {
   Attempts attempts;
   Direct_strategies strategies(task, attempts.target_angles(task.chart, task.options), attempts);
+  if(std::optional<Direct_flattening> unfolded = unfold_needles(task, strategies.target_angles()))
+    return attempts.finish(task, *std::move(unfolded));
   std::optional<Direct_flattening> result = warm_started(strategies, task, last, attempts);
   if(!result)
     result = strategies.flatten(task.options, starting_angles(strategies.target_angles()),
