@@ -184,6 +184,7 @@ BOOST_AUTO_TEST_CASE(boxes_unfold_without_stretch)
       Mesh mesh = prism(rectangle(x, y, parts), z, 1 + seed % 3).mesh();
       const Crease_atlas atlas = make_crease_atlas(mesh);
       BOOST_TEST(atlas.creases.is_hard_surface());
+      BOOST_TEST(atlas.creases.is_developable);
       BOOST_TEST(atlas.creases.number_of_parts <= 6u);
       BOOST_TEST(angle_change(atlas) < 0.01);
       BOOST_TEST(atlas.run.report.measures.l2_stretch < 1.001);
@@ -200,6 +201,7 @@ BOOST_AUTO_TEST_CASE(cylinders_are_cut_around_their_rims)
       Mesh mesh = prism(circle(n), 3, 4).mesh();
       const Crease_atlas atlas = make_crease_atlas(mesh);
       BOOST_TEST(atlas.creases.is_hard_surface());
+      BOOST_TEST(atlas.creases.is_developable);
       BOOST_TEST(atlas.run.report.charts.size() == 3u);
       BOOST_TEST(angle_change(atlas) < 1);
       double rims = 0;
@@ -270,8 +272,9 @@ BOOST_AUTO_TEST_CASE(seams_lie_on_creases)
 
 BOOST_AUTO_TEST_CASE(smooth_surfaces_have_no_creases)
 {
-  for(const Surface& surface :
-      {seam_surfaces::sphere(3), seam_surfaces::torus(40, 20), seam_surfaces::tube(30, 4)}) {
+  for(const auto& [surface, is_developable] : {std::pair(seam_surfaces::sphere(3), false),
+                                               {seam_surfaces::torus(40, 20), false},
+                                               {seam_surfaces::tube(30, 4), true}}) {
     Mesh mesh = surface.mesh();
     const Marks seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
     const auto report = SMP::select_crease_seams(mesh, seams);
@@ -280,6 +283,7 @@ BOOST_AUTO_TEST_CASE(smooth_surfaces_have_no_creases)
     BOOST_TEST(report.number_of_parts == 1u);
     BOOST_TEST(report.seam_length == 0);
     BOOST_TEST(!report.is_hard_surface());
+    BOOST_TEST(report.is_developable == is_developable);
   }
 }
 
@@ -370,6 +374,8 @@ BOOST_AUTO_TEST_CASE(machine_parts_keep_their_angles)
       BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / name, mesh));
       const Crease_atlas atlas = make_crease_atlas(mesh);
       BOOST_TEST(atlas.creases.is_hard_surface());
+      BOOST_TEST(atlas.creases.is_developable ==
+                 (name == std::string("joint.off") || name == std::string("cross.off")));
       BOOST_TEST(angle_change(atlas) < 1);
       BOOST_TEST(atlas.creases.seam_length >= 0.8 * atlas.run.report.seam_length);
       if(name == std::string("fandisk.off"))

@@ -251,12 +251,21 @@ BOOST_AUTO_TEST_CASE(seams_along_creases)
   BOOST_TEST(atlas().get<double>("mean_angle_change") > 0.01);
 }
 
-// By default, seams are short, and those of textures of hard surfaces are near creases.
+// By default, seams are short. Those of textures of hard surfaces are near creases, and on all creases if there are few
+// and all between them unfolds.
 BOOST_AUTO_TEST_CASE(way_of_seams_by_default)
 {
   const std::string block = write("block.off", ring().text());
+  Collection both;
+  both.add(ring());
+  both.add(sphere());
+  const std::string with_sphere = write("both.off", both.text());
+  const std::string given = file("given.selection.txt");
+  flatten(block, "--for few-charts --seams-to " + quoted(given));
   for(const auto& [input, options, way, is_hard] :
-      {std::tuple(block, "", "near-creases", "true"),
+      {std::tuple(block, std::string(), "creases", "true"),
+       {with_sphere, std::string(), "near-creases", "true"},
+       {block, "--seams-from " + quoted(given), "near-creases", "true"},
        {block, "--for few-charts", "length", "null"},
        {block, "--seams length", "length", "null"},
        {block, "--for conformal --seams near-creases", "near-creases", "null"},
@@ -267,8 +276,9 @@ BOOST_AUTO_TEST_CASE(way_of_seams_by_default)
       check_success();
       BOOST_TEST(atlas().get<std::string>("seams.way") == way);
       BOOST_TEST(atlas().get<std::string>("seams.is_hard_surface") == is_hard);
-      BOOST_TEST(atlas().get<std::string>("seams.crease_angle") == "null");
-      BOOST_TEST((standard_output.find("near creases of a hard surface") != std::string::npos) ==
+      BOOST_TEST((atlas().get<std::string>("seams.crease_angle") == "null") ==
+                 (way != std::string("creases")));
+      BOOST_TEST((standard_output.find("creases of a hard surface") != std::string::npos) ==
                  (is_hard == std::string("true")));
     }
   }

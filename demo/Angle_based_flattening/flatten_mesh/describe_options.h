@@ -157,7 +157,8 @@ inline po::options_description atlas_options(Command_line& command)
       "conformal: 0.04; few-charts, or with --seams-from or --charts-from-materials: inf");
   add("seams", po::value(&atlas.seams)->value_name("NAME")->default_value(atlas.seams),
       "where seams run. length: they are short. near-creases: along creases where that is hardly longer. "
-      "auto: near-creases for the textures of hard surfaces, which are flat between creases, as machine "
+      "auto: for textures, creases if few faces between them unfold without stretch, as those of boxes and "
+      "cylinders; near-creases on other hard surfaces, which are flat between creases, as machine "
       "parts are; otherwise length. creases, or creases:DEGREES: first along edges whose faces "
       "differ by more than this angle, 40 degrees if it is not given; flat faces stay whole. For machine "
       "parts and buildings. hidden: in folds and cavities, and below and behind other parts. For characters");

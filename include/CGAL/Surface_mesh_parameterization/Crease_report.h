@@ -40,6 +40,10 @@ struct Crease_report : Report
   /// The share of the area that belongs to flat patches of at least two triangles, on surfaces with creases.
   double flat_share = 0;
 
+  /// Whether each component has at most 16 patches, and none is bent in two directions: the angles at inner vertices
+  /// of a patch sum to \f$2\pi\f$. With seams along creases, the parts then have maps without stretch.
+  bool is_developable = true;
+
   double seam_length = 0;          ///< The length of all seams, each counted once.
   double relative_seam_length = 0; ///< `seam_length`, divided by the square root of the area.
 

@@ -100,6 +100,7 @@ select_crease_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
     report.number_of_patches += division.number_of_patches;
     area += division.area;
     flat_area += division.flat_area;
+    report.is_developable = report.is_developable && division.is_developable();
     ABF::Seams result;
     result.is_seam = std::move(division.is_seam);
     return result;

@@ -22,23 +22,33 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline bool is_hard_surface(Mesh& mesh)
+inline SMP::Crease_report examine_creases(Mesh& mesh)
 {
   auto marks = mesh.add_property_map<Edge, bool>().first;
   const auto report = SMP::select_crease_seams(mesh, marks, SMP::Crease_options(),
                                                CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
   mesh.remove_property_map(marks);
-  return report && report.is_hard_surface();
+  return report;
+}
+
+// Whether maps without stretch are worth seams along creases, as those of boxes and cylinders are.
+inline bool unfolds_well(const SMP::Crease_report& report)
+{
+  const double longest_seams = 3; // on surfaces that are hardly flat anywhere
+  return report && report.is_developable && report.seam_length > 0 &&
+         (report.is_hard_surface() || report.relative_seam_length <= longest_seams);
+}
+
+inline bool has_seams(const Mesh& mesh, const Edge_marks& is_seam)
+{
+  const auto edges = mesh.edges();
+  return std::any_of(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
 }
 
 // Marks seams along creases. They do not divide polygons.
 inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam)
 {
-  const auto count_seams = [&] {
-    const auto edges = mesh.edges();
-    return std::count_if(edges.begin(), edges.end(), [&](const Edge e) { return is_seam[e]; });
-  };
-  const auto given = count_seams();
+  const bool are_given = has_seams(mesh, is_seam);
   SMP::Crease_options options;
   options.angle = angle;
   const auto report = SMP::select_crease_seams(mesh, is_seam, options,
@@ -46,10 +56,10 @@ inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Ed
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
-  if(given > 0) { // seams may be on all creases already
+  if(are_given) { // seams may be on all creases already
     return {"creases", angle, false, std::nullopt};
   }
-  return {"creases", angle, count_seams() == 0, report.is_hard_surface()};
+  return {"creases", angle, !has_seams(mesh, is_seam), report.is_hard_surface()};
 }
 
 // Finds out what `--seams` means for a mesh, and marks seams along creases if they are asked for.
@@ -64,7 +74,11 @@ inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edg
   if(way.name == "auto") {
     way.name = "length";
     if(options.purpose == "texture") {
-      way.is_hard_surface = is_hard_surface(mesh);
+      const SMP::Crease_report report = examine_creases(mesh);
+      way.is_hard_surface = report && report.is_hard_surface();
+      if(unfolds_well(report) && !has_seams(mesh, is_seam)) {
+        return lay_seams_along_creases(SMP::Crease_options().angle, mesh, is_seam);
+      }
       way.name = *way.is_hard_surface ? "near-creases" : way.name;
     }
   }

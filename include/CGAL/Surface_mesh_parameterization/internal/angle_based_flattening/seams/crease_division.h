@@ -25,6 +25,10 @@ struct Crease_division
   std::size_t number_of_patches = 0;
   double area = 0,
          flat_area = 0; // the second is that of flat patches of at least two triangles, if there are others
+  double curvature = 0; // the sum of what angles lack or exceed 2 pi at vertices within patches
+
+  // Whether the surface is made of few patches that have maps without stretch
+  bool is_developable() const { return number_of_patches <= 16 && curvature < 0.01; }
 };
 
 // Divides a surface along edges whose faces differ by more than `angle`, and joins what unfolds together. `cost` is that

@@ -11,18 +11,37 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_division.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_patches.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/merge_patches.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/patch_layouts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// The sum of what the angles lack or exceed 2 pi at vertices within patches
+inline double curvature_within(const std::vector<int>& patch, const Chart& surface)
+{
+  std::vector<double> missing(surface.points.size(), 2 * pi);
+  std::vector<char> is_within(surface.points.size(), true);
+  for(int c = 0; c < surface.number_of_corners(); ++c) {
+    missing[surface.vertex[c]] -= surface_angle(surface, c);
+    if(!is_within_patch(surface, patch, c))
+      is_within[surface.edge_source(c)] = is_within[surface.edge_target(c)] = false;
+  }
+  double result = 0;
+  for(std::size_t v = 0; v < missing.size(); ++v)
+    result += is_within[v] ? std::abs(missing[v]) : 0;
+  return result;
+}
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Crease_division divide_at_creases(const Chart& surface,
                                                                      const std::vector<double>& cost,
@@ -38,6 +57,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Crease_division divide_at_creases(const Chart
     result.flat_area +=
         result.number_of_patches > 1 && patch.is_flat && patch.triangles.size() > 1 ? patch.area : 0;
   }
+  result.curvature = curvature_within(patches.patch, surface);
   result.is_seam = Patch_merger(surface, std::move(patches)).run();
   return result;
 }
