@@ -135,6 +135,11 @@ struct Atlas_options : Seam_options, Packing_options
   /// the lower left corner of its bounding box is the origin.
   bool pack_into_square = true;
 
+  /// Whether coordinates are rounded to numbers of type `float` before they are certified, whatever the number type of
+  /// `uv`, as for files that hold `float`. With `pack_into_square`, 1 - v is also such a number for each coordinate v:
+  /// in glTF, v goes down. Vertices of triangles that rounding would turn over move on to such numbers nearby.
+  bool float_coordinates = false;
+
   int threads = 0; ///< See `Flattening_options::threads`.
 
   /// If not null, this visitor follows the progress and may cancel the computation.

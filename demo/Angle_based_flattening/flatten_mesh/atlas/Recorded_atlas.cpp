@@ -8,7 +8,9 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/make_atlas_of_input.h"
 #include "flatten_mesh/atlas/place_charts.h"
+#include "flatten_mesh/atlas/round_charts.h"
 #include "flatten_mesh/atlas/texture_of_atlas.h"
+#include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/number_type_config.h>
@@ -110,9 +112,10 @@ void measure_charts(Atlas_record& record)
   }
 }
 
-void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
+void place_charts(const Command_line& command, const Mesh& mesh, const Atlas& atlas,
                   const SMP::Atlas_report& report)
 {
+  const Atlas_options& options = command.atlas;
   if(!options.is_in_world_units()) {
     return;
   }
@@ -121,7 +124,11 @@ void place_charts(const Atlas_options& options, const Mesh& mesh, const Atlas& a
   } else {
     place_in_rows(mesh, atlas, report.charts.size());
   }
-  check_orientation(mesh, atlas);
+  if(writes_floats(command)) {
+    round_charts(mesh, atlas, report.charts.size(), grid_of_outputs(command));
+  } else {
+    check_orientation(mesh, atlas);
+  }
 }
 
 // Says so if there was no crease to lay seams along.
@@ -227,7 +234,7 @@ void make_charts(const Command_line& command, Atlas_input& input, const Atlas& a
   record.components = components_by_size(input.mesh).size();
   record.report = make_atlas_of_input(command, input, atlas, record.seam_way, visitor);
   if(record.report.has_atlas()) {
-    place_charts(command.atlas, input.mesh, atlas, record.report);
+    place_charts(command, input.mesh, atlas, record.report);
   }
 }
 

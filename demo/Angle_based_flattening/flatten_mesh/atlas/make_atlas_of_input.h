@@ -17,6 +17,7 @@
 #include "flatten_mesh/atlas/keep_seams.h"
 #include "flatten_mesh/atlas/prepare_edges.h"
 #include "flatten_mesh/atlas/symmetric_atlas.h"
+#include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -79,6 +80,7 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
   options.gutter = atlas.gutter;
   options.number_of_rotations = atlas.rotations;
   options.pack_into_square = atlas.is_packed;
+  options.float_coordinates = !atlas.is_in_world_units() && writes_floats(command);
   options.threads = command.options.threads;
   return options;
 }

@@ -25,6 +25,7 @@
 #include "flatten_mesh/model/write_model_glb.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/pictures/Up_axis.h"
@@ -65,13 +66,14 @@ inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
 inline std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
-                                            const Atlas& atlas, const SMP::Atlas_report& report)
+                                            const Atlas& atlas, const SMP::Atlas_report& report,
+                                            const Float_grid& grid)
 {
   if(command.output.empty() || file_format(command.output) == "glb" || !report.has_atlas()) {
     return {};
   }
   std::vector<bool> is_divided =
-      concave_polygons(input.model, texture_of(input.model, input.mesh, input.origins, atlas));
+      concave_polygons(input.model, texture_of(input.model, input.mesh, input.origins, atlas), grid);
   const std::vector<bool> is_torn = torn_polygons(
       input.model, input.mesh, input.origins, [&atlas](const Halfedge h) { return atlas.uv[h]; },
       [&atlas](const Face f) { return chart_number(atlas, f); });
@@ -96,8 +98,9 @@ inline std::vector<Written_model> models_to_write(const Command_line& command, A
                                                   const Atlas& atlas, const SMP::Atlas_report& report)
 {
   std::vector<Written_model> models;
+  const Float_grid grid = grid_of_outputs(command);
   const auto add = [&](const Command_line& own, const Atlas_input& model, const Atlas& charts) {
-    models.push_back({own, model, charts, polygons_to_divide(own, model, charts, report)});
+    models.push_back({own, model, charts, polygons_to_divide(own, model, charts, report, grid)});
   };
   if(input.joined.empty()) {
     add(command, input, atlas);

@@ -10,6 +10,7 @@
 #include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/convex_polygon.h>
 
 #include <algorithm>
@@ -19,18 +20,21 @@
 
 namespace flatten_mesh {
 
+using CGAL::Surface_mesh_parameterization::internal::ABF::Float_grid;
+
 // Whether all triangles of all fans are positively oriented, also with coordinates in `float`
-inline bool has_good_fans(const std::vector<Kernel::Point_2>& polygon)
+inline bool has_good_fans(const std::vector<Kernel::Point_2>& polygon, const Float_grid& grid)
 {
   namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
   std::vector<ABF::Exact_point_2> points;
   for(const Kernel::Point_2& p : polygon)
     points.emplace_back(p.x(), p.y());
-  return points.size() == 3 || ABF::is_strictly_convex(points);
+  return points.size() == 3 || ABF::is_strictly_convex(points, grid);
 }
 
 // Of each polygon of a model: whether it has coordinates, and a fan that must not be drawn
-inline std::vector<bool> concave_polygons(const Model& model, const Model_texture& texture)
+inline std::vector<bool> concave_polygons(const Model& model, const Model_texture& texture,
+                                          const Float_grid& grid)
 {
   std::vector<bool> is_concave(model.number_of_polygons(), false);
   std::vector<Kernel::Point_2> polygon;
@@ -44,7 +48,7 @@ inline std::vector<bool> concave_polygons(const Model& model, const Model_textur
     if(texture.is_turned[p]) {
       std::reverse(polygon.begin(), polygon.end());
     }
-    is_concave[p] = !polygon.empty() && !(polygon.size() == model.size(p) && has_good_fans(polygon));
+    is_concave[p] = !polygon.empty() && !(polygon.size() == model.size(p) && has_good_fans(polygon, grid));
   }
   return is_concave;
 }

@@ -48,18 +48,18 @@ ABF::Divided_polygons divided_polygons(const Mesh& mesh, const Chart& chart, con
 
 } // namespace internal
 
-// Moves vertices a little so that polygons become convex in the plane, and returns of how many that is true. The
-// measures have to be taken again.
+// Moves vertices a little, to places on the grid, so that polygons become convex in the plane, and returns of how many
+// that is true. The measures have to be taken again.
 template <class Is_diagonal>
 std::size_t mend_polygons(const Mesh& mesh, const Chart& chart, const Is_diagonal& is_diagonal,
-                          const UV_map& uv)
+                          const internal::ABF::Float_grid& grid, const UV_map& uv)
 {
   std::vector<internal::ABF::Chart::Point_2> points(mesh.number_of_vertices());
   for(const Vertex v : chart.vertices) {
     points[v.idx()] = {uv[v].x(), uv[v].y()};
   }
   const internal::ABF::Divided_polygons table = internal::divided_polygons(mesh, chart, is_diagonal);
-  const std::size_t count = internal::ABF::Polygon_mender(table, points).run();
+  const std::size_t count = internal::ABF::Polygon_mender(table, grid, points).run();
   for(const Vertex v : chart.vertices) {
     uv[v] = Kernel::Point_2(points[v.idx()].x(), points[v.idx()].y());
   }

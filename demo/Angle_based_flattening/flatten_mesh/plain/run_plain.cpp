@@ -10,6 +10,7 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Output_files.h"
+#include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/process_memory.h"
@@ -26,6 +27,7 @@
 #include "flatten_mesh/plain/prescribe_angles.h"
 #include "flatten_mesh/plain/report_json.h"
 #include "flatten_mesh/plain/report_text.h"
+#include "flatten_mesh/plain/round_chart.h"
 #include "flatten_mesh/plain/scale_stretch.h"
 #include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/plain/split_chart.h"
@@ -156,7 +158,8 @@ std::vector<bool> polygons_to_divide(const Command_line& command, const Surface&
     return {};
   }
   const Polygon_soup before = surface.soup(), soup = with_split_sides(before, surface.input, surface.chart);
-  std::vector<bool> is_divided = concave_polygons(soup, surface.mesh(), surface.chart, flattening);
+  std::vector<bool> is_divided =
+      concave_polygons(soup, surface.mesh(), surface.chart, flattening, grid_of_outputs(command));
   for(std::size_t p = 0; p < is_divided.size(); ++p) { // the corner that splits a straight side is no fault
     is_divided[p] = is_divided[p] && soup.polygons[p].size() == before.polygons[p].size();
   }
@@ -358,7 +361,7 @@ Edge input_edge(const Surface& surface, const Edge e)
 }
 
 // Makes polygons convex in the plane where small moves do that, and returns how many. Split edges are no diagonals.
-std::size_t mend_surface(Surface& surface, Flattening& flattening)
+std::size_t mend_surface(const Command_line& command, Surface& surface, Flattening& flattening)
 {
   if(!surface.has_polygons || !surface.chart.split_edges.empty()) {
     return 0;
@@ -366,7 +369,7 @@ std::size_t mend_surface(Surface& surface, Flattening& flattening)
   const Edge_marks is_diagonal = diagonals(surface.input);
   const std::size_t count = mend_polygons(
       surface.mesh(), surface.chart, [&](const Edge e) { return is_diagonal[input_edge(surface, e)]; },
-      flattening.uv);
+      grid_of_outputs(command), flattening.uv);
   if(count > 0) {
     measure(surface.mesh(), surface.chart, flattening);
   }
@@ -484,7 +487,11 @@ Exit_status run_plain(const Command_line& command)
   if(!record.flattening.note.empty()) {
     notes.add(record.flattening.note);
   }
-  const std::size_t mended = record.flattening.succeeded() ? mend_surface(surface, record.flattening) : 0;
+  if(record.flattening.succeeded() && writes_floats(command)) {
+    round_chart(command, surface.mesh(), surface.chart, record.flattening);
+  }
+  const std::size_t mended =
+      record.flattening.succeeded() ? mend_surface(command, surface, record.flattening) : 0;
   look_at_stretch(command, surface, record.flattening, notes);
   look_at_overlap(command, record.flattening, notes);
   if(command.split_overlaps && record.flattening.succeeded()) {

@@ -154,7 +154,7 @@ inline Model_texture texture_of_chart(const Model& model, const Mesh& input, con
 
 // Of each polygon of a soup: whether it is in the chart, and has a fan that must not be drawn
 inline std::vector<bool> concave_polygons(const Polygon_soup& soup, const Mesh& mesh, const Chart& chart,
-                                          const Flattening& flattening)
+                                          const Flattening& flattening, const Float_grid& grid)
 {
   const internal::Texture_numbers numbers(mesh, chart);
   std::vector<bool> is_concave(soup.polygons.size(), false);
@@ -166,7 +166,7 @@ inline std::vector<bool> concave_polygons(const Polygon_soup& soup, const Mesh& 
         corners.push_back(flattening.uv[chart.vertices[number - 1]]);
       }
     }
-    is_concave[p] = !corners.empty() && !(corners.size() == polygon.size() && has_good_fans(corners));
+    is_concave[p] = !corners.empty() && !(corners.size() == polygon.size() && has_good_fans(corners, grid));
   }
   return is_concave;
 }

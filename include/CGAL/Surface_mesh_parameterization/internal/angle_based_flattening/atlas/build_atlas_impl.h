@@ -20,10 +20,14 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/isometric_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/measure_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/pack_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/chart_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/make_polygons_convex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/round_to_floats.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
@@ -128,11 +132,11 @@ private:
     progress.set_stage(1, 1);
   }
 
-  void fit_pages(std::size_t i)
+  // Returns whether pages can hold all charts of a part that has charts.
+  bool fit_pages(std::size_t i)
   {
-    if(m_options.pack_into_square && m_options.texels_per_unit > 0 && m_atlas.parts[i].succeeded() &&
-       !is_kept(m_atlas.parts[i]))
-      Page_fitter(m_parts[i], m_weight, m_options, m_atlas.parts[i]).run();
+    return !m_options.pack_into_square || m_options.texels_per_unit == 0 || !m_atlas.parts[i].succeeded() ||
+           is_kept(m_atlas.parts[i]) || Page_fitter(m_parts[i], m_weight, m_options, m_atlas.parts[i]).run();
   }
 
   bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
@@ -194,12 +198,34 @@ private:
       scale_charts();
     else if(!pack_charts())
       return false;
-    for(Part_atlas& part : m_atlas.parts)
-      if(part.succeeded())
-        m_round(part.uv);
+    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
+      if(m_atlas.parts[i].succeeded())
+        round(m_atlas.parts[i]);
+    });
     make_polygons_convex();
     return true;
   }
+
+  // Borders stay where they were packed. If some triangles cannot, the certificate finds them.
+  void round(Part_atlas& part) const
+  {
+    if(m_options.float_coordinates) {
+      Float_rounder rounder(part.chart.vertex, grid(), part.uv);
+      rounder.keep_gaps(border_edges(part.chart));
+      if(m_options.pack_into_square) {
+        std::vector<char> is_border;
+        for(int v : part.chart.interior)
+          is_border.push_back(v < 0);
+        const double texels = (std::max)(m_options.resolution, m_options.number_of_rows());
+        rounder.bound_moves(std::move(is_border), placement_tolerance / 2 / texels);
+      }
+      rounder.run();
+    }
+    m_round(part.uv);
+  }
+
+  // For files. Only from 0 to 1, 1 - v in `float` has enough digits, whatever the unit of length.
+  Float_grid grid() const { return {m_options.pack_into_square}; }
 
   // With their final coordinates, and before these are certified and measured
   void make_polygons_convex()
@@ -212,7 +238,7 @@ private:
       Divided_polygons polygons{part.chart.vertex, part.chart.opposite, m_parts[i].is_diagonal, {}};
       for(int v = 0; v < part.chart.number_of_vertices(); ++v)
         polygons.is_fixed.push_back(part.chart.interior[v] < 0);
-      mended[i] = Polygon_mender(polygons, part.uv).run();
+      mended[i] = Polygon_mender(polygons, grid(), part.uv).run();
       m_round(part.uv);
     });
     m_atlas.report.number_of_mended_polygons = std::accumulate(mended.begin(), mended.end(), std::size_t(0));
@@ -274,8 +300,7 @@ private:
                              Part_progress(progress, 0));
     while(m_remakes[i] < 2 && m_options.given_charts != Atlas_options::KEEP) {
       m_atlas.parts[i] = ++m_remakes[i] == 1 ? maker.run() : maker.divided(Divided_part_atlas::Division());
-      fit_pages(i);
-      if(m_atlas.parts[i].succeeded())
+      if(fit_pages(i) && m_atlas.parts[i].succeeded())
         return;
     }
     m_atlas.parts[i].status = Diagnosis::PRECISION_EXCEEDED;

@@ -42,20 +42,20 @@ public:
       : m_part(part), m_weight(weight), m_options(options), m_atlas(atlas)
   {}
 
-  // The charts must be injective.
-  void run()
+  // The charts must be injective. Returns whether a page can hold each of them then.
+  bool run()
   {
     for(;;) {
       const std::vector<int> too_large = too_large_pieces();
       if(too_large.empty())
-        return;
+        return true;
       const std::vector<std::vector<int>> triangles = triangles_of_pieces(m_atlas);
       Patch_cutter cutter(m_atlas.chart, m_part.cost);
       std::vector<char> is_seam(m_atlas.chart.vertex.size(), false);
       for(int piece : too_large)
         cut_in_two(cutter.cut_out(triangles[piece], std::vector<char>(is_seam.size(), false)), is_seam);
       if(std::find(is_seam.begin(), is_seam.end(), true) == is_seam.end())
-        return;
+        return false;
       open_along(is_seam, m_part.cost, m_atlas);
     }
   }

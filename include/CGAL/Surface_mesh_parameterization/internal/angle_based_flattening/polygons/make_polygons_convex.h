@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_kernel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
@@ -43,8 +44,8 @@ class Polygon_mender
   typedef Planar_kernel::Vector_2 Vector;
 
 public:
-  Polygon_mender(const Divided_polygons& polygons, std::vector<Chart::Point_2>& uv)
-      : m_table(polygons), m_uv(uv), m_points(exact_points(uv)), m_start(m_points),
+  Polygon_mender(const Divided_polygons& polygons, const Float_grid& grid, std::vector<Chart::Point_2>& uv)
+      : m_table(polygons), m_grid(grid), m_uv(uv), m_points(exact_points(uv)), m_start(m_points),
         m_polygon(polygons.number_of_corners() / 3, -1), m_corner(uv.size(), -1)
   {
     for(int c = 0; c < m_table.number_of_corners(); ++c)
@@ -119,7 +120,7 @@ private:
   void remove_convex(std::vector<int>& polygons) const
   {
     polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
-                                  [this](int p) { return is_strictly_convex(points_of(p)); }),
+                                  [this](int p) { return is_strictly_convex(points_of(p), m_grid); }),
                    polygons.end());
   }
 
@@ -130,7 +131,7 @@ private:
     bool has_moved = false;
     for(std::size_t i = 0; i < size; ++i) {
       const int u = m_loop[first + i], v = m_loop[first + (i + 1) % size], w = m_loop[first + (i + 2) % size];
-      if(!turns_left(m_points[u], m_points[v], m_points[w]))
+      if(!turns_left(m_points[u], m_points[v], m_points[w], m_grid))
         has_moved = mend_corner(u, v, w) || has_moved;
     }
     return has_moved;
@@ -153,7 +154,7 @@ private:
       return false;
     const Vector left(-line.y() / length, line.x() / length);
     const double missing = share * length - (m_points[v] - m_points[from]) * left;
-    return move(v, m_points[v] + missing * left);
+    return move(v, m_grid.rounded_point(m_points[v] + missing * left));
   }
 
   std::vector<int> star(int v) const
@@ -187,7 +188,7 @@ private:
   {
     std::vector<std::size_t> result;
     for(int p : polygons)
-      result.push_back(count_bad_corners(points_of(p)));
+      result.push_back(count_bad_corners(points_of(p), m_grid));
     return result;
   }
 
@@ -214,7 +215,7 @@ private:
     for(int c : corners)
       is_better = is_better && area(m_points, c) > area(m_start, c) / 2 &&
                   turns_left(point, m_points[m_table.vertex[next_corner(c)]],
-                             m_points[m_table.vertex[previous_corner(c)]]);
+                             m_points[m_table.vertex[previous_corner(c)]], m_grid);
     if(!is_better)
       m_points[v] = old;
     return is_better;
@@ -223,6 +224,7 @@ private:
   static constexpr int no_polygon = -2; // of triangles
 
   const Divided_polygons& m_table;
+  const Float_grid m_grid; // of vertices that are moved
   std::vector<Chart::Point_2>& m_uv;
   std::vector<Point> m_points, m_start;
   std::vector<int> m_polygon;             // of each triangle
