@@ -139,6 +139,26 @@ BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
   BOOST_TEST((visitor.stages == stages));
 }
 
+// The smallest triangles are far smaller than that, and grow.
+BOOST_AUTO_TEST_CASE(coordinates_for_files_are_multiples_of_a_step)
+{
+  Union all = shrinking_disk(14);
+  all.add(component(seam_surfaces::octahedron()));
+  const Mesh mesh = all.mesh<Mesh>();
+  const Atlas_run run = make_atlas_of(
+      mesh, with<Atlas_options>(&Atlas_options::resolution, 256, &Atlas_options::float_coordinates, true));
+  BOOST_TEST(bool(run.report));
+  check_parts(run);
+  check_charts(run);
+  check_overlaps(run, chart_vertices(run), true);
+  check_texels(run, 256, 1);
+  bool are_multiples = true;
+  for(const atlas_check::Point_2& p : run.uv)
+    for(double x : {p.x(), p.y()})
+      are_multiples = are_multiples && std::rint(std::ldexp(x, 24)) == std::ldexp(x, 24);
+  BOOST_TEST(are_multiples);
+}
+
 BOOST_AUTO_TEST_CASE(any_mesh_gives_the_same_atlas)
 {
   typedef CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> Polyhedron;
