@@ -35,6 +35,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -263,10 +264,24 @@ private:
         scale_pieces(part);
   }
 
+  // A part with a chart that is nearly a line or a point is made again, or skipped.
   bool pack_charts()
   {
     const Stage stage(visitor_of(Atlas_visitor::PACK), Atlas_visitor::PACK, m_atlas.report.seconds.pack);
-    return Atlas_packer(m_parts, m_weight, m_options, m_atlas).run();
+    while(!m_atlas.report.charts.empty()) {
+      Atlas_packer packer(m_parts, m_weight, m_options, m_atlas);
+      if(packer.run())
+        return true;
+      const std::optional<std::size_t> degenerate = packer.degenerate_part();
+      if(!degenerate || m_options.given_charts == Atlas_options::KEEP)
+        return false;
+      remake(*degenerate, m_atlas.report.message);
+      fail(Diagnosis::NOTHING_WRONG, "");
+      number_charts();
+      take_maps_as_made();
+    }
+    fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
+    return false;
   }
 
   // Returns whether all charts are injective with their final coordinates. Parts with other charts first get maps whose

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,13 +72,15 @@ public:
       : m_parts(parts), m_weight(weight), m_options(options), m_atlas(atlas)
   {}
 
-  // Returns whether all charts have places.
+  // Returns whether all charts have places. If not, `degenerate_part()` may be the reason.
   bool run()
   {
     const int charts = static_cast<int>(m_atlas.report.charts.size());
     const Packed_triangles triangles = packed_triangles();
     const Packing packing = pack(triangles.corners, triangles.chart, triangles.area, charts, m_options);
     if(packing.status != Packing::DONE) {
+      if(packing.status == Packing::DEGENERATE_CHART)
+        m_degenerate_part = part_of_chart(packing.chart);
       fail(Diagnosis::PACKING_FAILED, describe(packing));
       return false;
     }
@@ -90,6 +93,9 @@ public:
     move_charts(packing);
     return true;
   }
+
+  // The part of which a chart cannot be scaled to the area of its surface, if there is one
+  std::optional<std::size_t> degenerate_part() const { return m_degenerate_part; }
 
   // Returns whether no two charts share a texel with its gutter.
   bool certify()
@@ -170,12 +176,18 @@ private:
     }
   }
 
-  // With a place on the surface
-  std::string chart_text(int number) const
+  std::size_t part_of_chart(int number) const
   {
     std::size_t i = m_parts.size() - 1;
     while(m_atlas.first_chart[i] > static_cast<std::size_t>(number))
       --i;
+    return i;
+  }
+
+  // With a place on the surface
+  std::string chart_text(int number) const
+  {
+    const std::size_t i = part_of_chart(number);
     const Part_atlas& part = m_atlas.parts[i];
     const int piece = number - static_cast<int>(m_atlas.first_chart[i]);
     const auto t = std::find(part.piece.begin(), part.piece.end(), piece) - part.piece.begin();
@@ -193,6 +205,7 @@ private:
   const std::vector<double>& m_weight;
   const Packing_options& m_options;
   Atlas& m_atlas;
+  std::optional<std::size_t> m_degenerate_part;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
