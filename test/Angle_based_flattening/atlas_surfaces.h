@@ -157,31 +157,34 @@ inline Component good_component(std::mt19937& random)
 
 inline Component bad_component(std::mt19937& random)
 {
+  // A wrong face condemns no others, so all faces are wrong.
   Component result;
-  do
-    result = good_component(random);
-  while(result.triangles.size() < 2);
-  const std::size_t v =
-      static_cast<std::size_t>(uniform_int(random, 0, static_cast<int>(result.points.size()) - 1));
   switch(uniform_int(random, 0, 2)) {
   case 0: {
     const double bad = uniform_int(random, 0, 1) == 0 ? std::numeric_limits<double>::infinity()
                                                       : std::numeric_limits<double>::quiet_NaN();
-    const auto t = result.triangles[random() % result.triangles.size()]; // not all points are of triangles
-    result.points[static_cast<std::size_t>(t[0])] = Point_3(1, bad, 0);
+    result = {"fan", {{1, bad, 0}, {0, 0, 0}}, {}};
+    for(int i = uniform_int(random, 1, 8); i > 0; --i) {
+      result.points.emplace_back(i, i * i, 0);
+      const int last = static_cast<int>(result.points.size()) - 1;
+      result.triangles.push_back({0, last - 1, last});
+    }
     result.status = Diagnosis::NON_FINITE_POINT;
     break;
   }
   case 1:
-    result = component(seam_surfaces::sphere(uniform_int(random, 0, 1)));
+    result = {"square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
     result.has_quadrangle = true;
     result.status = Diagnosis::NOT_TRIANGULATED;
     break;
-  default:
+  default: {
+    const bool is_point = uniform_int(random, 0, 1) == 0;
+    result = good_component(random);
     for(std::size_t w = 0; w < result.points.size(); ++w)
       result.points[w] =
-          v % 2 == 0 ? Point_3(0, 0, 0) : Point_3(static_cast<double>(w % 7), 0, 0); // a point or a line
+          is_point ? Point_3(0, 0, 0) : Point_3(static_cast<double>(w % 7), 0, 0); // a point or a line
     result.status = Diagnosis::NO_AREA;
+  }
   }
   result.name += ", " + to_string(result.status);
   return result;
@@ -256,8 +259,14 @@ struct Union
     }
     test_charts::make_mesh(test_charts::make_chart(points, triangles), mesh);
     std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> diagonals;
-    for(int t : quadrangles)
-      diagonals.push_back(halfedge(*std::next(faces(mesh).begin(), t), mesh));
+    for(int t : quadrangles) {
+      const auto f = *std::next(faces(mesh).begin(), t);
+      for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+        if(!CGAL::is_border_edge(h, mesh)) {
+          diagonals.push_back(h);
+          break;
+        }
+    }
     for(const auto h : diagonals)
       CGAL::Euler::join_face(h, mesh);
   }

@@ -20,6 +20,8 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -207,7 +209,7 @@ BOOST_AUTO_TEST_CASE(bad_components_change_nothing_of_the_others)
     {
       const Mesh mesh = all.mesh<Mesh>(), good_mesh = good.mesh<Mesh>();
       const Atlas_run run = make_atlas_of(mesh), alone = make_atlas_of(good_mesh);
-      BOOST_TEST(alone.report.has_atlas());
+      BOOST_TEST(alone.report.has_atlas(), alone.report.message);
       std::vector<atlas_check::Point_2> uv;
       for(std::size_t c = 0; c < run.uv.size(); ++c)
         if(run.chart[run.face[c]] >= 0)
@@ -380,18 +382,89 @@ BOOST_AUTO_TEST_CASE(a_seam_separates_a_bad_part_from_a_good_one)
   std::vector<char> above;
   for(Face f : mesh.faces())
     above.push_back(is_above(f));
+  std::vector<char> is_wrong(above.size(), false);
   for(auto v : mesh.vertices())
     if(mesh.point(v).z() > 0.9) {
       mesh.point(v) = test_charts::Point_3(0, 0, infinity);
+      for(Face f : mesh.faces_around_target(mesh.halfedge(v)))
+        is_wrong[f] = true;
       break;
     }
   const Atlas_run run = make_with_seams(mesh, [&](Edge e) { return bool(seams[e]); });
-  check_atlas(run, Wishes());
-  BOOST_TEST(run.report.number_of_parts == 2u);
+  BOOST_TEST(run.report.number_of_parts == 3u); // above and below, and around the point
   BOOST_TEST_REQUIRE(run.report.skipped.size() == 1u);
   BOOST_TEST(run.report.skipped.front().status == Diagnosis::NON_FINITE_POINT);
-  for(std::size_t f = 0; f < above.size(); ++f)
-    BOOST_TEST_REQUIRE((run.chart[f] >= 0) == !above[f]);
+  for(std::size_t f = 0; f < is_wrong.size(); ++f)
+    BOOST_TEST_REQUIRE((run.chart[f] >= 0) == !is_wrong[f]);
+}
+
+// A terrain where some edges have a vertex on one side only, with a face without area between, and where some points are
+// not finite
+BOOST_AUTO_TEST_CASE(bad_faces_change_nothing_of_others)
+{
+  const int n = 14;
+  for(unsigned seed = 1; seed <= 6; ++seed) {
+    std::mt19937 random(seed);
+    Mesh whole, part; // the same without bad faces
+    std::vector<char> is_split;
+    for(int v = 0; v < n * n; ++v) {
+      const test_charts::Point_3 point(v % n, v / n, std::ldexp(uniform_int(random, -500, 500), -9));
+      for(Mesh* mesh : {&whole, &part})
+        mesh->add_vertex(point);
+      is_split.push_back(v % n > 0 && v / n > 0 && v % n < n - 2 && v / n < n - 1 && random() % 6 == 0);
+    }
+    const auto is_wrong = [&](int v) { return seed % 2 == 0 && v == n * n / 2 + n / 2; };
+    typedef Mesh::Vertex_index Vertex;
+    std::vector<Face> partners; // of each face of the whole, in the part
+    std::vector<std::array<Vertex, 3>> without_area;
+    const auto add = [&](Vertex a, Vertex b, Vertex c) {
+      BOOST_TEST_REQUIRE(whole.add_face(a, b, c) != Mesh::null_face());
+      partners.push_back(is_wrong(a) || is_wrong(b) || is_wrong(c) ? Mesh::null_face()
+                                                                   : part.add_face(a, b, c));
+    };
+    for(int j = 0; j + 1 < n; ++j)
+      for(int i = 0; i + 1 < n; ++i) {
+        const Vertex a(j * n + i), b(a + 1), c(a + n), d(c + 1);
+        if(is_split[a] && !is_wrong(a) && !is_wrong(d)) { // its diagonal
+          const Vertex m = whole.add_vertex(CGAL::midpoint(whole.point(a), whole.point(d)));
+          part.add_vertex(whole.point(m));
+          add(a, b, d);
+          add(m, c, a);
+          add(d, c, m);
+          without_area.push_back({a, d, m});
+        } else {
+          add(a, b, d);
+          add(a, d, c);
+        }
+      }
+    for(const auto& [a, d, m] : without_area)
+      BOOST_TEST_REQUIRE(whole.add_face(a, d, m) != Mesh::null_face());
+    for(Mesh* mesh : {&whole, &part})
+      for(Vertex v : mesh->vertices())
+        if(is_wrong(static_cast<int>(v)))
+          mesh->point(v) = test_charts::Point_3(0, infinity, 0);
+    const Atlas_run run = make_atlas_of(whole, Atlas_options::TEXTURE),
+                    expected = make_atlas_of(part, Atlas_options::TEXTURE);
+    BOOST_TEST(expected.report.skipped.empty());
+    BOOST_TEST(run.report.skipped.size() == (seed % 2 == 0 ? 1u : 0u));
+    BOOST_TEST(run.report.degenerate_triangles > 0u);
+    BOOST_TEST(run.report.degenerate_triangles + partners.size() == whole.number_of_faces());
+    std::size_t different = 0;
+    for(std::size_t f = 0; f < whole.number_of_faces(); ++f) {
+      const std::size_t c = run.first_corner[f];
+      if(f >= partners.size()) { // without area: on a line
+        BOOST_TEST(run.chart[f] >= 0);
+        BOOST_TEST(std::abs(CGAL::area(run.uv[c], run.uv[c + 1], run.uv[c + 2])) < 1e-16);
+      } else if(partners[f] == Mesh::null_face()) {
+        BOOST_TEST(run.chart[f] == -1);
+      } else {
+        const std::size_t e = expected.first_corner[partners[f]];
+        for(std::size_t k = 0; k < 3; ++k)
+          different += run.uv[c + k] != expected.uv[e + k];
+      }
+    }
+    BOOST_TEST(different == 0u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_of_every_kind_become_one_chart)

@@ -167,6 +167,9 @@ struct Atlas_report : Report
   std::size_t number_of_parts = 0;
   std::size_t number_of_terminals = 0; ///< The number of terminals (`Seam_options`).
 
+  /// The number of faces without area, which change no chart: each lies on an edge of a neighbor (see `make_atlas()`).
+  std::size_t degenerate_triangles = 0;
+
   /// The number of polygons that were made convex in the plane by moving vertices (see `make_atlas()`).
   std::size_t number_of_mended_polygons = 0;
 

@@ -200,7 +200,9 @@ private:
   {
     std::vector<std::size_t> numbers, meshes; // of the parts that were read
     report.number_of_parts = 0;
-    for(std::size_t i = 0; i < m_meshes.size(); ++i)
+    report.degenerate_triangles = 0;
+    for(std::size_t i = 0; i < m_meshes.size(); ++i) {
+      report.degenerate_triangles += m_meshes[i].number_of_degenerate_faces();
       for(typename Read_mesh::Listed_part& listed : m_meshes[i].listed_parts()) {
         listed.part.part = report.number_of_parts++;
         listed.part.mesh = i;
@@ -213,6 +215,7 @@ private:
           report.offending_faces.push_back(listed.face);
         }
       }
+    }
     for(typename Report::Chart& chart : report.charts) {
       chart.mesh = meshes[chart.part];
       chart.part = numbers[chart.part];

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -51,26 +52,42 @@ class Mesh_components
 public:
   Mesh_components(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
 
-  // Opened along the edges with `is_cut(e)`
+  // Opened along the edges with `is_cut(e)`, and around wrong faces, which condemn no others
   template <typename IsCut>
   void find(const IsCut& is_cut)
   {
     m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
     m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_defect = get(CGAL::dynamic_face_property_t<Diagnosis>(), m_mesh);
+    for(face_descriptor f : faces(m_mesh))
+      put(m_defect, f, defect(f));
+    const auto is_open = [&](edge_descriptor e) { return is_cut(e) || is_at_defect(e); };
     m_components.resize(Polygon_mesh_processing::connected_components(
         m_mesh, m_component,
-        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(is_cut))));
+        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(is_open))));
     std::size_t rank = 0;
     for(face_descriptor f : faces(m_mesh)) {
       put(m_rank, f, rank);
       Component& component = m_components[get(m_component, f)];
-      if(component.number_of_faces++ == 0)
+      if(component.number_of_faces++ == 0) {
         component.first_face = rank;
-      if(component.status == Diagnosis::NOTHING_WRONG)
         inspect(f, component);
+      }
+      if(component.status == Diagnosis::NO_AREA)
+        m_without_area.push_back(f);
       ++rank;
     }
   }
+
+  // Whether the faces of an edge differ in what is wrong with them
+  bool is_at_defect(edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, m_mesh);
+    return !CGAL::is_border(e, m_mesh) &&
+           get(m_defect, face(h, m_mesh)) != get(m_defect, face(opposite(h, m_mesh), m_mesh));
+  }
+
+  const std::vector<face_descriptor>& faces_without_area() const { return m_without_area; }
 
   std::size_t number() const { return m_components.size(); }
 
@@ -92,7 +109,7 @@ private:
 
   void inspect(face_descriptor f, Component& component) const
   {
-    component.status = defect(f);
+    component.status = get(m_defect, f);
     if(is_wrong(component)) {
       component.message = message(f, component.status);
       component.face = f;
@@ -109,7 +126,20 @@ private:
            CGAL::is_finite(CGAL::to_double(p.z()))))
         return Diagnosis::NON_FINITE_POINT;
     }
-    return Diagnosis::NOTHING_WRONG;
+    return has_no_area(f) ? Diagnosis::NO_AREA : Diagnosis::NOTHING_WRONG;
+  }
+
+  // Whether the corners of a triangle are exactly on one line
+  bool has_no_area(face_descriptor f) const
+  {
+    Exact_predicates_inexact_constructions_kernel::Point_3 points[3];
+    halfedge_descriptor h = halfedge(f, m_mesh);
+    for(auto& point : points) {
+      const auto& p = get(m_points, target(h, m_mesh));
+      point = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      h = next(h, m_mesh);
+    }
+    return CGAL::collinear(points[0], points[1], points[2]);
   }
 
   std::string message(face_descriptor f, Diagnosis diagnosis) const
@@ -120,7 +150,8 @@ private:
          << ", " << CGAL::to_double(p.z()) << ") "
          << (diagnosis == Diagnosis::NOT_TRIANGULATED
                  ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
-                 : "has a vertex whose coordinates are not all finite");
+             : diagnosis == Diagnosis::NO_AREA ? "has no area, and no neighbor with a chart"
+                                               : "has a vertex whose coordinates are not all finite");
     return text.str();
   }
 
@@ -129,6 +160,8 @@ private:
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
       m_component,
       m_rank; // of each face
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Diagnosis>>::const_type m_defect;
+  std::vector<face_descriptor> m_without_area;
   std::vector<Component> m_components;
 };
 

@@ -103,6 +103,17 @@ public:
 
   face_descriptor face_of(int triangle) const { return m_faces.face_of(triangle); }
 
+  // Its number, or -1 if it was not read
+  int triangle_of(face_descriptor f) const { return m_faces.rank(f); }
+
+  std::size_t part_of(int triangle) const
+  {
+    const auto next =
+        std::upper_bound(m_parts.begin(), m_parts.end(), triangle,
+                         [](int t, const Surface_part& part) { return t < part.first_triangle; });
+    return static_cast<std::size_t>(next - m_parts.begin()) - 1;
+  }
+
   // The one to a corner of the surface, in its face
   halfedge_descriptor halfedge_to(int corner) const { return m_faces.halfedge_to(corner); }
 
@@ -271,14 +282,6 @@ private:
     m_faces.enter(entry, f);
     for(int c : {-1, from, -1})
       m_parts.back().chart.opposite.push_back(c);
-  }
-
-  std::size_t part_of(int triangle) const
-  {
-    const auto next =
-        std::upper_bound(m_parts.begin(), m_parts.end(), triangle,
-                         [](int t, const Surface_part& part) { return t < part.first_triangle; });
-    return static_cast<std::size_t>(next - m_parts.begin()) - 1;
   }
 
   static void set_seam(Chart& chart, int c, int across)
