@@ -391,7 +391,7 @@ BOOST_AUTO_TEST_CASE(bow_tie_is_repaired)
 {
   flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
   BOOST_TEST(status == 0);
-  BOOST_TEST((standard_error.find("at vertex 1: 1 vertex added") != std::string::npos), standard_error);
+  BOOST_TEST((standard_error.find("separated at 1 vertex, for example at vertex 1") != std::string::npos), standard_error);
   BOOST_TEST(json().get<int>("components") == 2);
   BOOST_TEST(lines_with(obj(), "v").size() == 6u);
 }
@@ -1010,13 +1010,13 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   check_refusal({"line 1", "three coordinates"});
   flatten(write("named_twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 3\n"));
   check_refusal({"line 5", "names vertex 3 twice"});
-  flatten(write("third.off", with({{0, 8, more}})));
+  flatten(write("third.off", with({{0, 8, more}})), "--repair off");
   check_refusal({"between vertices 1 and 9", "3 faces", "manifold"});
-  flatten(write("turned.off", with({{1, 0, more}, {1, 0, more + 1}})));
+  flatten(write("turned.off", with({{1, 0, more}, {1, 0, more + 1}})), "--repair off");
   check_refusal({"between vertices 1 and 2"});
 }
 
-BOOST_AUTO_TEST_CASE(surfaces_joined_at_an_edge_are_refused)
+BOOST_AUTO_TEST_CASE(surfaces_joined_at_an_edge_are_separated)
 {
   const std::string points = "0 0 0\n0 0 1\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n";
   std::vector<std::vector<int>> faces;
@@ -1024,11 +1024,17 @@ BOOST_AUTO_TEST_CASE(surfaces_joined_at_an_edge_are_refused)
     faces.insert(faces.end(),
                  {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}, {v[0], v[3], v[1]}, {v[1], v[3], v[2]}});
   }
-  for(const std::string repair : {"on", "off"}) {
-    for(const std::string cut : {"auto", "topology"}) {
-      flatten(write("joined.off", off(6, points, faces)), "--repair " + repair + " --cut " + cut);
-      check_refusal({"between vertices 1 and 2 has 4 faces"});
-    }
+  const std::string input = write("joined.off", off(6, points, faces));
+  for(const std::string cut : {"auto", "topology"}) {
+    flatten(input, "--repair off --cut " + cut);
+    check_refusal({"between vertices 1 and 2 has 4 faces"});
+  }
+  for(const std::string cut : {"auto", "topology"}) {
+    flatten(input, "--cut " + cut);
+    BOOST_TEST(status == 0);
+    check_told("more than two faces meet at 1 edge");
+    BOOST_TEST(json().get<int>("components") == 2);
+    BOOST_TEST(json().get<int>("triangles") == 4);
   }
 }
 
@@ -1130,7 +1136,28 @@ BOOST_AUTO_TEST_CASE(one_sided)
     faces.push_back({b, e, c});
   }
   flatten(write("strip.off", off(2 * n, points.str(), faces)));
-  check_refusal({"one-sided", "between vertices"});
+  BOOST_TEST(status == 0);
+  check_told("the surface is one-sided, like a Moebius strip: it is cut along 1 edge");
+  BOOST_TEST(json().get<int>("triangles") == 2 * n);
+  BOOST_TEST(json().get<int>("flipped_triangles") == 0);
+}
+
+// A sheet, and triangles that are attached to it as third ones at some of its edges
+BOOST_AUTO_TEST_CASE(flaps_are_separated)
+{
+  const Sheet sheet;
+  std::vector<std::vector<int>> faces = sheet.faces();
+  const std::size_t number = faces.size();
+  for(const std::size_t f : {5u, 20u, 30u}) {
+    faces.push_back({faces[f][0], faces[f][1], sheet.vertices()});
+  }
+  const std::string input = write("flaps.off", off(sheet.vertices() + 1, sheet.points() + "2 2 5\n", faces));
+  flatten(input, "--repair off");
+  check_refusal({"has 3 faces, so the surface is not a manifold"});
+  flatten(input);
+  BOOST_TEST(status == 0);
+  check_told("more than two faces meet at 3 edges");
+  BOOST_TEST(json().get<std::size_t>("triangles") == number);
 }
 
 // Half of a wheel: all faces share its hub, and are then added together.

@@ -113,8 +113,8 @@ inline po::options_description surface_options(Command_line& command)
       "lengths are free, with a note. --plain with on takes the direct method also for large surfaces");
   add("repair", name_option(command.repair),
       "on: vertices at the same place are merged (see --weld), faces with a different orientation are "
-      "turned, and parts that touch in a vertex are separated, with notes; for an atlas, also parts that "
-      "meet in an edge of more than two faces. off: such surfaces are refused");
+      "turned, and parts that touch in a vertex, or meet in an edge of more than two faces, are separated, "
+      "with notes. off: such surfaces are refused");
   add("weld", po::value(&command.weld)->value_name("on|off|DISTANCE"),
       "on: faces that do not share their vertices are joined along edges at exactly the same place, for "
       "example where a file was split along the seams of its texture. A distance, in units of the surface: "

@@ -9,7 +9,6 @@
 #include "flatten_mesh/compiled.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/check_polygons.h"
-#include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/model/separate_soup.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/model/triangulate.h"
@@ -98,7 +97,7 @@ inline Mesh build_polygon_mesh(const Polygon_soup& soup)
   return mesh;
 }
 
-inline Mesh build_repaired_mesh(const Welding& welding, Polygon_soup& soup, Notes& notes)
+inline Mesh build_repaired_mesh(const Model& model, const Welding& welding, Polygon_soup& soup, Notes& notes)
 {
   if(soup.is_welded) {
     leave_out_collapsed(soup);
@@ -111,7 +110,10 @@ inline Mesh build_repaired_mesh(const Welding& welding, Polygon_soup& soup, Note
   try {
     return build_polygon_mesh(soup);
   } catch(const Not_a_mesh&) {
-    orient_soup(soup, notes);
+    for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+      check_polygon(soup, p);
+    }
+    separate_soup(model, soup, notes);
     return build_polygon_mesh(soup);
   }
 }
@@ -156,8 +158,8 @@ FLATTEN_MESH_INLINE Surface_of_model build_mesh(const Model& model, Polygon_soup
 {
   internal::check_not_empty(soup);
   internal::check_points(soup);
-  Mesh mesh =
-      repair ? internal::build_repaired_mesh(welding, soup, notes) : internal::build_polygon_mesh(soup);
+  Mesh mesh = repair ? internal::build_repaired_mesh(model, welding, soup, notes)
+                     : internal::build_polygon_mesh(soup);
   std::vector<std::size_t> undivided;
   Surface_of_model surface = internal::end_surface(model, soup, std::move(mesh), undivided);
   if(!undivided.empty()) {

@@ -39,13 +39,6 @@ inline std::string edge_name(const std::size_t v, const std::size_t w)
                    {}, {v});
 }
 
-[[noreturn]] inline void refuse_edge(const std::size_t v, const std::size_t w, const std::size_t faces)
-{
-  throw Input_error(edge_name(v, w) + " has " + std::to_string(faces) +
-                        " faces, so the surface is not a manifold; remove or separate the surplus ones",
-                    {}, {v, w});
-}
-
 // Throws if another polygon runs along an edge of the polygon in the same direction: either too many polygons share
 // that edge, or the two are oriented differently.
 inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std::size_t v,
@@ -62,7 +55,9 @@ inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std:
     }
   }
   if(count > 2) {
-    refuse_edge(v, w, count);
+    throw Not_a_mesh(edge_name(v, w) + " has " + std::to_string(count) +
+                         " faces, so the surface is not a manifold; remove or separate the surplus ones",
+                     {}, {v, w});
   }
   if(other != p) {
     throw Not_a_mesh("faces " + std::to_string((std::min)(p, other) + 1) + " and " +

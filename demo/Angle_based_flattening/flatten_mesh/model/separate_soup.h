@@ -10,9 +10,9 @@
 #include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/model/one_sided_cut.h"
-#include "flatten_mesh/model/repair_soup.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 #include <algorithm>
@@ -30,15 +30,43 @@ namespace internal {
 struct Separation_visitor : public CGAL::Polygon_mesh_processing::Default_orientation_visitor
 {
   std::vector<bool>* is_turned = nullptr; // of each polygon
-  std::vector<std::pair<std::size_t, std::size_t>>* edges = nullptr;
+  std::set<Vertex_pair>* edges = nullptr; // CGAL names an edge as often as it has polygons
   std::vector<std::size_t>* vertices = nullptr;
 
-  void non_manifold_edge(const std::size_t v, const std::size_t w, std::size_t) { edges->push_back({v, w}); }
+  void non_manifold_edge(const std::size_t v, const std::size_t w, std::size_t)
+  {
+    edges->insert((std::minmax)(v, w));
+  }
 
   void polygon_orientation_reversed(const std::size_t p) { (*is_turned)[p] = !(*is_turned)[p]; }
 
   void duplicated_vertex(const std::size_t v, std::size_t) { vertices->push_back(v); }
 };
+
+// CGAL keeps the orientation of the first polygon of each component. This function keeps the orientation of the
+// majority.
+inline void keep_majority(Polygon_soup& soup, std::vector<bool>& is_turned)
+{
+  CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets components(soup.points.size());
+  for(const Polygon& polygon : soup.polygons) {
+    for(const std::size_t v : polygon) {
+      components.union_set(polygon[0], v);
+    }
+  }
+  std::vector<std::size_t> all(soup.points.size(), 0), turned(soup.points.size(), 0);
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    const std::size_t component = components.find_set(soup.polygons[p][0]);
+    ++all[component];
+    turned[component] += is_turned[p];
+  }
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    const std::size_t component = components.find_set(soup.polygons[p][0]);
+    if(turned[component] > all[component] - turned[component]) {
+      std::reverse(soup.polygons[p].begin(), soup.polygons[p].end());
+      is_turned[p] = !is_turned[p];
+    }
+  }
+}
 
 // As `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, which has no argument for edges along which polygons are
 // to be separated
@@ -61,7 +89,7 @@ inline void orient_and_separate(const std::set<Vertex_pair>& cut, Separation_vis
 inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
 {
   std::vector<bool> is_turned(soup.polygons.size(), false);
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  std::set<internal::Vertex_pair> edges;
   std::vector<std::size_t> vertices;
   internal::Separation_visitor visitor;
   visitor.is_turned = &is_turned;
@@ -93,7 +121,7 @@ inline void separate_soup(const Model& model, Polygon_soup& soup, Notes& notes)
     vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_told), vertices.end());
   }
   if(!edges.empty()) {
-    const auto& [v, w] = edges.front();
+    const auto& [v, w] = *edges.begin();
     notes.add(begin + "more than two faces meet at " + count_text(edges.size(), "edge") +
               ", for example at " + internal::edge_name(v, w) + ": they are separated there");
   }
