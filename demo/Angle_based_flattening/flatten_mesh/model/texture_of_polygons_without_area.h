@@ -77,7 +77,8 @@ private:
     }
   }
 
-  // Along the longest side that a neighbor has, so that most corners are between its ends. Returns whether there is one.
+  // On the longest side that a neighbor has, each corner at the nearer end: between them, files in `float` would move it
+  // off the side. Returns whether there is one.
   bool fill_polygon(const Index p)
   {
     std::optional<Side> longest;
@@ -97,8 +98,7 @@ private:
     const Kernel::Point_2 uv_from = m_texture.uv[from], uv_to = m_texture.uv[to];
     const Index chart = m_texture.charts[m_model.polygon_of_corner(from)];
     for(Index c = m_model.first_corners[p]; c < m_model.first_corners[p + 1]; ++c) {
-      const double t = length > 0 ? std::clamp((point(c) - point(from)) * side / length, 0., 1.) : 0;
-      m_texture.uv[c] = t == 1 ? uv_to : uv_from + t * (uv_to - uv_from);
+      m_texture.uv[c] = 2 * ((point(c) - point(from)) * side) < length ? uv_from : uv_to;
     }
     m_texture.charts[p] = chart;
     add_sides(p);
