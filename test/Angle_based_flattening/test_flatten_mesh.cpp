@@ -391,7 +391,8 @@ BOOST_AUTO_TEST_CASE(bow_tie_is_repaired)
 {
   flatten(write("bow_tie.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
   BOOST_TEST(status == 0);
-  BOOST_TEST((standard_error.find("separated at 1 vertex, for example at vertex 1") != std::string::npos), standard_error);
+  BOOST_TEST((standard_error.find("separated at 1 vertex, for example at vertex 1") != std::string::npos),
+             standard_error);
   BOOST_TEST(json().get<int>("components") == 2);
   BOOST_TEST(lines_with(obj(), "v").size() == 6u);
 }
