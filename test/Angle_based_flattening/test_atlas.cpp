@@ -464,6 +464,9 @@ BOOST_AUTO_TEST_CASE(bad_faces_change_nothing_of_others)
       }
     }
     BOOST_TEST(different == 0u);
+    Atlas_options keep;
+    keep.given_charts = Atlas_options::KEEP; // there are none
+    BOOST_TEST(!make_atlas_of(whole, keep).report.has_atlas());
   }
 }
 

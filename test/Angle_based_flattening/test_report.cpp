@@ -609,8 +609,9 @@ BOOST_AUTO_TEST_CASE(thinned_surfaces_keep_borders_places_and_values)
   bumpy.places.clear();
   bumpy.faces.clear();
   bumpy.noise = 0.02;
+  const std::string input = write("ball.off", bumpy.make().text());
   for(const std::string options : {"", "--for few-charts", "--plain --cut topology"}) {
-    const Report_page page = report(write("ball.off", bumpy.make().text()), options);
+    const Report_page page = report(input, options);
     const fm::Wedge_mesh mesh = mesh_of_page(page);
     const fm::Triangle_measures measures = fm::measure_triangles(mesh);
     const std::vector<std::size_t> kept = {0, 17, 18, 1000, 2500};

@@ -9,6 +9,7 @@
 #include "flatten_mesh/compiled.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/check_polygons.h"
+#include "flatten_mesh/model/duplicate_polygons.h"
 #include "flatten_mesh/model/separate_soup.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/model/triangulate.h"
@@ -113,6 +114,8 @@ inline Mesh build_repaired_mesh(const Model& model, const Welding& welding, Poly
     for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
       check_polygon(soup, p);
     }
+    leave_out_duplicates(soup);
+    separate_backs(soup, notes);
     separate_soup(model, soup, notes);
     return build_polygon_mesh(soup);
   }

@@ -314,7 +314,7 @@ private:
   // Faces without area lie on an edge of a neighbor, which may be another one of them that was placed before.
   void place_faces_without_area()
   {
-    if(m_atlas.empty())
+    if(m_first_chart.empty()) // no part was read, or charts that are given cannot be kept
       return;
     std::vector<face_descriptor> rest = m_components.faces_without_area();
     for(std::size_t before = rest.size() + 1; rest.size() < before;) {
