@@ -398,8 +398,8 @@ BOOST_AUTO_TEST_CASE(a_seam_separates_a_bad_part_from_a_good_one)
     BOOST_TEST_REQUIRE((run.chart[f] >= 0) == !is_wrong[f]);
 }
 
-// A terrain where some edges have a vertex on one side only, with a face without area between, and where some points are
-// not finite
+// A terrain where some edges have a vertex on one side only, with a face without area between, and where one point may
+// be not finite
 BOOST_AUTO_TEST_CASE(bad_faces_change_nothing_of_others)
 {
   const int n = 14;

@@ -20,8 +20,8 @@ from pathlib import Path
 import test_dirt
 
 SECONDS = 60
-NUMBERS = [b"0", b"-1", b"1", b"2", b"65535", b"4294967296", b"9223372036854775808", b"1e-30", b"1e30", b"1e300", b"nan",
-           b"inf", b"0.5", b"", b"x"]
+NUMBERS = [b"0", b"-1", b"1", b"2", b"65535", b"4294967296", b"9223372036854775808", b"1e-30", b"1e30", b"1e300",
+           b"nan", b"inf", b"0.5", b"", b"x"]
 
 
 def surfaces():

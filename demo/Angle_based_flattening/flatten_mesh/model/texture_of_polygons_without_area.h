@@ -77,8 +77,8 @@ private:
     }
   }
 
-  // On the longest side that a neighbor has, each corner at the nearer end: between them, files in `float` would move it
-  // off the side. Returns whether there is one.
+  // On the longest side that a neighbor has, each corner at the nearer end: between both, `float` would move it off the
+  // side. Returns whether there is one.
   bool fill_polygon(const Index p)
   {
     std::optional<Side> longest;

@@ -35,7 +35,7 @@ inline std::string stray_vertex_text(const Mesh& mesh, const Chart& chart)
         around += length(mesh.source(h), mesh.source(mesh.prev(h)));
       }
     }
-    if(shortest > largest_ratio * around) {
+    if(around > 0 && shortest > largest_ratio * around) {
       largest_ratio = shortest / around;
       stray = v;
     }

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Seam_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/faces_without_area.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/mesh_components.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
@@ -30,7 +31,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -74,7 +74,7 @@ public:
         m_keeps_charts(keeps_charts && has_readable_uv), m_np(np),
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                               get_const_property_map(CGAL::vertex_point, mesh))),
-        m_reader(mesh, m_points), m_components(mesh, m_points)
+        m_reader(mesh, m_points), m_components(mesh, m_points), m_without_area(mesh, m_points)
   {}
 
   // Reads the faces that can be flattened. Returns whether there are not too many.
@@ -130,17 +130,19 @@ public:
     m_reader.parts() = std::move(parts);
     m_atlas = std::move(charts);
     m_first_chart = std::move(first_chart);
-    place_faces_without_area();
+    if(!m_first_chart.empty()) // some part was read, and charts that are given can be kept
+      m_without_area.place(m_components.faces_without_area(),
+                           [this](halfedge_descriptor h) { return corner_at(h); });
   }
 
-  std::size_t number_of_degenerate_faces() const { return m_degenerate_faces.size(); }
+  std::size_t number_of_degenerate_faces() const { return m_without_area.charts().size(); }
 
   // By their first faces, those that were read and those that cannot be flattened
   std::vector<Listed_part> listed_parts() const
   {
     std::vector<Listed_part> parts;
     for(const auto& bad : m_components.bad_components())
-      if(m_degenerate_faces.count(bad.face) == 0)
+      if(m_without_area.charts().count(bad.face) == 0)
         parts.push_back({{0, bad.first_face, bad.number_of_faces, bad.status, bad.message}, false, bad.face});
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
       const Surface_part& part = m_reader.parts()[i];
@@ -211,7 +213,7 @@ public:
         put(m_uv, m_reader.halfedge_to(3 * part.first_triangle + c),
             planar_point<Point>(atlas.uv[atlas.chart.vertex[c]]));
     }
-    for(const auto& [h, p] : m_degenerate_uv)
+    for(const auto& [h, p] : m_without_area.uv())
       put(m_uv, h, planar_point<Point>(p));
     if constexpr(has_charts)
       write_charts();
@@ -307,68 +309,14 @@ private:
       for(std::size_t t = 0; m_atlas[i].succeeded() && t < m_atlas[i].piece.size(); ++t)
         put(m_charts, m_reader.face_of(m_reader.parts()[i].first_triangle + static_cast<int>(t)),
             static_cast<Number>(m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[t])));
-    for(const auto& [f, chart] : m_degenerate_faces)
+    for(const auto& [f, chart] : m_without_area.charts())
       put(m_charts, f, static_cast<Number>(chart));
   }
 
-  // Faces without area lie on an edge of a neighbor, which may be another one of them that was placed before.
-  void place_faces_without_area()
+  // The corner that a halfedge of a face points to, if the face is in a chart
+  std::optional<Corner_in_atlas> corner_at(halfedge_descriptor h) const
   {
-    if(m_first_chart.empty()) // no part was read, or charts that are given cannot be kept
-      return;
-    std::vector<face_descriptor> rest = m_components.faces_without_area();
-    for(std::size_t before = rest.size() + 1; rest.size() < before;) {
-      before = rest.size();
-      rest.erase(
-          std::remove_if(rest.begin(), rest.end(), [this](face_descriptor f) { return place_face(f); }),
-          rest.end());
-    }
-  }
-
-  // Along its longest edge with such a neighbor. Returns whether there is one.
-  bool place_face(face_descriptor f)
-  {
-    double length = -1;
-    std::optional<Corner> from, to;
-    halfedge_descriptor longest;
-    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const halfedge_descriptor across = opposite(h, m_mesh);
-      const double squared = (point_of(target(h, m_mesh)) - point_of(source(h, m_mesh))).squared_length();
-      if(CGAL::is_border(across, m_mesh) || !(squared > length))
-        continue;
-      if(const std::optional<Corner> begin = corner_at(across)) { // which runs the other way
-        length = squared;
-        longest = h;
-        from = begin;
-        to = corner_at(prev(across, m_mesh));
-      }
-    }
-    if(!from)
-      return false;
-    const Chart::Point_3 begin = point_of(source(longest, m_mesh));
-    const Chart::Kernel::Vector_3 side = point_of(target(longest, m_mesh)) - begin;
-    const double t = (point_of(target(next(longest, m_mesh), m_mesh)) - begin) * side / length;
-    m_degenerate_uv[longest] = to->uv;
-    m_degenerate_uv[prev(longest, m_mesh)] = from->uv;
-    m_degenerate_uv[next(longest, m_mesh)] = t < 1 ? from->uv + (t > 0 ? t : 0) * (to->uv - from->uv)
-                                                   : to->uv; // t is NaN if all corners are equal
-    m_degenerate_faces[f] = from->chart;
-    return true;
-  }
-
-  struct Corner
-  {
-    Chart::Point_2 uv;
-    std::size_t chart;
-  };
-
-  // The corner that a halfedge of a face points to, if the face has a chart
-  std::optional<Corner> corner_at(halfedge_descriptor h) const
-  {
-    const face_descriptor f = face(h, m_mesh);
-    if(const auto uv = m_degenerate_uv.find(h); uv != m_degenerate_uv.end())
-      return Corner{uv->second, m_degenerate_faces.at(f)};
-    const int triangle = m_reader.triangle_of(f);
+    const int triangle = m_reader.triangle_of(face(h, m_mesh));
     const std::size_t i = triangle < 0 ? m_atlas.size() : m_reader.part_of(triangle);
     if(i >= m_atlas.size() || !m_atlas[i].succeeded())
       return std::nullopt;
@@ -376,14 +324,8 @@ private:
     while(m_reader.halfedge_to(c) != h)
       ++c;
     c -= 3 * m_reader.parts()[i].first_triangle;
-    return Corner{m_atlas[i].uv[m_atlas[i].chart.vertex[c]],
-                  m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[c / 3])};
-  }
-
-  Chart::Point_3 point_of(typename Graph_traits::vertex_descriptor v) const
-  {
-    const auto& p = get(m_points, v);
-    return Chart::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    return Corner_in_atlas{m_atlas[i].uv[m_atlas[i].chart.vertex[c]],
+                           m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[c / 3])};
   }
 
   const TriangleMesh& m_mesh;
@@ -395,11 +337,10 @@ private:
   Vertex_point_map m_points;
   Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
   Mesh_components<TriangleMesh, Vertex_point_map> m_components;
+  Faces_without_area<TriangleMesh, Vertex_point_map> m_without_area;
   std::vector<Part_atlas> m_atlas;        // of each part
   std::vector<std::size_t> m_first_chart; // of each part
   std::vector<edge_descriptor> m_new_seams;
-  std::map<face_descriptor, std::size_t> m_degenerate_faces; // without area: their charts
-  std::map<halfedge_descriptor, Chart::Point_2> m_degenerate_uv;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
