@@ -14,13 +14,11 @@ import math
 import random
 import re
 import struct
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = sys.argv[1]
+from program_case import Program_case
+
 UNIT = 2**149  # all floats are multiples of its inverse
 SIZES = {"B": 1, "i": 4, "I": 4, "f": 4, "d": 8}
 
@@ -222,32 +220,21 @@ def family():
     return {name: ([tuple(map(rounded, p)) for p in points], faces) for name, (points, faces) in surfaces.items()}
 
 
-class Certified_files(unittest.TestCase):
+class Certified_files(Program_case):
     """What the program writes"""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
+        super().setUpClass()
         cls.surfaces = family()
 
     def flatten(self, surface, form, options):
         """The output, the report, and what is said. An atlas is whole, or says what it lacks."""
-        points, faces = surface
-        lines = ["v " + " ".join(map(repr, p)) for p in points]
-        lines += ["f " + " ".join(str(v + 1) for v in face) for face in faces]
-        model = self.folder / "in.obj"
-        model.write_text("\n".join(lines) + "\n")
-        return self.run_program(model, form, options)
+        return self.flatten_file(self.write(*surface), form, options)
 
-    def run_program(self, model, form, options):
+    def flatten_file(self, model, form, options):
         """The same of a file"""
-        output, report = self.folder / ("out." + form), self.folder / "out.json"
-        output.unlink(missing_ok=True)
-        command = [PROGRAM, model, "-o", output, "--json", report, "--threads", "1", *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        said = json.loads(report.read_text())
+        run, said, output = self.run_program(model, options, "out." + form)
         self.assertIn(run.returncode, (0, 1, 2), run.stderr)
         self.assertEqual(run.returncode > 0, said["status"] not in ("OK", "STRETCH_BOUND_MISSED"), run.stderr)
         return output if output.exists() else None, said, run.stderr

@@ -3,15 +3,12 @@
 """Atlases of prisms, cylinders, frusta and boxes of few faces have no stretch, without options. Usage:
 test_developable.py FLATTEN_MESH"""
 
-import json
 import math
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = sys.argv[1]
+from program_case import Program_case
+
 LARGEST_ANGLE = 1e-10  # change of angles in the mean, in radians
 
 
@@ -41,24 +38,14 @@ def caps(sides, surface, number, is_fan):
     return points, faces
 
 
-class Developable(unittest.TestCase):
+class Developable(Program_case):
     """Surfaces that unfold after some cuts"""
-
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
 
     def flatten(self, surface, options=()):
         """The report of the atlas"""
-        model, report = self.folder / "in.obj", self.folder / "out.json"
-        model.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in surface[0]) +
-                         "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in surface[1]))
-        command = [PROGRAM, model, "--json", report, "--threads", "1", "-q", *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        run, report, _ = self.run_program(self.write(*surface), options)
         self.assertEqual(run.returncode, 0, run.stderr)
-        return json.loads(report.read_text())["atlas"]
+        return report["atlas"]
 
     def check(self, atlas):
         self.assertLess(atlas["mean_angle_change"], LARGEST_ANGLE)

@@ -3,15 +3,12 @@
 """Charts of triangles that are thinner than target angles may be are as isometric as others, if they can be unfolded.
 Usage: test_needles.py FLATTEN_MESH"""
 
-import json
 import math
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = sys.argv[1]
+from program_case import Program_case
+
 RATIOS = [1e-3, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10]  # of height and length
 
 
@@ -38,23 +35,12 @@ def wheel(ratio, spokes):
     return points, [(0, i + 1, (i + 1) % len(angles) + 1) for i in range(len(angles))]
 
 
-class Needles(unittest.TestCase):
+class Needles(Program_case):
     """Maps of them"""
-
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
 
     def stretch(self, surface, options):
         """L2 and L-infinity stretch"""
-        model, report = self.folder / "in.obj", self.folder / "out.json"
-        model.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in surface[0]) +
-                         "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in surface[1]))
-        command = [PROGRAM, model, "-o", self.folder / "out.obj", "--json", report, "--threads", "1", "-q", *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        content = json.loads(report.read_text())
+        run, content, _ = self.run_program(self.write(*surface), options)
         self.assertEqual((run.returncode, content["status"]), (0, "OK"), run.stderr)
         measures = content if "--plain" in options else content["atlas"]
         return measures["l2_stretch"], measures["linf_stretch"]

@@ -3,17 +3,13 @@
 """One-sided surfaces are cut along few edges, and two-sided ones are not cut, whatever the orientation of their faces.
 Usage: test_one_sided.py FLATTEN_MESH"""
 
-import json
 import math
 import random
 import re
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = sys.argv[1]
+from program_case import Program_case
 
 
 def strip(half_twists, n, m, is_in_hole=lambda i, j: False):
@@ -67,26 +63,16 @@ def shuffled(surface, seed):
     return surface[0], faces
 
 
-class One_sided(unittest.TestCase):
+class One_sided(Program_case):
     """Atlases of surfaces that no orientation of their faces fits"""
-
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
 
     def flatten(self, surface, options=()):
         """The number of edges that are cut to orient the surface, what is said, the report of the atlas, and the
         coordinates of the corners of each face"""
-        model, output, report = (self.folder / name for name in ("in.obj", "out.obj", "out.json"))
-        model.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in surface[0]) +
-                         "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in surface[1]))
-        command = [PROGRAM, model, "-o", output, "--json", report, "--threads", "1", *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        run, report, output = self.run_program(self.write(*surface), options)
         self.assertEqual(run.returncode, 0, run.stderr)
         cut = re.search("one-sided, like a Moebius strip: it is cut along ([0-9]+) edge", run.stderr)
-        atlas = json.loads(report.read_text())["atlas"]
+        atlas = report["atlas"]
         self.assertTrue(atlas["injective"])
         lines = output.read_text().splitlines()
         texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
