@@ -27,6 +27,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import test_dirt  # noqa: E402
 import test_mutations  # noqa: E402
+from shapes import strip, terrain  # noqa: E402
 
 TOLERANCE = 1e-9
 NAMES = """cow homer camel elephant fandisk anchor_dense rotor pig bones mushroom bear dragknob helmet hand femur knot1
@@ -68,34 +69,11 @@ MORE = {"creases": "--seams creases -o o.obj",
         "plain-swept": "--plain --method hierarchical --simplification-rate 0.8 --angle-sweeps 3 -o o.obj"}
 
 
-def terrain(n, generator):
-    points = [(i, j, generator.uniform(0, 2)) for i in range(n) for j in range(n)]
-    return points, [face for i in range(n - 1) for j in range(n - 1) for a in [n * i + j]
-                    for face in ((a, a + n, a + n + 1), (a, a + n + 1, a + 1))]
-
-
-def strip(n, turns):
-    """A band, closed after some half turns: Moebius' for 1"""
-    points = []
-    for i in range(n):
-        u = 2 * math.pi * i / n
-        for w in (-0.5, 0.5):
-            r = 3 + w * math.cos(turns * u / 2)
-            points.append((r * math.cos(u), r * math.sin(u), w * math.sin(turns * u / 2)))
-    faces = []
-    for i in range(n):
-        a, b, c, d = 2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3
-        if i == n - 1:
-            c, d = (1, 0) if turns % 2 else (0, 1)
-        faces += [(a, c, b), (b, c, d)]
-    return points, faces
-
-
 def generated(folder):
     """Writes models, and returns their paths."""
     generator = random.Random(58)
-    rough, moebius = terrain(20, generator), strip(40, 1)
-    surfaces = {"terrain": rough, "moebius": moebius, "ring": strip(30, 2),
+    rough, moebius = terrain(20, lambda i, j: generator.uniform(0, 2)), strip(1, 40, 1)
+    surfaces = {"terrain": rough, "moebius": moebius, "ring": strip(2, 30, 2),
                 **dict(zip(("torus", "octahedron", "sheet"), test_mutations.surfaces()))}
     both = [(x + 9, y, z) for x, y, z in rough[0]]
     surfaces["several"] = (moebius[0] + both, moebius[1] + [tuple(v + len(moebius[0]) for v in f) for f in rough[1]])

@@ -19,12 +19,28 @@ class Program_case(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
 
-    def write(self, points, faces):
-        """An OBJ file of a surface: its faces are numbers of points from 0"""
+    def write(self, points, faces, uvs=()):
+        """An OBJ file of a surface: its faces are numbers of points from 0; `uvs` are those of the first faces' corners"""
+        lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points] + [f"vt {u!r} {v!r}" for face in uvs for u, v in face]
+        first = 1
+        for i, face in enumerate(faces):
+            if i < len(uvs):
+                lines.append("f " + " ".join(f"{v + 1}/{c}" for c, v in enumerate(face, first)))
+                first += len(face)
+            else:
+                lines.append("f " + " ".join(str(v + 1) for v in face))
         model = self.folder / "in.obj"
-        model.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points) +
-                         "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in faces))
+        model.write_text("\n".join(lines) + "\n")
         return model
+
+    @staticmethod
+    def uvs(file):
+        """The coordinates of the corners of each face in an OBJ file; None where it has none"""
+        lines = file.read_text().splitlines() if file.exists() else []
+        texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
+        corners = [[corner.split("/") for corner in line.split()[1:]] for line in lines if line.startswith("f ")]
+        return [[texture[int(c[1]) - 1] for c in face] if all(len(c) > 1 and c[1] for c in face) else None
+                for face in corners]
 
     def run_program(self, model, options=(), output="out.obj"):
         """The run, its report, and the file that it writes, which is there if it succeeds"""

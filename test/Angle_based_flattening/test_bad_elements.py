@@ -3,72 +3,32 @@
 """One bad face does not condemn others: they have the charts and the coordinates that they have without it.
 Usage: test_bad_elements.py FLATTEN_MESH"""
 
-import json
 import math
 import random
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = sys.argv[1]
-
-
-def sphere(n, m):
-    """Points, and faces as numbers of points from 0"""
-    points = [(0, 0, 1), (0, 0, -1)]
-    points += [(math.sin(math.pi * i / n) * math.cos(2 * math.pi * j / m),
-                math.sin(math.pi * i / n) * math.sin(2 * math.pi * j / m), math.cos(math.pi * i / n))
-               for i in range(1, n) for j in range(m)]
-    faces = []
-    for j in range(m):
-        k = (j + 1) % m
-        faces += [(0, 2 + j, 2 + k), (1, 2 + (n - 2) * m + k, 2 + (n - 2) * m + j)]
-        for i in range(n - 2):
-            a, b = 2 + i * m, 2 + (i + 1) * m
-            faces += [(a + j, b + j, b + k), (a + j, b + k, a + k)]
-    return points, faces
+from program_case import Program_case
+from shapes import sphere
 
 
-class Bad_elements(unittest.TestCase):
+class Bad_elements(Program_case):
     """Faces added to a sphere"""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
+        super().setUpClass()
         cls.points, cls.faces = sphere(8, 12)
 
-    def write(self, name, points, faces, uvs=None):
-        """Writes an OBJ file; `uvs` are those of the corners of the first faces."""
-        lines = ["v " + " ".join(map(repr, p)) for p in points]
-        lines += [f"vt {u!r} {v!r}" for face in uvs or [] for u, v in face]
-        for i, face in enumerate(faces):
-            has_uv = uvs is not None and i < len(uvs)
-            lines.append("f " + " ".join(f"{v + 1}/{3 * i + c + 1}" if has_uv else str(v + 1)
-                                         for c, v in enumerate(face)))
-        (self.folder / name).write_text("\n".join(lines) + "\n")
-
-    def flatten(self, points, faces, options=(), uvs=None):
+    def flatten(self, points, faces, options=(), uvs=()):
         """Exit status, what is said, the report, and the coordinates of each face; None where it has none"""
-        self.write("in.obj", points, faces, uvs)
-        output, report = self.folder / "out.obj", self.folder / "out.json"
-        output.unlink(missing_ok=True)
-        command = [PROGRAM, self.folder / "in.obj", "-o", output, "--json", report, "--threads", "1", *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        lines = output.read_text().splitlines() if output.exists() else []
-        texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
-        corners = [[corner.split("/") for corner in line.split()[1:]] for line in lines if line.startswith("f ")]
-        result = [[texture[int(c[1]) - 1] for c in face] if all(len(c) > 1 and c[1] for c in face) else None
-                  for face in corners]
-        return run.returncode, run.stderr, json.loads(report.read_text()), result
+        run, report, output = self.run_program(self.write(points, faces, uvs), options)
+        return run.returncode, run.stderr, report, self.uvs(output)
 
     def options_and_uvs(self):
         """Ways to an atlas; --repack keeps one."""
         *_, uvs = self.flatten(self.points, self.faces)
-        return [([], None), (["--for", "few-charts"], None), (["--repack"], uvs)]
+        return [([], ()), (["--for", "few-charts"], ()), (["--repack"], uvs)]
 
     def with_flaps(self, corner):
         """The sphere with faces at 20 of its edges, whose third corner is a new point"""

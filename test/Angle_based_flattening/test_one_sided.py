@@ -10,27 +10,7 @@ import sys
 import unittest
 
 from program_case import Program_case
-
-
-def strip(half_twists, n, m, is_in_hole=lambda i, j: False):
-    """A closed strip of n times m quads: points, and triangles as numbers of points from 0"""
-    points = []
-    for i in range(n):
-        u = 2 * math.pi * i / n
-        for j in range(m + 1):
-            s, turn = 0.6 * (j / m - 0.5), half_twists * u / 2
-            r = 1 + s * math.cos(turn)
-            points.append((r * math.cos(u), r * math.sin(u), s * math.sin(turn)))
-
-    def number(i, j):
-        return i * (m + 1) + j if i < n else m - j if half_twists % 2 else j
-
-    faces = []
-    for i in range(n):
-        for j in range(m):
-            a, b, c, d = number(i, j), number(i, j + 1), number(i + 1, j + 1), number(i + 1, j)
-            faces += [] if is_in_hole(i, j) else [(a, b, c), (a, c, d)]
-    return points, faces
+from shapes import strip
 
 
 def klein_bottle(n, m):
@@ -74,11 +54,7 @@ class One_sided(Program_case):
         cut = re.search("one-sided, like a Moebius strip: it is cut along ([0-9]+) edge", run.stderr)
         atlas = report["atlas"]
         self.assertTrue(atlas["injective"])
-        lines = output.read_text().splitlines()
-        texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
-        corners = [[c.split("/") for c in line.split()[1:]] for line in lines if line.startswith("f ")]
-        uvs = [[texture[int(c[1]) - 1] for c in face] if len(face[0]) > 1 else None for face in corners]
-        return int(cut[1]) if cut else 0, run.stderr, atlas, uvs
+        return int(cut[1]) if cut else 0, run.stderr, atlas, self.uvs(output)
 
     def test_a_strip_is_cut_across_once(self):
         for half_twists, n, m in [(1, 12, 1), (1, 60, 4), (1, 100, 8), (3, 40, 1), (3, 60, 4), (5, 60, 1), (5, 90, 4)]:

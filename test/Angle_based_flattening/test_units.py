@@ -5,16 +5,14 @@ same coordinates, bit for bit. Surfaces times another factor have the same chart
 
 Usage: test_units.py FLATTEN_MESH"""
 
-import json
 import math
 import random
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = sys.argv[1]
+from program_case import Program_case
+from shapes import terrain, torus
+
 MODES = {  # options, and whether lengths in the plane are those on the surface
     "texture": ([], False),
     "few charts": (["--for", "few-charts"], False),
@@ -27,68 +25,40 @@ MODES = {  # options, and whether lengths in the plane are those on the surface
 }
 
 
-def torus(n, m):
-    """A ring"""
-    points = [((3 + math.cos(v)) * math.cos(u), (3 + math.cos(v)) * math.sin(u), math.sin(v))
-              for u in (2 * math.pi * i / n for i in range(n)) for v in (2 * math.pi * j / m for j in range(m))]
-    faces = [face for i in range(n) for j in range(m) for a, b in [(i * m, (i + 1) % n * m)] for k in [(j + 1) % m]
-             for face in ((a + j, b + j, b + k), (a + j, b + k, a + k))]
-    return points, [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces]
-
-
-def terrain(n):
-    """Rough, with a border"""
-    generator = random.Random(5)
-    points = [(i, j, generator.uniform(0, 0.8) + 3 * math.sin(i / 3) * math.cos(j / 4))
-              for i in range(n) for j in range(n)]
-    faces = [face for i in range(n - 1) for j in range(n - 1) for a in [i * n + j + 1]
-             for face in ((a, a + n, a + 1), (a + 1, a + n, a + n + 1))]
-    return points, [f"f {a} {b} {c}" for a, b, c in faces]
-
-
-class Units(unittest.TestCase):
+class Units(Program_case):
     """What the program writes"""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        cls.surfaces = {"torus": torus(24, 10), "terrain": terrain(16)}
+        super().setUpClass()
+        generator = random.Random(5)
+        cls.surfaces = {"torus": torus(24, 10), "terrain": terrain(
+            16, lambda i, j: generator.uniform(0, 0.8) + 3 * math.sin(i / 3) * math.cos(j / 4))}
 
     def flatten(self, surface, factor, options):
-        """Exit status and diagnosis, lines of faces, and texture coordinates"""
-        points, rest = surface
-        model, output, report = (self.folder / name for name in ("in.obj", "out.obj", "out.json"))
-        lines = ["v " + " ".join(repr(factor * x) for x in p) for p in points]
-        model.write_text("\n".join(lines + rest) + "\n")
-        output.unlink(missing_ok=True)
-        command = [PROGRAM, model, "-o", output, "--json", report, "--quiet", "--threads", "1", *options]
-        run = subprocess.run([model if word == "INPUT" else word for word in command], capture_output=True, check=False)
-        text = output.read_text().splitlines() if output.exists() else []
-        return ((run.returncode, json.loads(report.read_text())["status"]),
-                [line for line in text if line.startswith("f ")],
-                [tuple(map(float, line.split()[1:])) for line in text if line.startswith("vt ")])
+        """Exit status and diagnosis, charts, and the coordinates of the corners of each face"""
+        points, *rest = surface
+        model = self.write([[factor * x for x in p] for p in points], *rest)
+        run, report, output = self.run_program(model, [model if word == "INPUT" else word for word in options])
+        charts = [chart["triangles"] for chart in report["atlas"]["charts"]] if report.get("atlas") else None
+        return (run.returncode, report["status"]), charts, self.uvs(output)
 
     def surface_for(self, mode, surface):
         """Only --repack needs one that has charts."""
-        if mode != "repacked":
-            return surface
-        _, faces, uvs = self.flatten(surface, 1, ["--for", "few-charts"])
-        return surface[0], [f"vt {u!r} {v!r}" for u, v in uvs] + faces
+        return (*surface, self.flatten(surface, 1, ["--for", "few-charts"])[2]) if mode == "repacked" else surface
 
     def test_powers_of_two_change_no_bit(self):
         for name, given in self.surfaces.items():
             for mode, (options, has_lengths) in MODES.items():
                 surface = self.surface_for(mode, given)
-                status, faces, uvs = self.flatten(surface, 1, options)
+                status, charts, uvs = self.flatten(surface, 1, options)
                 self.assertIn(status, ((0, "OK"), (0, "STRETCH_BOUND_MISSED")), (name, mode))
                 for factor in (2.0**-20, 2.0**9):
                     with self.subTest(surface=name, mode=mode, factor=factor):
                         unit = factor if has_lengths else 1
                         other = self.flatten(surface, factor, options)
-                        self.assertEqual(other[:2], (status, faces))
-                        self.assertTrue(other[2] == [(unit * u, unit * v) for u, v in uvs])
+                        self.assertEqual(other[:2], (status, charts))
+                        self.assertTrue(other[2] == [[(unit * u, unit * v) for u, v in face] for face in uvs])
 
     def test_other_factors_give_the_same_charts(self):
         surface = self.surfaces["terrain"]
