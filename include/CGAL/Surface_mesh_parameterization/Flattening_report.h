@@ -127,6 +127,7 @@ inline Error_code error_code(Diagnosis diagnosis)
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   case Diagnosis::NOT_ON_BORDER:
   case Diagnosis::NON_FINITE_POINT:
+  case Diagnosis::FAR_POINT:
   case Diagnosis::TOO_LARGE:
   case Diagnosis::NO_AREA:
   case Diagnosis::WRONG_OPTION:

@@ -12,6 +12,7 @@
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/far_points.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 
 #include <algorithm>
@@ -29,42 +30,22 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// The points that are so much farther from the middle than two thirds of all that beside them nothing else could be
-// seen: stray points, which some scanners write. In each coordinate, the middle is the median.
+using CGAL::Surface_mesh_parameterization::internal::ABF::far_point_text;
+
 inline std::vector<bool> far_points(const Polygon_soup& soup)
 {
-  const double far = 1e9; // in units of the distance that two thirds have at most
-  std::vector<Kernel::Point_3> points;
-  std::copy_if(soup.points.begin(), soup.points.end(), std::back_inserter(points), is_finite);
-  if(points.empty()) {
-    return std::vector<bool>(soup.points.size(), false);
-  }
-  const auto quantile = [](std::vector<double> numbers, const double part) {
-    const auto place =
-        numbers.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(numbers.size()));
-    std::nth_element(numbers.begin(), place, numbers.end());
-    return *place;
+  using CGAL::Surface_mesh_parameterization::internal::ABF::Far_points;
+  const auto point = [&soup](const std::size_t v) {
+    return Far_points::Point{soup.points[v].x(), soup.points[v].y(), soup.points[v].z()};
   };
-  std::array<double, 3> center;
-  for(int i = 0; i < 3; ++i) {
-    std::vector<double> numbers;
-    for(const Kernel::Point_3& point : points) {
-      numbers.push_back(point[i]);
-    }
-    center[static_cast<std::size_t>(i)] = quantile(std::move(numbers), 1. / 2);
+  std::vector<Far_points::Point> corners;
+  for(const Polygon& polygon : soup.polygons) {
+    std::transform(polygon.begin(), polygon.end(), std::back_inserter(corners), point);
   }
-  const auto distance = [&center](const Kernel::Point_3& p) {
-    return (std::max)(
-        {std::abs(p.x() - center[0]), std::abs(p.y() - center[1]), std::abs(p.z() - center[2])});
-  };
-  std::vector<double> distances;
-  for(const Kernel::Point_3& point : points) {
-    distances.push_back(distance(point));
-  }
-  const double bound = far * quantile(std::move(distances), 2. / 3);
+  const Far_points far_points(corners);
   std::vector<bool> result;
-  for(const Kernel::Point_3& point : soup.points) {
-    result.push_back(bound > 0 && is_finite(point) && distance(point) > bound);
+  for(std::size_t v = 0; v < soup.points.size(); ++v) {
+    result.push_back(far_points.contain(point(v)));
   }
   return result;
 }
@@ -115,7 +96,7 @@ public:
       if(const auto part = part_of_kind.find(kind); vertices.size() > 1 && part != part_of_kind.end()) {
         result[part->second].message =
             vertex_name(*vertices.begin()) + " and " + count_text(vertices.size() - 1, "other") +
-            (kind == "FAR_POINT" ? std::string(" are") + far_text
+            (kind == "FAR_POINT" ? std::string(" are ") + far_point_text
                                  : " have coordinates that are not finite numbers");
       }
     }
@@ -126,9 +107,6 @@ public:
   bool is_wrong(const std::size_t v) const { return !is_finite(m_soup.points[v]) || m_is_far[v]; }
 
 private:
-  static constexpr const char* far_text =
-      " more than a billion times as far from the middle as most vertices";
-
   struct Side
   {
     std::size_t from, to, polygon;
@@ -158,7 +136,7 @@ private:
       if(!is_finite(m_soup.points[v])) {
         add_wrong_point(p, v, "NON_FINITE_POINT", " has a coordinate that is not a finite number");
       } else if(m_is_far[v]) {
-        add_wrong_point(p, v, "FAR_POINT", std::string(" is") + far_text);
+        add_wrong_point(p, v, "FAR_POINT", std::string(" is ") + far_point_text);
       }
     }
   }

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/far_points.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -39,6 +40,7 @@ class Mesh_components
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
 
   struct Component
   {
@@ -59,6 +61,11 @@ public:
     m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
     m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
     m_defect = get(CGAL::dynamic_face_property_t<Diagnosis>(), m_mesh);
+    std::vector<Far_points::Point> corners;
+    for(face_descriptor f : faces(m_mesh))
+      for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        corners.push_back(point(target(h, m_mesh)));
+    m_far_points = Far_points(corners);
     for(face_descriptor f : faces(m_mesh))
       put(m_defect, f, defect(f));
     const auto is_open = [&](edge_descriptor e) { return is_cut(e) || is_at_defect(e); };
@@ -116,15 +123,22 @@ private:
     }
   }
 
+  Far_points::Point point(vertex_descriptor v) const
+  {
+    const auto& p = get(m_points, v);
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
   Diagnosis defect(face_descriptor f) const
   {
     if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
       return Diagnosis::NOT_TRIANGULATED;
     for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const auto& p = get(m_points, target(h, m_mesh));
-      if(!(CGAL::is_finite(CGAL::to_double(p.x())) && CGAL::is_finite(CGAL::to_double(p.y())) &&
-           CGAL::is_finite(CGAL::to_double(p.z()))))
+      const Far_points::Point p = point(target(h, m_mesh));
+      if(!(CGAL::is_finite(p[0]) && CGAL::is_finite(p[1]) && CGAL::is_finite(p[2])))
         return Diagnosis::NON_FINITE_POINT;
+      if(m_far_points.contain(p))
+        return Diagnosis::FAR_POINT;
     }
     return has_no_area(f) ? Diagnosis::NO_AREA : Diagnosis::NOTHING_WRONG;
   }
@@ -134,9 +148,9 @@ private:
   {
     Exact_predicates_inexact_constructions_kernel::Point_3 points[3];
     halfedge_descriptor h = halfedge(f, m_mesh);
-    for(auto& point : points) {
-      const auto& p = get(m_points, target(h, m_mesh));
-      point = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    for(auto& corner : points) {
+      const auto [x, y, z] = point(target(h, m_mesh));
+      corner = {x, y, z};
       h = next(h, m_mesh);
     }
     return CGAL::collinear(points[0], points[1], points[2]);
@@ -144,14 +158,14 @@ private:
 
   std::string message(face_descriptor f, Diagnosis diagnosis) const
   {
-    const auto& p = get(m_points, target(halfedge(f, m_mesh), m_mesh));
+    const auto [x, y, z] = point(target(halfedge(f, m_mesh), m_mesh));
     std::ostringstream text;
-    text << "face " << get(m_rank, f) << " at (" << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y())
-         << ", " << CGAL::to_double(p.z()) << ") "
+    text << "face " << get(m_rank, f) << " at (" << x << ", " << y << ", " << z << ") "
          << (diagnosis == Diagnosis::NOT_TRIANGULATED
                  ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
-             : diagnosis == Diagnosis::NO_AREA ? "has no area, and no neighbor with a chart"
-                                               : "has a vertex whose coordinates are not all finite");
+             : diagnosis == Diagnosis::NO_AREA   ? "has no area, and no neighbor with a chart"
+             : diagnosis == Diagnosis::FAR_POINT ? std::string("has a vertex that is ") + far_point_text
+                                                 : "has a vertex whose coordinates are not all finite");
     return text.str();
   }
 
@@ -161,6 +175,7 @@ private:
       m_component,
       m_rank; // of each face
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Diagnosis>>::const_type m_defect;
+  Far_points m_far_points = Far_points({});
   std::vector<face_descriptor> m_without_area;
   std::vector<Component> m_components;
 };
