@@ -41,7 +41,7 @@ inline Failure current_failure()
   } catch(const Seams_failed& error) {
     return {COMPUTATION_FAILED, "SEAMS_FAILED", error.what()};
   } catch(const Precision_exceeded& error) {
-    return {COMPUTATION_FAILED, "PRECISION_EXCEEDED", error.what()};
+    return {WRONG_INPUT, "PRECISION_EXCEEDED", error.what()};
   } catch(const std::bad_alloc&) {
     return {OUT_OF_MEMORY, "OUT_OF_MEMORY", memory_text};
   } catch(const std::exception& error) {

@@ -80,13 +80,13 @@ inline std::string status_name(const Atlas_record& record)
 
 inline Exit_status exit_status(const Atlas_record& record)
 {
-  if(record.options.keeps_all_charts() && !record.report.has_atlas()) {
-    return WRONG_INPUT; // no chart was computed
+  if(record.report.has_atlas()) {
+    return record.skipped.empty() ? SUCCESS : WRONG_INPUT;
   }
-  if(std::any_of(record.skipped.begin(), record.skipped.end(), is_failure_of_computation)) {
-    return COMPUTATION_FAILED;
-  }
-  return record.skipped.empty() && record.report.has_atlas() ? SUCCESS : WRONG_INPUT;
+  const bool is_computed = !record.options.keeps_all_charts();
+  return is_computed && std::any_of(record.skipped.begin(), record.skipped.end(), is_failure_of_computation)
+             ? COMPUTATION_FAILED
+             : WRONG_INPUT;
 }
 
 // The stages, with the time of each

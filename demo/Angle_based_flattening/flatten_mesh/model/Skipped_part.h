@@ -26,8 +26,8 @@ struct Skipped_part
 // Whether a computation failed for this part, rather than that it cannot be flattened
 inline bool is_failure_of_computation(const Skipped_part& part)
 {
-  static const std::array<const char*, 5> names = {"LINEAR_SYSTEM_FAILED", "NO_CONVERGENCE",
-                                                   "FLIPPED_TRIANGLES", "OVERLAPPING", "PRECISION_EXCEEDED"};
+  static const std::array<const char*, 4> names = {"LINEAR_SYSTEM_FAILED", "NO_CONVERGENCE",
+                                                   "FLIPPED_TRIANGLES", "OVERLAPPING"};
   return std::find(names.begin(), names.end(), part.status) != names.end();
 }
 

@@ -176,7 +176,11 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
 inline Exit_status exit_status(const Run_record& record)
 {
   if(!record.flattening.succeeded()) {
-    return is_failure_of_computation(record.flattening.report) ? COMPUTATION_FAILED : WRONG_INPUT;
+    const SMP::ABF_plus_plus_report& report =
+        record.flattening.report; // numbers may be too few for the input
+    return is_failure_of_computation(report) && report.status != SMP::Diagnosis::PRECISION_EXCEEDED
+               ? COMPUTATION_FAILED
+               : WRONG_INPUT;
   }
   return record.skipped.empty() ? SUCCESS : WRONG_INPUT;
 }
