@@ -162,7 +162,7 @@ private:
   static constexpr double least_waste =
       0.01; // many strips may have to be cut before the page is covered better
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr int most_charts = 256, most_cuts = 64, most_worse = 3;
+  static constexpr int most_charts = 256, most_cuts = 64, most_worse = 5;
 
   const std::vector<Surface_part>& m_parts;
   const std::vector<double>& m_weight;
