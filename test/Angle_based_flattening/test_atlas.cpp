@@ -467,6 +467,17 @@ BOOST_AUTO_TEST_CASE(bad_faces_change_nothing_of_others)
       }
     }
     BOOST_TEST(different == 0u);
+    std::size_t torn = 0, beside_chart = 0; // where no seam is
+    for(std::size_t c = 0; c < run.uv.size(); ++c)
+      if(run.is_joined(c)) {
+        const std::size_t across = run.across[c];
+        const bool has_chart = run.chart[run.face[c]] >= 0;
+        beside_chart += has_chart != (run.chart[run.face[across]] >= 0);
+        torn += has_chart &&
+                (run.uv[c] != run.uv[run.previous(across)] || run.uv[run.previous(c)] != run.uv[across]);
+      }
+    BOOST_TEST(torn == 0u);
+    BOOST_TEST(beside_chart == 0u);
     Atlas_options keep;
     keep.given_charts = Atlas_options::KEEP; // there are none
     BOOST_TEST(!make_atlas_of(whole, keep).report.has_atlas());

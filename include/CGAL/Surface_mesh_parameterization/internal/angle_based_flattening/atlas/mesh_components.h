@@ -94,6 +94,16 @@ public:
            get(m_defect, face(h, m_mesh)) != get(m_defect, face(opposite(h, m_mesh), m_mesh));
   }
 
+  bool has_defects() const { return std::any_of(m_components.begin(), m_components.end(), is_wrong); }
+
+  // Whether one of the two faces of an edge is wrong
+  bool is_beside_defect(edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, m_mesh);
+    return get(m_defect, face(h, m_mesh)) != Diagnosis::NOTHING_WRONG ||
+           get(m_defect, face(opposite(h, m_mesh), m_mesh)) != Diagnosis::NOTHING_WRONG;
+  }
+
   const std::vector<face_descriptor>& faces_without_area() const { return m_without_area; }
 
   std::size_t number() const { return m_components.size(); }

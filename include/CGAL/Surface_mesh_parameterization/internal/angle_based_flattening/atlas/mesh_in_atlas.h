@@ -199,6 +199,11 @@ public:
           if(is_seam(part, m_atlas[i], c))
             m_new_seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
       }
+    if constexpr(has_seams)
+      if(m_components.has_defects() && !m_first_chart.empty()) // some part was read
+        for(edge_descriptor e : edges(m_mesh))
+          if(!CGAL::is_border(e, m_mesh) && m_components.is_beside_defect(e) && !is_joined(e))
+            m_new_seams.push_back(e);
   }
 
   void write()
@@ -311,6 +316,21 @@ private:
             static_cast<Number>(m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[t])));
     for(const auto& [f, chart] : m_without_area.charts())
       put(m_charts, f, static_cast<Number>(chart));
+  }
+
+  // Whether both faces of an edge have the same coordinates there, or none
+  bool is_joined(edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, m_mesh), o = opposite(h, m_mesh);
+    return uv_at(h) == uv_at(prev(o, m_mesh)) && uv_at(o) == uv_at(prev(h, m_mesh));
+  }
+
+  std::optional<Chart::Point_2> uv_at(halfedge_descriptor h) const
+  {
+    if(const auto found = m_without_area.uv().find(h); found != m_without_area.uv().end())
+      return found->second;
+    const std::optional<Corner_in_atlas> corner = corner_at(h);
+    return corner ? std::optional(corner->uv) : std::nullopt;
   }
 
   // The corner that a halfedge of a face points to, if the face is in a chart
