@@ -16,8 +16,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -42,10 +40,10 @@ inline std::vector<bool> far_points(const Polygon_soup& soup)
   for(const Polygon& polygon : soup.polygons) {
     std::transform(polygon.begin(), polygon.end(), std::back_inserter(corners), point);
   }
-  const Far_points far_points(corners);
+  const Far_points stray(std::move(corners));
   std::vector<bool> result;
   for(std::size_t v = 0; v < soup.points.size(); ++v) {
-    result.push_back(far_points.contain(point(v)));
+    result.push_back(stray.contain(point(v)));
   }
   return result;
 }

@@ -176,11 +176,10 @@ inline bool is_failure_of_computation(const SMP::ABF_plus_plus_report& report)
 inline Exit_status exit_status(const Run_record& record)
 {
   if(!record.flattening.succeeded()) {
-    const SMP::ABF_plus_plus_report& report =
-        record.flattening.report; // numbers may be too few for the input
-    return is_failure_of_computation(report) && report.status != SMP::Diagnosis::PRECISION_EXCEEDED
-               ? COMPUTATION_FAILED
-               : WRONG_INPUT;
+    // What no number type holds is asked for by the input.
+    const SMP::ABF_plus_plus_report& report = record.flattening.report;
+    const bool is_too_precise = report.status == SMP::Diagnosis::PRECISION_EXCEEDED;
+    return is_failure_of_computation(report) && !is_too_precise ? COMPUTATION_FAILED : WRONG_INPUT;
   }
   return record.skipped.empty() ? SUCCESS : WRONG_INPUT;
 }

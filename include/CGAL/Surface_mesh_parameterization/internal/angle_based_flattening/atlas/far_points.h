@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -29,20 +28,28 @@ class Far_points
 public:
   typedef std::array<double, 3> Point;
 
-  explicit Far_points(const std::vector<Point>& corners) // those that are not finite are not counted
+  Far_points() = default; // there are none
+
+  explicit Far_points(std::vector<Point> corners) // those that are not finite are not counted
   {
-    std::vector<Point> finite;
-    std::copy_if(corners.begin(), corners.end(), std::back_inserter(finite), is_finite);
-    if(finite.empty())
+    corners.erase(
+        std::remove_if(corners.begin(), corners.end(), [](const Point& p) { return !is_finite(p); }),
+        corners.end());
+    if(corners.empty())
       return;
-    std::vector<double> numbers(finite.size());
+    std::vector<double> numbers(corners.size());
     for(std::size_t i = 0; i < 3; ++i) {
-      std::transform(finite.begin(), finite.end(), numbers.begin(), [i](const Point& p) { return p[i]; });
+      std::transform(corners.begin(), corners.end(), numbers.begin(), [i](const Point& p) { return p[i]; });
       m_middle[i] = quantile(numbers, 1. / 2);
     }
-    std::transform(finite.begin(), finite.end(), numbers.begin(),
+    std::transform(corners.begin(), corners.end(), numbers.begin(),
                    [this](const Point& p) { return distance(p); });
     m_distance = quantile(numbers, 2. / 3);
+  }
+
+  static bool is_finite(const Point& p)
+  {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
   }
 
   bool contain(const Point& p) const
@@ -51,11 +58,6 @@ public:
   }
 
 private:
-  static bool is_finite(const Point& p)
-  {
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  }
-
   double distance(const Point& p) const
   {
     return (std::max)(

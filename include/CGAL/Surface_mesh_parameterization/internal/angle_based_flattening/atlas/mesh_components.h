@@ -29,6 +29,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -65,7 +66,7 @@ public:
     for(face_descriptor f : faces(m_mesh))
       for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
         corners.push_back(point(target(h, m_mesh)));
-    m_far_points = Far_points(corners);
+    m_far_points = Far_points(std::move(corners));
     for(face_descriptor f : faces(m_mesh))
       put(m_defect, f, defect(f));
     const auto is_open = [&](edge_descriptor e) { return is_cut(e) || is_at_defect(e); };
@@ -145,7 +146,7 @@ private:
       return Diagnosis::NOT_TRIANGULATED;
     for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
       const Far_points::Point p = point(target(h, m_mesh));
-      if(!(CGAL::is_finite(p[0]) && CGAL::is_finite(p[1]) && CGAL::is_finite(p[2])))
+      if(!Far_points::is_finite(p))
         return Diagnosis::NON_FINITE_POINT;
       if(m_far_points.contain(p))
         return Diagnosis::FAR_POINT;
@@ -185,7 +186,7 @@ private:
       m_component,
       m_rank; // of each face
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Diagnosis>>::const_type m_defect;
-  Far_points m_far_points = Far_points({});
+  Far_points m_far_points;
   std::vector<face_descriptor> m_without_area;
   std::vector<Component> m_components;
 };
