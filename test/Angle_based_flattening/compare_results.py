@@ -4,10 +4,11 @@
 Usage: compare_results.py make PROGRAM FOLDER [--models FOLDER...] [--only WORD] [--jobs N]
        compare_results.py compare OLD_FOLDER NEW_FOLDER
 
-`make` flattens generated models, and, with --models, those of other folders that are in the list below (CGAL's meshes,
-which the tests unpack, and the disks). `compare` names all that differs: files that are not there, statuses, messages,
-members of the reports, and numbers, by more than 1e-9 of the largest one in lines that begin with the same word.
-Seconds and memory may differ. Its exit status is 1 if anything differs."""
+`make` flattens generated models, and, with --models, those of other folders that are in the list below (CGAL's
+meshes, which the tests unpack, and the disks). `compare` names all that differs: files that are not there, statuses,
+messages, members of the reports, and numbers: in reports by more than 1e-9 of themselves or of 1, in GLB by more
+than the rounding of `float`, and in texts by more than 1e-9 of the largest one in lines that begin with the same
+word. Seconds, memory and the version may differ. Its exit status is 1 if anything differs."""
 
 import argparse
 import concurrent.futures
@@ -115,7 +116,7 @@ def make_model(program, model, folder):
         ways["symmetric"] = "--symmetric -o o.obj"
     for name, options in ways.items():
         run(program, model, folder, name, options)
-    for file in (folder / model.stem).rglob("*.*"):
+    for file in list((folder / model.stem).rglob("*.*")):
         if file.stat().st_size > 10000:
             with gzip.open(f"{file}.gz", "wb", compresslevel=3) as compressed:
                 compressed.write(file.read_bytes())
@@ -144,7 +145,7 @@ def differences_of_json(old, new, place=""):
     """Places where two reports differ; of two numbers, if by more than the tolerance"""
     if isinstance(old, dict) and isinstance(new, dict):
         for key in sorted(old.keys() | new.keys()):
-            if key not in ("seconds", "peak_memory_mb", "version", "input", "options", "copyright", "generator"):
+            if key not in ("seconds", "peak_memory_mb", "version", "generator"):
                 yield from differences_of_json(old.get(key, "nothing"), new.get(key, "nothing"), f"{place}/{key}")
     elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
         for i, pair in enumerate(zip(old, new)):

@@ -20,7 +20,7 @@ class Program_case(unittest.TestCase):
         cls.folder = Path(folder.name)
 
     def write(self, points, faces, uvs=()):
-        """An OBJ file of a surface: its faces are numbers of points from 0; `uvs` are those of the first faces' corners"""
+        """An OBJ file of a surface. Its faces are numbers of points from 0; `uvs` are of corners of the first faces."""
         lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points] + [f"vt {u!r} {v!r}" for face in uvs for u, v in face]
         first = 1
         for i, face in enumerate(faces):

@@ -7,24 +7,22 @@ import json
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = sys.argv[1]
+from program_case import Program_case
+
 SCRIPT = Path(__file__).resolve().parent / "compare_results.py"
 
 
-class Compare_results(unittest.TestCase):
+class Compare_results(Program_case):
     """Results of one model, made twice"""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
+        super().setUpClass()
         for name in ("old", "new"):
-            subprocess.run([sys.executable, SCRIPT, "make", PROGRAM, cls.folder / name, "--only", "octahedron",
+            subprocess.run([sys.executable, SCRIPT, "make", sys.argv[1], cls.folder / name, "--only", "octahedron",
                             "--jobs", "1"], check=True, stdout=subprocess.DEVNULL)
 
     def differences(self, new="new"):
