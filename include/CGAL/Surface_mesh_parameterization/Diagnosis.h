@@ -32,7 +32,7 @@ enum class Diagnosis
   EMPTY_MESH,          ///< There is no face, or none with a chart.
   NOT_TRIANGULATED,    ///< A face is not a triangle.
   NON_FINITE_POINT,    ///< A coordinate of a point is infinite or not a number.
-  FAR_POINT,           ///< A vertex is a billion times as far away as two thirds of all.
+  FAR_POINT,           ///< A vertex is more than 10^9 times as far from the middle as most.
   TOO_LARGE,           ///< There are more triangles than 32-bit numbers allow.
   NO_AREA,             ///< No face has an area in space, up to rounding, or a weight above 0.
   NON_MANIFOLD_VERTEX, ///< The faces around a vertex form several fans: the surface is pinched.

@@ -42,9 +42,10 @@ overlaps itself, and no two charts come nearer to one another than the gutter. S
 `Diagnosis::STRETCH_BOUND_MISSED` says that some chart is not good (`Atlas_report::Chart::is_good`).
 
 A part that cannot be flattened is skipped and reported. Its coordinates are unchanged, and all other parts get charts.
-Faces that are no triangles or have vertices that are not finite or a billion times as far away as most are such parts by
-themselves. Faces whose corners are exactly on one line change no chart: each gets coordinates on an edge of a neighbor
-(`Atlas_report::degenerate_triangles`). If anything else is wrong, nothing is written.
+Faces that are no triangles or have vertices that are not finite or a billion times as far away as most are such parts
+by themselves. Faces whose corners are exactly on one line change no chart: each gets coordinates on an edge of a
+neighbor (`Atlas_report::degenerate_triangles`). Edges where a chart ends beside such faces are seams, too. If anything
+else is wrong, nothing is written.
 
 For \f$n\f$ triangles, the time is \cgalBigO{n \log n}, plus factorizations of matrices of bounded size for each part.
 With `CGAL::TBB_support`, parts are flattened in parallel. The result does not depend on the number of threads.
