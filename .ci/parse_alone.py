@@ -142,7 +142,7 @@ def main():
     listed = subprocess.run(["git", "ls-files", "*.h", "*.cpp"], cwd=ROOT, check=True, capture_output=True, text=True)
     files = [ROOT / name for name in listed.stdout.split() if ROOT / name != MUST_NOT_COMPILE]
     sources = {file: words for file, words in options_of_sources(build).items() if file in files}
-    includes = Includes(files, [ROOT / "include", ROOT / "demo/Angle_based_flattening", ROOT / "python/src"])
+    includes = Includes(files, [ROOT / "include", ROOT / "apps", ROOT / "python/src"])
 
     options = options_of_all(files, sources, includes)
 

@@ -3,7 +3,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The targets of the package, and what they stand on. The package includes this, and so do its examples, demo and tests,
+# The targets of the package, and what they stand on. The package includes this, and so do its examples, program and tests,
 # which can be built alone, as in CGAL.
 include_guard(DIRECTORY)
 get_filename_component(ABF_PACKAGE_DIR ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)

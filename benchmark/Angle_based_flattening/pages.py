@@ -55,7 +55,7 @@ def main() -> None:
     parser.add_argument("--resolutions", type=run.numbers, default="1024,4096", metavar="N,N,...", help="(%(default)s)")
     parser.add_argument("--threads", type=int, default=2, metavar="N", help="of each run (%(default)s)")
     parser.add_argument("--program", type=Path, metavar="PROGRAM", help="what flattens (%(default)s)",
-                        default=run.ROOT / "build/demo/Angle_based_flattening/flatten_mesh")
+                        default=run.ROOT / "build/apps/flatten_mesh/flatten_mesh")
     run.add_options(parser)
     options = parser.parse_args()
     measure = run.measure_of(options)

@@ -106,7 +106,7 @@ def main() -> None:
     parser.add_argument("--parts", type=run.numbers, default="1000,10000,100000", metavar="N,N,...", help="small parts (%(default)s)")
     parser.add_argument("--cells", type=run.numbers, default="2,4,8", metavar="N,N,...", help="along a scaffold (%(default)s)")
     parser.add_argument("--program", type=Path, metavar="PROGRAM", help="what flattens (%(default)s)",
-                        default=run.ROOT / "build/demo/Angle_based_flattening/flatten_mesh")
+                        default=run.ROOT / "build/apps/flatten_mesh/flatten_mesh")
     run.add_options(parser, repeat=1)
     options = parser.parse_args()
     measure = run.measure_of(options)

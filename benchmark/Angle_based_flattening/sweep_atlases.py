@@ -156,7 +156,7 @@ def sweep(program: Path, file: Path, seconds_per_100k: float, folder: Path) -> d
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", nargs="?", type=Path, default=run.EXAMPLES, help="with meshes; by default the data of the examples")
-    parser.add_argument("--program", type=Path, default=run.ROOT / "build/demo/Angle_based_flattening/flatten_mesh")
+    parser.add_argument("--program", type=Path, default=run.ROOT / "build/apps/flatten_mesh/flatten_mesh")
     parser.add_argument("--limit", type=float, default=10, metavar="SECONDS", help="for 100,000 triangles (10)")
     parser.add_argument("--output", type=Path, help="write the report to this file as well")
     options = parser.parse_args()

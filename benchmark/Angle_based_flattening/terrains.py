@@ -72,7 +72,7 @@ def main() -> None:
                         help="lengths of an edge (%(default)s)")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="of which times are medians (%(default)s)")
     parser.add_argument("--program", type=Path, metavar="PROGRAM", help="what flattens (%(default)s)",
-                        default=run.ROOT / "build/demo/Angle_based_flattening/flatten_mesh")
+                        default=run.ROOT / "build/apps/flatten_mesh/flatten_mesh")
     parser.add_argument("-o", "--output", type=Path, metavar="FILE.md", help="write the report there as well")
     options = parser.parse_args()
 

@@ -48,7 +48,7 @@ class Clone:
             write_script(self.folder / name, (self.source / name).read_text())
         for name in ("scripts/install-dependencies", "tools/cmake"):
             write_script(self.folder / name, "#!/bin/sh\n")
-        write_script(self.folder / "build/demo/Angle_based_flattening/flatten_mesh",
+        write_script(self.folder / "build/apps/flatten_mesh/flatten_mesh",
                      f'#!/bin/sh\nexec {shlex.quote(str(self.program))} "$@"\n')
         shutil.copytree(self.source / DATA, self.folder / DATA)
 

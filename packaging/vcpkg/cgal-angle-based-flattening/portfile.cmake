@@ -8,7 +8,7 @@ vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS
     -DABF_BUILD_EXAMPLES=OFF
-    -DABF_BUILD_DEMO=OFF
+    -DABF_BUILD_PROGRAM=OFF
     -DABF_BUILD_TESTS=OFF
     -DABF_INSTALL_CORE=OFF)
 vcpkg_cmake_install()

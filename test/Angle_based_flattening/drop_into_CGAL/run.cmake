@@ -1,4 +1,4 @@
-# Drops the package into a checkout of CGAL, and then configures its examples, demo and tests alone, and builds and runs an example.
+# Drops the package into a checkout of CGAL, and then configures its examples and tests alone, and builds and runs an example.
 # Called by ctest with SOURCE_DIR, BASH, CGAL_DIR and CGAL_INCLUDE_DIR of the CGAL that the checkout is made of, BUILD_DIR, GENERATOR,
 # COMPILER, CONFIG and its FLAGS.
 set(checkout ${BUILD_DIR}/CGAL_checkout)
@@ -18,7 +18,7 @@ file(COPY ${modules} DESTINATION ${installation}/cmake/modules)
 file(COPY ${modules} DESTINATION ${installation}/lib/cmake/CGAL)
 
 run(${BASH} ${SOURCE_DIR}/scripts/drop-into-cgal ${checkout})
-foreach(part examples demo test)
+foreach(part examples test)
   run(${CMAKE_COMMAND} -S ${checkout}/Angle_based_flattening/${part}/Angle_based_flattening -B ${build}/${part} -G ${GENERATOR}
     -D CGAL_DIR=${installation}/lib/cmake/CGAL
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS})
