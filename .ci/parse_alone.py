@@ -29,7 +29,7 @@ ROOT = Path(__file__).resolve().parents[1]
 SHARED = ("boost/test/unit_test.hpp", "Eigen/Core", "CGAL/Simple_cartesian.h", "CGAL/boost/graph/helpers.h",
           "CGAL/Exact_predicates_inexact_constructions_kernel.h", "CGAL/Eigen_sparse_matrix.h", "CGAL/Surface_mesh.h",
           "CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h",
-          "CGAL/Surface_mesh_parameterization/make_atlas.h")
+          "CGAL/Texture_atlas/make_atlas.h")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 LEAST_UNITS = 8  # with fewer, precompiling takes longer than it saves
 MUST_NOT_COMPILE = ROOT / "test/Angle_based_flattening/without_SuperLU/default_solver.cpp"  # a test of the error

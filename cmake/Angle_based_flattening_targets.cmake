@@ -118,7 +118,7 @@ target_link_libraries(abf_quick_to_compile PRIVATE CGAL::Angle_based_flattening)
 target_precompile_headers(abf_quick_to_compile PRIVATE ${ABF_PRECOMPILED_HEADERS}
   <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
   <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-  <CGAL/Surface_mesh_parameterization/make_atlas.h> <CGAL/Surface_mesh_parameterization/parameterize.h>)
+  <CGAL/Texture_atlas/make_atlas.h> <CGAL/Surface_mesh_parameterization/parameterize.h>)
 
 function(abf_compile_quickly target)
   target_compile_options(${target} PRIVATE ${ABF_QUICK_OPTIONS})

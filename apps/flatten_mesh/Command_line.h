@@ -9,6 +9,7 @@
 #include "flatten_mesh/batch/Batch_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
@@ -19,6 +20,7 @@
 namespace flatten_mesh {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 // Options of an atlas: its input, and how it is packed.
 struct Atlas_options

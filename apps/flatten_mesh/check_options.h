@@ -17,7 +17,7 @@
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
@@ -132,7 +132,7 @@ inline void check_gutter(const Values& values, Atlas_options& atlas)
     }
     atlas.gutter = 1 << atlas.mip_levels;
   } else if(!is_given(values, "gutter")) {
-    SMP::Packing_options options;
+    TA::Packing_options options;
     options.resolution = shorter_side;
     atlas.gutter = options.number_of_gutter_texels();
   }

@@ -6,8 +6,8 @@
 #ifndef FLATTEN_MESH_CREASE_OPTION_H
 #define FLATTEN_MESH_CREASE_OPTION_H
 
-#include <CGAL/Surface_mesh_parameterization/Crease_report.h>
-#include <CGAL/Surface_mesh_parameterization/Symmetry_report.h>
+#include <CGAL/Texture_atlas/Crease_report.h>
+#include <CGAL/Texture_atlas/Symmetry_report.h>
 #include <CGAL/number_type_config.h>
 
 #include <charconv>
@@ -22,7 +22,7 @@ namespace flatten_mesh {
 // What became of `--symmetric`
 struct Symmetry
 {
-  CGAL::Surface_mesh_parameterization::Mirror_plane_report plane;
+  CGAL::Texture_atlas::Mirror_plane_report plane;
   bool has_symmetric_surface = false;
   bool has_symmetric_seams = false;
   double asymmetry = 0;    // of the seams: see `Symmetry_report::asymmetry`
@@ -69,7 +69,7 @@ inline std::optional<double> crease_angle(const std::string& seams)
 {
   const std::string name = "creases";
   if(seams == name) {
-    return CGAL::Surface_mesh_parameterization::Crease_options().angle;
+    return CGAL::Texture_atlas::Crease_options().angle;
   }
   if(seams.compare(0, name.size() + 1, name + ":") != 0) {
     return std::nullopt;

@@ -10,8 +10,8 @@
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <sstream>
 #include <string>
@@ -40,7 +40,7 @@ inline void check_no_diagonals(const std::string& file, const Seamed_component& 
   }
 }
 
-inline std::string defect_text(const SMP::Disk_cut_report<Mesh>::Part& part)
+inline std::string defect_text(const TA::Disk_cut_report<Mesh>::Part& part)
 {
   switch(part.status) {
   case SMP::Diagnosis::NO_BORDER:
@@ -61,7 +61,7 @@ inline std::string defect_text(const SMP::Disk_cut_report<Mesh>::Part& part)
 inline void check_disks(const std::string& file, const Seamed_component& component)
 {
   const Mesh& mesh = component.part.mesh;
-  const auto check = SMP::is_disk_cut(mesh, component.seams);
+  const auto check = TA::is_disk_cut(mesh, component.seams);
   if(check) {
     return;
   }
@@ -79,7 +79,7 @@ inline void check_disks(const std::string& file, const Seamed_component& compone
 inline void read_seams(const std::string& file, Mesh& input, Seamed_component& component)
 {
   const Edge_marks seams = seam_marks(input);
-  const auto report = SMP::read_seam_selection(file, input, seams);
+  const auto report = TA::read_seam_selection(file, input, seams);
   if(!report) {
     throw Input_error(report.message + "; vertices count from 0 in this file");
   }
@@ -98,7 +98,7 @@ inline std::string seams_text(Mesh& input, const Seamed_component& component)
     seams[component.part.edge_origins[e.idx()]] = component.seams[e];
   }
   std::ostringstream text;
-  SMP::write_seam_selection(text, input, seams);
+  TA::write_seam_selection(text, input, seams);
   return text.str();
 }
 

@@ -18,8 +18,8 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/bake_surface.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <algorithm>
 #include <array>
@@ -100,18 +100,18 @@ class Baked_mesh
 public:
   Baked_mesh(Mesh mesh, const Mesh& fine)
       : m_mesh(std::move(mesh)), m_atlas(empty_atlas(m_mesh)),
-        m_frames(m_mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:frame").first)
+        m_frames(m_mesh.add_property_map<Halfedge, TA::Tangent_frame>("h:frame").first)
   {
     const auto np = CGAL::parameters::face_patch_map(m_atlas.chart);
-    SMP::Atlas_options atlas_options;
+    TA::Atlas_options atlas_options;
     atlas_options.resolution = texels;
-    const auto report = SMP::make_atlas(m_mesh, m_atlas.uv, atlas_options, np);
+    const auto report = TA::make_atlas(m_mesh, m_atlas.uv, atlas_options, np);
     if(!report) {
       throw std::runtime_error(report.message);
     }
-    SMP::Baking_options baking_options;
+    TA::Baking_options baking_options;
     baking_options.resolution = texels;
-    m_textures = SMP::bake_surface(m_mesh, m_atlas.uv, fine, m_frames, baking_options, np);
+    m_textures = TA::bake_surface(m_mesh, m_atlas.uv, fine, m_frames, baking_options, np);
     if(!m_textures) {
       throw std::runtime_error(m_textures.message);
     }
@@ -141,7 +141,7 @@ public:
     const Vector tangent = Surface_view::normalized(
         interpolated(h, weights, [this](const Halfedge g) { return vector_of(m_frames[g].tangent); }));
     const Vector bitangent = Surface_view::normalized(interpolated(h, weights, [this](const Halfedge g) {
-      const SMP::Tangent_frame& frame = m_frames[g];
+      const TA::Tangent_frame& frame = m_frames[g];
       return frame.sign * CGAL::cross_product(vector_of(frame.normal), vector_of(frame.tangent));
     }));
     return n.x() * tangent + n.y() * bitangent + n.z() * Surface_view::normalized(normal(h, weights));
@@ -168,8 +168,8 @@ private:
 
   Mesh m_mesh;
   Atlas m_atlas;
-  Mesh::Property_map<Halfedge, SMP::Tangent_frame> m_frames;
-  SMP::Baked_textures m_textures;
+  Mesh::Property_map<Halfedge, TA::Tangent_frame> m_frames;
+  TA::Baked_textures m_textures;
   std::vector<std::uint8_t> m_pixels;
 };
 

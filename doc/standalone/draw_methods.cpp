@@ -19,15 +19,15 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/select_cones.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/property_map.h>
@@ -47,6 +47,7 @@
 namespace flatten_mesh {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 const Surface_view dinosaur_view({0.45, -1, 0.35}, {0, 0, 1}), mask_view({0.3, -1, 0.1}, {0, 0, 1}),
@@ -163,11 +164,11 @@ Atlas flatten(const std::string& name, Mesh& mesh, const Parameterizer& paramete
 Mesh cut_open(Mesh surface, const double stretch_bound)
 {
   const Edge_marks seams = seam_marks(surface);
-  SMP::Seam_options options;
+  TA::Seam_options options;
   options.stretch_bound = stretch_bound;
-  check(bool(SMP::select_seams(surface, seams, options)), "selecting seams");
+  check(bool(TA::select_seams(surface, seams, options)), "selecting seams");
   Mesh open;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams).mesh, open);
+  CGAL::copy_face_graph(TA::make_seam_mesh(surface, seams).mesh, open);
   return open;
 }
 
@@ -228,11 +229,11 @@ void draw_rectangle(const std::string& data, const Pictures& pictures)
 }
 
 // Seams of a surface through its cones
-Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
+Atlas cut_through(Mesh& mesh, const TA::Cone_selection<Mesh>& cones)
 {
   const Atlas atlas = empty_atlas(mesh);
   const std::set<Vertex> terminals = cones.vertices();
-  const SMP::Seam_report report = SMP::cut_to_disks(
+  const TA::Seam_report report = TA::cut_to_disks(
       mesh, atlas.seams,
       CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals)));
   check(bool(report), "seams through cones");
@@ -247,11 +248,11 @@ Atlas cut_through(Mesh& mesh, const SMP::Cone_selection<Mesh>& cones)
 void draw_cones(const std::string& demo, const Pictures& pictures)
 {
   const Mesh mesh = read_mesh(demo + "/homer.off");
-  const SMP::Cone_selection<Mesh> cones = SMP::select_cones(mesh, 24);
+  const TA::Cone_selection<Mesh> cones = TA::select_cones(mesh, 24);
   check(bool(cones), "selecting cones");
   SMP::ABF_plus_plus_options cut_first;
   cut_first.equal_seam_lengths = false;
-  typedef SMP::Cut_mesh<Mesh> Cut;
+  typedef TA::Cut_mesh<Mesh> Cut;
   SMP::ABF_plus_plus_parameterizer_3<Cut> apart(cut_first), equal, rigid;
   rigid.set_angle_sums(cones.angles());
   std::vector<Mesh> copies(3, mesh);
@@ -259,8 +260,8 @@ void draw_cones(const std::string& demo, const Pictures& pictures)
   for(auto* parameterizer : {&apart, &equal, &rigid}) {
     Mesh& copy = copies[atlases.size()];
     atlases.push_back(cut_through(copy, cones));
-    Cut cut = SMP::make_seam_mesh(copy, atlases.back().seams).mesh;
-    const auto border = SMP::border_halfedge(cut);
+    Cut cut = TA::make_seam_mesh(copy, atlases.back().seams).mesh;
+    const auto border = TA::border_halfedge(cut);
     const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv_of_copies").first;
     check(SMP::parameterize(cut, *parameterizer, border, uv) == SMP::OK, "a map with cones");
     const SMP::Flattening_measures measures = SMP::measure_flattening(cut, border, uv);
@@ -289,9 +290,9 @@ void draw_overlaps(const std::string& data, const Pictures& pictures)
       flatten("injective", dinosaur, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options)),
       dinosaur_view, true);
   const Atlas atlas = flatten("the same, overlapping", dinosaur, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
-  const SMP::Overlap_split_report split = SMP::split_overlaps(dinosaur, atlas.uv, atlas.seams, atlas.chart);
+  const TA::Overlap_split_report split = TA::split_overlaps(dinosaur, atlas.uv, atlas.seams, atlas.chart);
   check(!!split, "splitting");
-  check(!!SMP::pack_charts(dinosaur, atlas.chart, atlas.uv), "packing");
+  check(!!TA::pack_charts(dinosaur, atlas.chart, atlas.uv), "packing");
   pictures.draw("split", dinosaur, atlas, dinosaur_view, true, true);
 }
 
@@ -325,7 +326,7 @@ public:
 
   void draw(const Pictures& pictures)
   {
-    check(!!SMP::pack_charts(m_mesh, m_atlas.chart, m_atlas.uv), "packing");
+    check(!!TA::pack_charts(m_mesh, m_atlas.chart, m_atlas.uv), "packing");
     pictures.draw("packed", m_mesh, m_atlas, mask_view, false, true);
   }
 
@@ -356,7 +357,7 @@ void draw_atlas(const std::string& demo, const Pictures& pictures)
 {
   Mesh bull = read_mesh(demo + "/bull.off");
   const Atlas atlas = empty_atlas(bull);
-  check(bool(SMP::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart)), "the atlas");
+  check(bool(TA::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart)), "the atlas");
   pictures.draw("atlas", bull, atlas, bull_view, false, true);
 }
 

@@ -19,15 +19,15 @@
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/number_utils.h>
@@ -48,6 +48,7 @@
 namespace flatten_mesh {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
@@ -497,7 +498,7 @@ using Seam_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 Mesh cut_open(const Mesh& mesh, const Seam_map& seams)
 {
   Mesh open;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(mesh, seams).mesh, open);
+  CGAL::copy_face_graph(TA::make_seam_mesh(mesh, seams).mesh, open);
   return open;
 }
 
@@ -506,7 +507,7 @@ Mesh read_egg(const std::string& folder)
 {
   Mesh egg = read_mesh(folder + "/egg.off");
   const Seam_map seams = egg.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  if(const auto read = SMP::read_seam_selection(folder + "/egg.selection.txt", egg, seams); !read)
+  if(const auto read = TA::read_seam_selection(folder + "/egg.selection.txt", egg, seams); !read)
     throw std::runtime_error(read.message);
   return cut_open(egg, seams);
 }
@@ -516,7 +517,7 @@ Mesh read_camel(const std::string& folder)
 {
   Mesh camel = read_mesh(folder + "/camel.off");
   const Seam_map seams = camel.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  const SMP::Seam_report report = SMP::select_seams(camel, seams);
+  const TA::Seam_report report = TA::select_seams(camel, seams);
   if(!report)
     throw std::runtime_error(report.message);
   std::cout << "camel: " << report.number_of_terminals << " terminals, relative seam length "
@@ -547,9 +548,9 @@ Mesh read_cut_dinosaur(const std::string& folder)
 {
   Mesh dinosaur = read_mesh(folder + "/dinosaur.off");
   const Seam_map seams = dinosaur.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  SMP::Seam_options options;
+  TA::Seam_options options;
   options.stretch_bound = 1.05;
-  const SMP::Seam_report report = SMP::select_seams(dinosaur, seams, options);
+  const TA::Seam_report report = TA::select_seams(dinosaur, seams, options);
   if(!report)
     throw std::runtime_error(report.message);
   return cut_open(dinosaur, seams);
@@ -622,10 +623,10 @@ public:
         m_seams(m_mesh.add_property_map<Mesh::Edge_index, bool>("e:new_seam", false).first)
   {
     std::vector<Face> overlapping;
-    SMP::overlapping_faces(m_mesh, flat.uv, std::back_inserter(overlapping));
+    TA::overlapping_faces(m_mesh, flat.uv, std::back_inserter(overlapping));
     for(const Face f : overlapping)
       m_overlaps[f.idx()] = true;
-    const SMP::Overlap_split_report report = SMP::split_overlaps(m_mesh, flat.uv, m_seams, m_piece);
+    const TA::Overlap_split_report report = TA::split_overlaps(m_mesh, flat.uv, m_seams, m_piece);
     if(!report)
       throw std::runtime_error(report.message);
     m_number_of_pieces = static_cast<int>(report.number_of_pieces);
@@ -658,9 +659,9 @@ public:
     const auto uv = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
     for(const Halfedge h : surface.halfedges())
       uv[h] = Kernel::Point_2(atlas.point(atlas.target(h)).x(), atlas.point(atlas.target(h)).y());
-    SMP::Packing_options options;
+    TA::Packing_options options;
     options.gutter = 4;
-    const SMP::Packing_report report = SMP::pack_charts(surface, m_piece, uv, options);
+    const TA::Packing_report report = TA::pack_charts(surface, m_piece, uv, options);
     if(!report)
       throw std::runtime_error(report.message);
     std::cout << "dinosaur: " << report.number_of_charts << " charts cover "
@@ -760,9 +761,8 @@ public:
     const auto uv = copy.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
     const auto chart = copy.add_property_map<Face, int>("f:chart").first;
     const Seam_map seams = copy.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-    const SMP::Atlas_options options(is_dense ? SMP::Atlas_options::CONFORMAL
-                                              : SMP::Atlas_options::FEW_CHARTS);
-    const SMP::Atlas_report report = SMP::make_atlas(copy, seams, uv, chart, options);
+    const TA::Atlas_options options(is_dense ? TA::Atlas_options::CONFORMAL : TA::Atlas_options::FEW_CHARTS);
+    const TA::Atlas_report report = TA::make_atlas(copy, seams, uv, chart, options);
     if(!report)
       throw std::runtime_error(name + ": " + report.message);
     std::cout << name << ": " << report.number_of_parts << " part(s), " << report.charts.size()
@@ -770,10 +770,10 @@ public:
               << ", stretch " << format_number("%.3f", report.measures.l2_stretch) << ", covered "
               << format_number("%.3f", report.covered_share) << "\n";
 
-    using Cut_mesh = SMP::Cut_mesh<Mesh>;
+    using Cut_mesh = TA::Cut_mesh<Mesh>;
     using Cut_vertex = boost::graph_traits<Cut_mesh>::vertex_descriptor;
     std::vector<std::pair<Cut_vertex, Vertex>> copies;
-    CGAL::copy_face_graph(SMP::make_seam_mesh(copy, seams).mesh, m_surface,
+    CGAL::copy_face_graph(TA::make_seam_mesh(copy, seams).mesh, m_surface,
                           CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
     m_plane = m_surface;
     m_uv = m_surface.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;

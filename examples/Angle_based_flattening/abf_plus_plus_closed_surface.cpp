@@ -6,12 +6,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -21,7 +21,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-using Mesh = SMP::Cut_mesh<Surface>;
+namespace TA = CGAL::Texture_atlas;
+using Mesh = TA::Cut_mesh<Surface>;
 
 int main(int argc, char* argv[])
 {
@@ -32,9 +33,9 @@ int main(int argc, char* argv[])
   }
 
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
-  SMP::Seam_options options;
+  TA::Seam_options options;
   options.stretch_bound = 1.1;
-  const SMP::Seam_report report = SMP::select_seams(surface, seams, options);
+  const TA::Seam_report report = TA::select_seams(surface, seams, options);
   if(!report) {
     std::cerr << report.message << "\n";
     return 1;
@@ -44,9 +45,9 @@ int main(int argc, char* argv[])
 
   // A vertex on a seam has a place in the plane on each side: coordinates belong to halfedges.
   const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
-  for(const auto& disk : SMP::is_disk_cut(surface, seams).parts) {
-    const auto border = SMP::border_halfedge(mesh, disk.face);
+  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
+  for(const auto& disk : TA::is_disk_cut(surface, seams).parts) {
+    const auto border = TA::border_halfedge(mesh, disk.face);
     SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
     if(SMP::parameterize(mesh, parameterizer, border, uv) != SMP::OK) {
       std::cerr << parameterizer.report().message << "\n";
@@ -60,5 +61,5 @@ int main(int argc, char* argv[])
   // The seam mesh knows at which halfedge the coordinates of each corner are.
   const auto corner_uv = boost::make_function_property_map<Surface::Halfedge_index>(
       [&](Surface::Halfedge_index h) { return uv[target(Mesh::halfedge_descriptor(h), mesh)]; });
-  return SMP::IO::write_OBJ("abf_plus_plus_closed_surface.obj", surface, corner_uv) ? 0 : 1;
+  return TA::IO::write_OBJ("abf_plus_plus_closed_surface.obj", surface, corner_uv) ? 0 : 1;
 }

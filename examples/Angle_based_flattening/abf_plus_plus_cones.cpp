@@ -5,8 +5,8 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/flatten_with_cones.h>
 
 #include <cmath>
 #include <iostream>
@@ -14,7 +14,7 @@
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 int main(int argc, char* argv[])
 {
@@ -27,9 +27,9 @@ int main(int argc, char* argv[])
   // All angles around cones are right angles or multiples of them.
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   const UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  SMP::Cone_options options;
+  TA::Cone_options options;
   options.angle_multiple = CGAL_PI / 2;
-  const auto result = SMP::flatten_with_cones(mesh, 8, seams, uv, options);
+  const auto result = TA::flatten_with_cones(mesh, 8, seams, uv, options);
   if(!result) {
     std::cerr << result.message << "\n";
     return 1;
@@ -42,5 +42,5 @@ int main(int argc, char* argv[])
             << result.map.triangles << " triangles, " << result.map.iterations
             << " steps, lengths equal up to " << result.map.largest_seam_jump << "\n";
 
-  return SMP::IO::write_OBJ("abf_plus_plus_cones.obj", mesh, uv) ? 0 : 1;
+  return TA::IO::write_OBJ("abf_plus_plus_cones.obj", mesh, uv) ? 0 : 1;
 }

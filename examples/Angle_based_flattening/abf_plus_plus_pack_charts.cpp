@@ -6,12 +6,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 
 #include <iostream>
 
@@ -19,7 +19,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Halfedge = Surface::Halfedge_index;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-using Mesh = SMP::Cut_mesh<Surface>;
+namespace TA = CGAL::Texture_atlas;
+using Mesh = TA::Cut_mesh<Surface>;
 
 int main(int argc, char* argv[])
 {
@@ -29,17 +30,17 @@ int main(int argc, char* argv[])
     return 1;
   }
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
-  SMP::Seam_options seam_options;
+  TA::Seam_options seam_options;
   seam_options.stretch_bound = 1.05;
-  const SMP::Seam_report cut = SMP::select_seams(surface, seams, seam_options);
+  const TA::Seam_report cut = TA::select_seams(surface, seams, seam_options);
   if(!cut) {
     std::cerr << cut.message << "\n";
     return 1;
   }
   const auto uv_of_seam_mesh = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
+  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
-  if(SMP::parameterize(mesh, parameterizer, SMP::border_halfedge(mesh), uv_of_seam_mesh) != SMP::OK) {
+  if(SMP::parameterize(mesh, parameterizer, TA::border_halfedge(mesh), uv_of_seam_mesh) != SMP::OK) {
     std::cerr << parameterizer.report().message << "\n";
     return 1;
   }
@@ -51,15 +52,15 @@ int main(int argc, char* argv[])
       uv[h] = uv_of_seam_mesh[target(Mesh::halfedge_descriptor(h), mesh)];
 
   const auto chart = surface.add_property_map<Surface::Face_index, int>("f:chart").first;
-  const SMP::Overlap_split_report split = SMP::split_overlaps(surface, uv, seams, chart);
+  const TA::Overlap_split_report split = TA::split_overlaps(surface, uv, seams, chart);
   if(!split) {
     std::cerr << split.message << "\n";
     return 1;
   }
-  SMP::Packing_options packing_options;
+  TA::Packing_options packing_options;
   packing_options.resolution = 2048;
   packing_options.gutter = 4;
-  const SMP::Packing_report packing = SMP::pack_charts(surface, chart, uv, packing_options);
+  const TA::Packing_report packing = TA::pack_charts(surface, chart, uv, packing_options);
   if(!packing) {
     std::cerr << packing.message << "\n";
     return 1;
@@ -67,5 +68,5 @@ int main(int argc, char* argv[])
   std::cout << packing.number_of_charts << " charts cover " << 100 * packing.covered_share
             << " % of the texture, " << packing.texels_per_length << " texels for a length of 1\n";
 
-  return SMP::IO::write_OBJ("abf_plus_plus_pack_charts.obj", surface, uv) ? 0 : 1;
+  return TA::IO::write_OBJ("abf_plus_plus_pack_charts.obj", surface, uv) ? 0 : 1;
 }

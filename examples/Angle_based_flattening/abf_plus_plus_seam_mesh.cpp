@@ -7,10 +7,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/File_off.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <fstream>
 #include <iostream>
@@ -18,7 +18,8 @@
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-using Mesh = SMP::Cut_mesh<Surface>;
+namespace TA = CGAL::Texture_atlas;
+using Mesh = TA::Cut_mesh<Surface>;
 
 int main(int argc, char* argv[])
 {
@@ -30,18 +31,18 @@ int main(int argc, char* argv[])
 
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
   const char* file_name = argc > 2 ? argv[2] : "data/egg.selection.txt";
-  if(const auto report = SMP::read_seam_selection(file_name, surface, seams); !report) {
+  if(const auto report = TA::read_seam_selection(file_name, surface, seams); !report) {
     std::cerr << report.message << "\n";
     return 1;
   }
-  if(const auto check = SMP::is_disk_cut(surface, seams); !check) {
+  if(const auto check = TA::is_disk_cut(surface, seams); !check) {
     std::cerr << check.message << "\n";
     return 1;
   }
 
   // Along its seam the closed surface is cut open.
-  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
-  const auto border = SMP::border_halfedge(mesh);
+  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
+  const auto border = TA::border_halfedge(mesh);
 
   // A vertex on the seam has a place in the plane on each side: coordinates belong to halfedges.
   const auto uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv").first;

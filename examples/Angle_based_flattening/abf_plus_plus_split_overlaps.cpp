@@ -6,12 +6,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -23,7 +23,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Halfedge = Surface::Halfedge_index;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-using Mesh = SMP::Cut_mesh<Surface>;
+namespace TA = CGAL::Texture_atlas;
+using Mesh = TA::Cut_mesh<Surface>;
 
 int main(int argc, char* argv[])
 {
@@ -33,30 +34,30 @@ int main(int argc, char* argv[])
     return 1;
   }
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
-  SMP::Seam_options seam_options;
+  TA::Seam_options seam_options;
   seam_options.stretch_bound = 1.05;
-  const SMP::Seam_report cut = SMP::select_seams(surface, seams, seam_options);
+  const TA::Seam_report cut = TA::select_seams(surface, seams, seam_options);
   if(!cut) {
     std::cerr << cut.message << "\n";
     return 1;
   }
 
   const auto uv = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = SMP::make_seam_mesh(surface, seams).mesh;
+  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
-  if(SMP::parameterize(mesh, parameterizer, SMP::border_halfedge(mesh), uv) != SMP::OK) {
+  if(SMP::parameterize(mesh, parameterizer, TA::border_halfedge(mesh), uv) != SMP::OK) {
     std::cerr << parameterizer.report().message << "\n";
     return 1;
   }
   std::vector<Surface::Face_index> overlapping;
-  SMP::overlapping_faces(mesh, uv, std::back_inserter(overlapping));
+  TA::overlapping_faces(mesh, uv, std::back_inserter(overlapping));
   std::cout << overlapping.size() << " of " << surface.number_of_faces() << " faces overlap others\n";
 
   // The seam mesh knows at which halfedge the coordinates of each corner are.
   const auto corner_uv = boost::make_function_property_map<Halfedge>(
       [&](Halfedge h) { return uv[target(Mesh::halfedge_descriptor(h), mesh)]; });
   const auto piece = surface.add_property_map<Surface::Face_index, int>("f:piece").first;
-  const SMP::Overlap_split_report split = SMP::split_overlaps(surface, corner_uv, seams, piece);
+  const TA::Overlap_split_report split = TA::split_overlaps(surface, corner_uv, seams, piece);
   if(!split) {
     std::cerr << split.message << "\n";
     return 1;
@@ -64,8 +65,8 @@ int main(int argc, char* argv[])
   std::cout << split.number_of_pieces << " pieces without overlap, borders " << 100 * split.extra_seam
             << " % longer\n";
 
-  return SMP::IO::write_OBJ("abf_plus_plus_split_overlaps.obj", surface, corner_uv,
-                            CGAL::parameters::face_patch_map(piece))
+  return TA::IO::write_OBJ("abf_plus_plus_split_overlaps.obj", surface, corner_uv,
+                           CGAL::parameters::face_patch_map(piece))
              ? 0
              : 1;
 }

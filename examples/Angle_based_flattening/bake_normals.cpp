@@ -7,9 +7,9 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/bake_surface.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -27,10 +27,10 @@
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace SMS = CGAL::Surface_mesh_simplification;
 namespace np = CGAL::parameters;
-using Frame_map = Surface::Property_map<Surface::Halfedge_index, SMP::Tangent_frame>;
+using Frame_map = Surface::Property_map<Surface::Halfedge_index, TA::Tangent_frame>;
 
 // `format` is one of libpng's: PNG_FORMAT_RGB for 8 bits, or PNG_FORMAT_LINEAR_Y for grey of 16 bits.
 bool write_png(const char* name, int resolution, png_uint_32 format, const void* pixels)
@@ -44,7 +44,7 @@ bool write_png(const char* name, int resolution, png_uint_32 format, const void*
 
 // The material names both pictures, and the normals are those that the texture refers to.
 bool write_obj(Surface& surface, const UV_map& uv, const Frame_map& frames,
-               const SMP::Baked_textures& textures)
+               const TA::Baked_textures& textures)
 {
   const auto normals =
       surface.add_property_map<Surface::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR).first;
@@ -54,12 +54,12 @@ bool write_obj(Surface& surface, const UV_map& uv, const Frame_map& frames,
       normals[target(h, surface)] = Kernel::Vector_3(n[0], n[1], n[2]);
     }
   }
-  SMP::OBJ_material material;
+  TA::OBJ_material material;
   material.normal_image = "bake_normals.png";
   material.displacement_image = "bake_displacement.png";
   material.least_displacement = textures.least_displacement;
   material.greatest_displacement = textures.greatest_displacement;
-  return bool(SMP::IO::write_OBJ("bake_normals.obj", surface, uv, material, np::vertex_normal_map(normals)));
+  return bool(TA::IO::write_OBJ("bake_normals.obj", surface, uv, material, np::vertex_normal_map(normals)));
 }
 
 // Each corner is a vertex of its own: 12 numbers, 48 bytes. In glTF, v goes down, and numbers are little endian, as on
@@ -121,19 +121,19 @@ int main(int argc, char* argv[])
   simple.collect_garbage();
 
   const UV_map uv = simple.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  SMP::Atlas_options atlas_options;
+  TA::Atlas_options atlas_options;
   atlas_options.resolution = 512;
-  const SMP::Atlas_report atlas = SMP::make_atlas(simple, uv, atlas_options);
+  const TA::Atlas_report atlas = TA::make_atlas(simple, uv, atlas_options);
   if(!atlas) {
     std::cerr << atlas.message << "\n";
     return 1;
   }
 
   const Frame_map frames =
-      simple.add_property_map<Surface::Halfedge_index, SMP::Tangent_frame>("h:frame").first;
-  SMP::Baking_options baking_options;
+      simple.add_property_map<Surface::Halfedge_index, TA::Tangent_frame>("h:frame").first;
+  TA::Baking_options baking_options;
   baking_options.resolution = 512;
-  const SMP::Baked_textures textures = SMP::bake_surface(simple, uv, fine, frames, baking_options);
+  const TA::Baked_textures textures = TA::bake_surface(simple, uv, fine, frames, baking_options);
   if(!textures) {
     std::cerr << textures.message << "\n";
     return 1;

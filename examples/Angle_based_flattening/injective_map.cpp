@@ -10,10 +10,10 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <iostream>
 #include <string>
@@ -22,16 +22,17 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 // The surface, cut open along so many seams that its map overlaps itself
 Mesh cut_open(Mesh& surface)
 {
   const auto seams = surface.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  SMP::Seam_options seam_options;
+  TA::Seam_options seam_options;
   seam_options.stretch_bound = 1.05;
-  SMP::select_seams(surface, seams, seam_options);
+  TA::select_seams(surface, seams, seam_options);
   Mesh chart;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(surface, seams).mesh, chart);
+  CGAL::copy_face_graph(TA::make_seam_mesh(surface, seams).mesh, chart);
   return chart;
 }
 

@@ -6,15 +6,15 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <iostream>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 int main(int argc, char* argv[])
 {
@@ -25,7 +25,7 @@ int main(int argc, char* argv[])
   }
 
   const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  const SMP::Atlas_report report = SMP::make_atlas(surface, uv);
+  const TA::Atlas_report report = TA::make_atlas(surface, uv);
   for(const auto& part : report.skipped)
     std::cerr << part.number_of_faces << " faces have no chart: " << part.message << "\n";
   if(!report.has_atlas()) {
@@ -39,5 +39,5 @@ int main(int argc, char* argv[])
             << ", stretch " << report.measures.l2_stretch << ", covered " << 100 * report.covered_share
             << " %\n";
 
-  return SMP::IO::write_OBJ("make_atlas.obj", surface, uv) && report ? 0 : 1;
+  return TA::IO::write_OBJ("make_atlas.obj", surface, uv) && report ? 0 : 1;
 }

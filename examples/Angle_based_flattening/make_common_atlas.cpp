@@ -6,8 +6,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <cstddef>
 #include <iostream>
@@ -17,7 +17,7 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Surface::Property_map<Surface::Halfedge_index, Kernel::Point_2>;
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 int main(int argc, char* argv[])
 {
@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
         surfaces[i].add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first);
   }
 
-  const SMP::Atlas_report report = SMP::make_common_atlas(surfaces, uv, SMP::Atlas_options::TEXTURE);
+  const TA::Atlas_report report = TA::make_common_atlas(surfaces, uv, TA::Atlas_options::TEXTURE);
   for(const auto& part : report.skipped)
     std::cerr << names[part.mesh] << ": " << part.message << "\n";
   if(!report.has_atlas()) {
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
       faces += chart.mesh == i ? chart.number_of_faces : 0;
     std::cout << names[i] << ": " << faces << " faces in charts\n";
     is_written =
-        SMP::IO::write_OBJ("common_atlas_" + std::to_string(i) + ".obj", surfaces[i], uv[i]) && is_written;
+        TA::IO::write_OBJ("common_atlas_" + std::to_string(i) + ".obj", surfaces[i], uv[i]) && is_written;
   }
   std::cout << "covered " << 100 * report.covered_share << " %\n";
   return is_written && report ? 0 : 1;

@@ -21,7 +21,7 @@
 #include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/weld_option.h"
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
 
 #include <pybind11/stl.h>
 
@@ -74,7 +74,7 @@ Command_line command_of(const py::dict& options)
   take("height", atlas.height);
   take("block", atlas.block);
   take("texels_per_unit", atlas.texels_per_unit);
-  SMP::Packing_options packing;
+  TA::Packing_options packing;
   packing.resolution = atlas.resolution;
   packing.height = atlas.height;
   atlas.gutter = packing.number_of_gutter_texels();

@@ -8,7 +8,7 @@
 
 #include "failures.h"
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 
 #include <pybind11/pybind11.h>
@@ -23,6 +23,7 @@ namespace abf_python {
 
 namespace py = pybind11;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 // How far a computation is. It is written by the thread that computes, and read by the one that waits.
 struct Progress_state
@@ -39,7 +40,7 @@ struct Progress_state
   }
 };
 
-class Atlas_watcher : public SMP::Atlas_visitor
+class Atlas_watcher : public TA::Atlas_visitor
 {
 public:
   explicit Atlas_watcher(Progress_state& state) : m_state(state) {}

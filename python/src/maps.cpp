@@ -14,8 +14,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 
 #include <pybind11/stl.h>
 
@@ -73,7 +73,7 @@ Certificate certify(const Given_mesh& given, const Watch& watch)
         SMP::flipped_faces(surface.mesh, uv, std::back_inserter(faces));
         certificate.flipped = faces_in_model(surface, faces);
         faces.clear();
-        SMP::overlapping_faces(surface.mesh, uv, std::back_inserter(faces));
+        TA::overlapping_faces(surface.mesh, uv, std::back_inserter(faces));
         certificate.overlapping = faces_in_model(surface, faces);
       }
       return certificate;
@@ -81,9 +81,9 @@ Certificate certify(const Given_mesh& given, const Watch& watch)
   });
 }
 
-SMP::Packing_options packing_options(const py::dict& options)
+TA::Packing_options packing_options(const py::dict& options)
 {
-  SMP::Packing_options packing;
+  TA::Packing_options packing;
   const Option_taker take(options);
   take("resolution", packing.resolution);
   take("height", packing.height);
@@ -94,7 +94,7 @@ SMP::Packing_options packing_options(const py::dict& options)
   return packing;
 }
 
-std::string packing_json(const SMP::Packing_report& report)
+std::string packing_json(const TA::Packing_report& report)
 {
   flatten_mesh::internal::Json_object json;
   json.add("pages", json_number(report.number_of_pages));
@@ -118,7 +118,7 @@ Packing pack(const Given_mesh& given, const std::vector<std::size_t>& first_face
              const py::dict& given_options, const Watch& watch)
 {
   Model model = model_of(given, "");
-  const SMP::Packing_options options = packing_options(given_options);
+  const TA::Packing_options options = packing_options(given_options);
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
       Surface surface = surface_of(std::move(model));
@@ -130,7 +130,7 @@ Packing pack(const Given_mesh& given, const std::vector<std::size_t>& first_face
         chart[f] = static_cast<int>(after - first_faces.begin()) - 1;
       }
       const auto uv = corner_map(surface);
-      const auto report = SMP::pack_charts(mesh, chart, uv, options);
+      const auto report = TA::pack_charts(mesh, chart, uv, options);
       check_report(surface, report);
       const double none = std::numeric_limits<double>::quiet_NaN();
       Packing packing{std::vector<Kernel::Point_2>(mesh.number_of_vertices(), Kernel::Point_2(none, none)),

@@ -10,11 +10,11 @@
 
 #include "flatten_mesh/json.h"
 
-#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
-#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
-#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/bake_surface.h>
+#include <CGAL/Texture_atlas/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/seam_weights.h>
+#include <CGAL/Texture_atlas/select_cones.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <pybind11/stl.h>
 
@@ -36,7 +36,7 @@ struct Seams
   std::string json;
 };
 
-std::string json_of(const SMP::Seam_report& report)
+std::string json_of(const TA::Seam_report& report)
 {
   Json_object json;
   json.add("components", json_number(report.number_of_components));
@@ -55,8 +55,8 @@ std::optional<Weights> weights_of(Surface& surface, const std::string& way)
     return std::nullopt;
   }
   const Weights weights = surface.mesh.add_property_map<Edge, double>("e:weight", 0).first;
-  check_report(surface, way == "hidden" ? SMP::compute_visibility_weights(surface.mesh, weights)
-                                        : SMP::compute_crease_weights(surface.mesh, weights));
+  check_report(surface, way == "hidden" ? TA::compute_visibility_weights(surface.mesh, weights)
+                                        : TA::compute_crease_weights(surface.mesh, weights));
   return weights;
 }
 
@@ -65,7 +65,7 @@ Seams seams(const Given_mesh& given, const std::string& way, const double stretc
 {
   Model model = model_of(given, "");
   const Vertex_pairs marked = pairs_of(given.marked_seams, model.points.size(), "");
-  SMP::Seam_options options;
+  TA::Seam_options options;
   options.stretch_bound = stretch_bound;
   options.maximum_number_of_terminals = maximum_number_of_terminals;
   return run_interruptibly(watch, [&](Progress_state&) {
@@ -76,11 +76,11 @@ Seams seams(const Given_mesh& given, const std::string& way, const double stretc
       const auto is_seam = flatten_mesh::seam_marks(surface.mesh),
                  is_diagonal = flatten_mesh::diagonals(surface.mesh);
       const std::optional<Weights> weights = weights_of(surface, way);
-      const SMP::Mesh_report<Mesh, SMP::Seam_report> report =
+      const SMP::Mesh_report<Mesh, TA::Seam_report> report =
           weights
-              ? SMP::select_seams(surface.mesh, is_seam, options,
-                                  np::edge_weight_map(*weights).edge_is_constrained_map(is_diagonal))
-              : SMP::select_seams(surface.mesh, is_seam, options, np::edge_is_constrained_map(is_diagonal));
+              ? TA::select_seams(surface.mesh, is_seam, options,
+                                 np::edge_weight_map(*weights).edge_is_constrained_map(is_diagonal))
+              : TA::select_seams(surface.mesh, is_seam, options, np::edge_is_constrained_map(is_diagonal));
       check_report(surface, report);
       return Seams{marked_pairs(surface.mesh, is_seam), json_of(report)};
     });
@@ -89,7 +89,7 @@ Seams seams(const Given_mesh& given, const std::string& way, const double stretc
 
 using Cones = std::vector<std::pair<std::int64_t, double>>; // vertices and angles
 
-Cones cones_of(const SMP::Cone_selection<Mesh>& selection)
+Cones cones_of(const TA::Cone_selection<Mesh>& selection)
 {
   Cones cones;
   for(const auto& [v, angle] : selection.cones) {
@@ -114,20 +114,20 @@ Cone_map cones(const Given_mesh& given, const std::size_t number, const double a
     return with_failures([&] {
       Surface surface = surface_of(std::move(model));
       Mesh& mesh = surface.mesh;
-      SMP::Cone_options options;
+      TA::Cone_options options;
       options.angle_multiple = angle_multiple;
       options.parameterizer.threads = threads;
       Flattening_watcher watcher;
       watcher.follow(state);
       options.parameterizer.visitor = &watcher;
       if(!is_flattened) {
-        const auto selection = SMP::select_cones(mesh, number, options);
+        const auto selection = TA::select_cones(mesh, number, options);
         check_report(surface, selection);
         return Cone_map{cones_of(selection), selection.predicted_stretch, {}, {}};
       }
       const auto uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
       const auto is_seam = flatten_mesh::seam_marks(mesh);
-      const auto flattening = SMP::flatten_with_cones(mesh, number, is_seam, uv, options);
+      const auto flattening = TA::flatten_with_cones(mesh, number, is_seam, uv, options);
       check_report(surface, flattening);
       return Cone_map{cones_of(flattening.cones), flattening.cones.predicted_stretch, corners_of(surface, uv),
                       marked_pairs(mesh, is_seam)};
@@ -135,9 +135,9 @@ Cone_map cones(const Given_mesh& given, const std::size_t number, const double a
   });
 }
 
-using Fine_surface = SMP::Baked_surface<Mesh, Mesh>;
+using Fine_surface = TA::Baked_surface<Mesh, Mesh>;
 
-std::string json_of(const SMP::Baking_report& report)
+std::string json_of(const TA::Baking_report& report)
 {
   Json_object json;
   json.add("chart_texels", json_number(report.number_of_chart_texels));
@@ -160,13 +160,13 @@ Mesh::Property_map<Vertex, CGAL::IO::Color> colors_of(const std::vector<std::arr
   return colors;
 }
 
-SMP::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
-                         const std::vector<std::array<std::uint8_t, 3>>& given_colors,
-                         const SMP::Baking_options& options, const Watch& watch)
+TA::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
+                        const std::vector<std::array<std::uint8_t, 3>>& given_colors,
+                        const TA::Baking_options& options, const Watch& watch)
 {
   Model model = model_of(given, ""), fine_model = model_of(given_fine, "the fine mesh");
   return run_interruptibly(watch, [&](Progress_state&) {
-    return with_failures([&]() -> SMP::Baked_textures {
+    return with_failures([&]() -> TA::Baked_textures {
       namespace np = CGAL::parameters;
       Surface surface = surface_of(std::move(model)), fine = surface_of(std::move(fine_model));
       const auto uv = corner_map(surface);
@@ -177,16 +177,16 @@ SMP::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
       }
       const auto charts = np::face_patch_map(chart);
       const Fine_surface baked =
-          given_colors.empty() ? SMP::bake_surface(surface.mesh, uv, fine.mesh, options, charts)
-                               : SMP::bake_surface(surface.mesh, uv, fine.mesh, options, charts,
-                                                   np::vertex_color_map(colors_of(given_colors, fine.mesh)));
+          given_colors.empty() ? TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts)
+                               : TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts,
+                                                  np::vertex_color_map(colors_of(given_colors, fine.mesh)));
       check_report(surface, baked);
       return baked;
     });
   });
 }
 
-py::tuple tuple_of(SMP::Baked_textures&& textures)
+py::tuple tuple_of(TA::Baked_textures&& textures)
 {
   const std::string json = json_of(textures);
   const py::ssize_t rows = textures.height, columns = textures.resolution;
@@ -216,7 +216,7 @@ void bind_surfaces(py::module_& module)
   module.def("bake", [](const Given_mesh& given, const Given_mesh& fine,
                         const std::vector<std::array<std::uint8_t, 3>>& colors, const py::dict& values,
                         const Watch& watch) {
-    SMP::Baking_options options;
+    TA::Baking_options options;
     options.resolution = values["resolution"].cast<int>();
     options.height = values["height"].cast<std::optional<int>>();
     options.gutter = values["gutter"].cast<int>();

@@ -3,5 +3,5 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/build_atlas_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/cones/choose_cones_impl.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas_impl.h>
+#include <CGAL/Texture_atlas/internal/cones/choose_cones_impl.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/separate_overlaps.h>
+#include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -22,7 +22,12 @@ template bool is_injective_at_vertices(const std::vector<int>&, const std::vecto
 template bool bounds_region(const std::vector<Border_edge>&, const std::vector<Exact_point_2>&);
 template std::vector<std::pair<int, int>> touching_edges(const std::vector<Border_edge>&,
                                                          const std::vector<Exact_point_2>&);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+
+namespace CGAL::Texture_atlas::internal {
+
 template Separation separate_overlaps(const Chart&, const std::vector<double>&,
                                       const std::vector<Exact_point_2>&);
 
-} // namespace CGAL::Surface_mesh_parameterization::internal::ABF
+} // namespace CGAL::Texture_atlas::internal

@@ -3,4 +3,4 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/crease_division_impl.h>
+#include <CGAL/Texture_atlas/internal/seams/crease_division_impl.h>

@@ -3,5 +3,5 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/symmetry_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/visibility_impl.h>
+#include <CGAL/Texture_atlas/internal/seams/symmetry_impl.h>
+#include <CGAL/Texture_atlas/internal/seams/visibility_impl.h>

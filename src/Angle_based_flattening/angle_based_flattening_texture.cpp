@@ -3,5 +3,5 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/baking/bake_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack_impl.h>
+#include <CGAL/Texture_atlas/internal/baking/bake_impl.h>
+#include <CGAL/Texture_atlas/internal/packing/pack_impl.h>

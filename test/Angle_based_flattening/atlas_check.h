@@ -8,7 +8,7 @@
 
 #include "overlaps.h"
 
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
@@ -35,9 +35,10 @@
 namespace atlas_check {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
-using SMP::Atlas_options;
-using SMP::Atlas_report;
+using TA::Atlas_options;
+using TA::Atlas_report;
 using SMP::Diagnosis;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> Undirected_graph;
@@ -207,7 +208,7 @@ Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options, const Na
   Atlas_run before, run;
   read_run(mesh, points, uv, charts, seams, before);
   run.was_seam = before.is_seam;
-  run.report = SMP::make_atlas(mesh, seams, uv, charts, options, np);
+  run.report = TA::make_atlas(mesh, seams, uv, charts, options, np);
   read_run(mesh, points, uv, charts, seams, run);
   return run;
 }

@@ -8,7 +8,7 @@
 
 // Surfaces for tests of baking, and what a viewer makes of baked textures.
 
-#include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
+#include <CGAL/Texture_atlas/Baked_textures.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -29,6 +29,7 @@
 namespace baked_surfaces {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Surface::Vertex_index;
@@ -104,7 +105,7 @@ Surface sheet(int cells, const Height& height)
 }
 
 using Uv_map = Surface::Property_map<Halfedge, Kernel::Point_2>;
-using Frame_map = Surface::Property_map<Halfedge, SMP::Tangent_frame>;
+using Frame_map = Surface::Property_map<Halfedge, TA::Tangent_frame>;
 
 inline Uv_map uv_map(Surface& surface)
 {
@@ -113,7 +114,7 @@ inline Uv_map uv_map(Surface& surface)
 
 inline Frame_map frame_map(Surface& surface)
 {
-  return surface.add_property_map<Halfedge, SMP::Tangent_frame>("h:frame").first;
+  return surface.add_property_map<Halfedge, TA::Tangent_frame>("h:frame").first;
 }
 
 // Texture coordinates of a sheet: those of `place` at its x and y

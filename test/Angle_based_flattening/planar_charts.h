@@ -6,7 +6,7 @@
 #ifndef ANGLE_BASED_FLATTENING_PLANAR_CHARTS_H
 #define ANGLE_BASED_FLATTENING_PLANAR_CHARTS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
+#include <CGAL/Texture_atlas/internal/packing/pack.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -23,6 +23,7 @@
 namespace test_charts {
 
 namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
+namespace TA = CGAL::Texture_atlas;
 using ABF::Planar_point;
 
 struct Planar_charts
@@ -66,13 +67,14 @@ struct Planar_charts
   }
 };
 
-inline ABF::Packing pack(const Planar_charts& charts,
-                         const CGAL::Surface_mesh_parameterization::Packing_options& options)
+inline TA::internal::Packing pack(const Planar_charts& charts,
+                                  const CGAL::Texture_atlas::Packing_options& options)
 {
-  return ABF::pack(charts.corners, charts.chart, charts.area, charts.number, options);
+  return TA::internal::pack(charts.corners, charts.chart, charts.area, charts.number, options);
 }
 
-inline std::vector<Planar_point> placed_corners(const Planar_charts& charts, const ABF::Packing& packing)
+inline std::vector<Planar_point> placed_corners(const Planar_charts& charts,
+                                                const TA::internal::Packing& packing)
 {
   std::vector<Planar_point> result;
   for(std::size_t c = 0; c < charts.corners.size(); ++c)

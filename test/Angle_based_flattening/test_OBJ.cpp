@@ -14,7 +14,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -47,6 +47,7 @@
 BOOST_AUTO_TEST_SUITE(test_OBJ)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
 typedef Kernel::Point_3 Point_3;
@@ -202,10 +203,10 @@ void check_round_trip()
       Textured<Mesh_, Point> written, read;
       written.generate(random);
       std::stringstream stream, again;
-      const SMP::OBJ_report report = SMP::IO::write_OBJ(stream, written.mesh, written.uv,
-                                                        CGAL::parameters::face_patch_map(written.patch));
+      const TA::OBJ_report report = TA::IO::write_OBJ(stream, written.mesh, written.uv,
+                                                      CGAL::parameters::face_patch_map(written.patch));
       BOOST_TEST_REQUIRE(bool(report));
-      const SMP::OBJ_report back = SMP::IO::read_OBJ(stream, read.mesh, read.uv);
+      const TA::OBJ_report back = TA::IO::read_OBJ(stream, read.mesh, read.uv);
       BOOST_TEST_REQUIRE(bool(back), back.message);
       BOOST_TEST(vertices(read.mesh).size() == vertices(written.mesh).size());
       BOOST_TEST(num_edges(read.mesh) == num_edges(written.mesh));
@@ -215,15 +216,15 @@ void check_round_trip()
       for(const auto f : faces(written.mesh))
         put(read.patch, *face++, get(written.patch, f));
       BOOST_TEST((read.corners(true, 7) == written.corners(true, 7)));
-      SMP::IO::write_OBJ(again, read.mesh, read.uv, CGAL::parameters::face_patch_map(read.patch));
+      TA::IO::write_OBJ(again, read.mesh, read.uv, CGAL::parameters::face_patch_map(read.patch));
       BOOST_TEST((again.str() == stream.str()));
       BOOST_TEST(is_valid_without_isolated_vertices(read.mesh));
 
       // All are in one chart
       Textured<Mesh_, Point> whole;
       std::stringstream one_chart;
-      BOOST_TEST(bool(SMP::IO::write_OBJ(one_chart, written.mesh, written.uv)));
-      BOOST_TEST(bool(SMP::IO::read_OBJ(one_chart, whole.mesh, whole.uv)));
+      BOOST_TEST(bool(TA::IO::write_OBJ(one_chart, written.mesh, written.uv)));
+      BOOST_TEST(bool(TA::IO::read_OBJ(one_chart, whole.mesh, whole.uv)));
       BOOST_TEST((whole.corners(false, 7) == written.corners(false, 7)));
     }
   BOOST_TEST(without > 100u);
@@ -232,12 +233,12 @@ void check_round_trip()
 // The points and texture coordinates that a text describes, or what is wrong with it
 struct Text_mesh : Textured<Mesh>
 {
-  SMP::OBJ_report report;
+  TA::OBJ_report report;
 
   explicit Text_mesh(const std::string& text)
   {
     std::istringstream in(text);
-    report = SMP::IO::read_OBJ(in, mesh, uv);
+    report = TA::IO::read_OBJ(in, mesh, uv);
   }
 };
 
@@ -270,13 +271,13 @@ BOOST_AUTO_TEST_CASE(any_stream)
   odd.precision(1);
   odd.width(3);
   const std::locale before = std::locale::global(odd.getloc());
-  BOOST_TEST(bool(SMP::IO::write_OBJ(plain, written.mesh, written.uv)));
-  BOOST_TEST(bool(SMP::IO::write_OBJ(odd, written.mesh, written.uv)));
+  BOOST_TEST(bool(TA::IO::write_OBJ(plain, written.mesh, written.uv)));
+  BOOST_TEST(bool(TA::IO::write_OBJ(odd, written.mesh, written.uv)));
   BOOST_TEST(plain.str() == odd.str());
   Textured<Mesh> read;
   std::istringstream in(odd.str());
   in.imbue(odd.getloc());
-  BOOST_TEST(bool(SMP::IO::read_OBJ(in, read.mesh, read.uv)));
+  BOOST_TEST(bool(TA::IO::read_OBJ(in, read.mesh, read.uv)));
   BOOST_TEST((read.corners(false, 0) == written.corners(false, 0)));
   const Text_mesh tiny("v 1e-400 -1e-310 1.5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::locale::global(before);
@@ -288,13 +289,13 @@ BOOST_AUTO_TEST_CASE(precision)
 {
   const Text_mesh third("v 0.3333333333333333 0 100000\nv 1 0 0\nv 0 1 0\nvt 0.123456 1e-9\nf 1/1 2/1 3/1\n");
   std::ostringstream out;
-  BOOST_TEST(bool(SMP::IO::write_OBJ(out, third.mesh, third.uv, CGAL::parameters::stream_precision(3))));
+  BOOST_TEST(bool(TA::IO::write_OBJ(out, third.mesh, third.uv, CGAL::parameters::stream_precision(3))));
   BOOST_TEST(out.str() ==
              "v 0.333 0 1e+05\nv 1 0 0\nv 0 1 0\nvt 0.123 1e-09\nvt 0.123 1e-09\nvt 0.123 1e-09\n"
              "f 1/1 2/2 3/3\n");
   for(const int digits : {0, -1, 18})
     BOOST_TEST(
-        (SMP::IO::write_OBJ(out, third.mesh, third.uv, CGAL::parameters::stream_precision(digits)).status ==
+        (TA::IO::write_OBJ(out, third.mesh, third.uv, CGAL::parameters::stream_precision(digits)).status ==
          SMP::Diagnosis::WRONG_OPTION));
 }
 
@@ -408,7 +409,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_type_float)
     CGAL::Surface_mesh<Float::Point_3> mesh;
     const auto uv = get(CGAL::dynamic_halfedge_property_t<Float::Point_2>(), mesh);
     std::istringstream in(text + "v 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n");
-    const SMP::OBJ_report report = SMP::IO::read_OBJ(in, mesh, uv);
+    const TA::OBJ_report report = TA::IO::read_OBJ(in, mesh, uv);
     BOOST_TEST(mesh.number_of_vertices() == (report ? 3u : 0u));
     BOOST_TEST((report || report.status == SMP::Diagnosis::PRECISION_EXCEEDED));
     return report.message;
@@ -426,17 +427,17 @@ BOOST_AUTO_TEST_CASE(meshes_grow)
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
   for(int i = 0; i < 2; ++i) {
     std::istringstream in(triangle);
-    BOOST_TEST(bool(SMP::IO::read_OBJ(in, both.mesh, both.uv)));
+    BOOST_TEST(bool(TA::IO::read_OBJ(in, both.mesh, both.uv)));
   }
   BOOST_TEST(num_vertices(both.mesh) == 6u);
   BOOST_TEST(num_faces(both.mesh) == 2u);
   std::istringstream wrong(triangle + "f 1 2 3\n");
-  BOOST_TEST(!SMP::IO::read_OBJ(wrong, both.mesh, both.uv));
+  BOOST_TEST(!TA::IO::read_OBJ(wrong, both.mesh, both.uv));
   BOOST_TEST(num_vertices(both.mesh) == 6u);
 
   const auto far = both.mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:far", Point_3(0, 0, 0)).first;
   std::istringstream in("v 9 8 7\nv 0 1 0\nv 1 0 0\nf 1 2 3\n");
-  BOOST_TEST(bool(SMP::IO::read_OBJ(in, both.mesh, both.uv, CGAL::parameters::vertex_point_map(far))));
+  BOOST_TEST(bool(TA::IO::read_OBJ(in, both.mesh, both.uv, CGAL::parameters::vertex_point_map(far))));
   BOOST_TEST(far[Mesh::Vertex_index(6)] == Point_3(9, 8, 7));
 }
 
@@ -450,10 +451,10 @@ BOOST_AUTO_TEST_CASE(maps_of_vertices)
     for(const auto v : written.mesh.vertices())
       uv[v] = Point_2(any_number(random), any_number(random));
     std::stringstream stream;
-    BOOST_TEST(bool(SMP::IO::write_OBJ(stream, written.mesh, uv)));
+    BOOST_TEST(bool(TA::IO::write_OBJ(stream, written.mesh, uv)));
     Mesh read;
     const auto read_uv = read.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-    BOOST_TEST(bool(SMP::IO::read_OBJ(stream, read, read_uv)));
+    BOOST_TEST(bool(TA::IO::read_OBJ(stream, read, read_uv)));
     for(const auto v : written.mesh.vertices()) {
       if(written.mesh.is_isolated(v))
         continue;
@@ -466,7 +467,7 @@ BOOST_AUTO_TEST_CASE(maps_of_vertices)
     Mesh mesh;
     const auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(-1, -1)).first;
     std::istringstream in(points + coordinates + "vt 0 0\n" + faces);
-    SMP::OBJ_report report = SMP::IO::read_OBJ(in, mesh, uv);
+    TA::OBJ_report report = TA::IO::read_OBJ(in, mesh, uv);
     if(report)
       for(const auto v : mesh.vertices())
         report.message += std::to_string(static_cast<int>(2 * uv[v].x())) + " ";
@@ -476,7 +477,7 @@ BOOST_AUTO_TEST_CASE(maps_of_vertices)
   };
   BOOST_TEST(read("f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n").message == "0 1 1 0 -2 "); // equal, but other numbers
   BOOST_TEST(read("f 1/1 2/2 3/3\nf 1 3 4\n").message == "0 1 1 -2 -2 ");
-  const SMP::OBJ_report seam = read("f 1/1 2/2 3/3\nf 1/1 3/4 4/4\n");
+  const TA::OBJ_report seam = read("f 1/1 2/2 3/3\nf 1/1 3/4 4/4\n");
   BOOST_TEST(seam.status == SMP::Diagnosis::INCONSISTENT_COORDINATES);
   BOOST_TEST(seam.line == 12u);
   BOOST_TEST(seam.message.find("vertex 3 has other coordinates in face 2") != std::string::npos);
@@ -507,10 +508,10 @@ BOOST_AUTO_TEST_CASE(seam_meshes_are_written_cut_open)
   const auto uv_of_vertex = boost::make_function_property_map<Vertex>(
       [&](const Vertex& v) { return get(uv, Mesh::Halfedge_index(v)); });
   std::stringstream stream;
-  BOOST_TEST_REQUIRE(bool(SMP::IO::write_OBJ(stream, cut, uv_of_vertex)));
+  BOOST_TEST_REQUIRE(bool(TA::IO::write_OBJ(stream, cut, uv_of_vertex)));
   Mesh read;
   const auto read_uv = read.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-  BOOST_TEST_REQUIRE(bool(SMP::IO::read_OBJ(stream, read, read_uv)));
+  BOOST_TEST_REQUIRE(bool(TA::IO::read_OBJ(stream, read, read_uv)));
   BOOST_TEST(read.number_of_vertices() == sphere.number_of_vertices() + 3);
   BOOST_TEST(read.number_of_faces() == sphere.number_of_faces());
   auto v = read.vertices().begin();
@@ -629,17 +630,17 @@ BOOST_AUTO_TEST_CASE(materials)
   const Text_mesh square("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\n"
                          "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 1/1 4/4 5/3\n");
   BOOST_TEST_REQUIRE(bool(square.report));
-  SMP::OBJ_material material;
+  TA::OBJ_material material;
   material.name = "stone";
   material.color_image = "stone colours.png";
-  BOOST_TEST(bool(SMP::IO::write_OBJ("test_OBJ.one.obj", square.mesh, square.uv, material)));
+  BOOST_TEST(bool(TA::IO::write_OBJ("test_OBJ.one.obj", square.mesh, square.uv, material)));
   BOOST_TEST(content_of("test_OBJ.one.mtl") == "newmtl stone\nKd 1 1 1\nmap_Kd stone colours.png\n");
   const std::string text = content_of("test_OBJ.one.obj");
   BOOST_TEST(text.find("mtllib test_OBJ.one.mtl\nv 0 0 0\n") == 0u);
   BOOST_TEST(text.find("usemtl stone\nvt") != std::string::npos);
   BOOST_TEST(text.find("usemtl") == text.rfind("usemtl"));
 
-  std::vector<SMP::OBJ_material> several(3, material);
+  std::vector<TA::OBJ_material> several(3, material);
   several[0].name = "plain";
   several[0].color = {0.5, 0.25, 1};
   several[0].color_image.clear();
@@ -655,8 +656,8 @@ BOOST_AUTO_TEST_CASE(materials)
   auto normals = get(CGAL::dynamic_vertex_property_t<Kernel::Vector_3>(), square.mesh);
   for(const auto v : vertices(square.mesh))
     put(normals, v, Kernel::Vector_3(0, 0, v.idx()));
-  BOOST_TEST(bool(SMP::IO::write_OBJ("test_OBJ.obj", square.mesh, square.uv, kind, several,
-                                     CGAL::parameters::vertex_normal_map(normals))));
+  BOOST_TEST(bool(TA::IO::write_OBJ("test_OBJ.obj", square.mesh, square.uv, kind, several,
+                                    CGAL::parameters::vertex_normal_map(normals))));
   BOOST_TEST(content_of("test_OBJ.mtl") ==
              "newmtl plain\nKd 0.5 0.25 1\nnewmtl stone\nKd 1 1 1\nmap_Kd stone colours.png\n"
              "newmtl bumps\nKd 1 1 1\nmap_Kd stone colours.png\nnorm n.png\nmap_Bump n.png\n"
@@ -667,7 +668,7 @@ BOOST_AUTO_TEST_CASE(materials)
              "usemtl bumps\nvt 0 0\nvt 0.5 0\nvt 0.5 0.5\nf 1/1/1 2/2/2 3/3/3\n"
              "vt 0 0.5\nf 1/1/1 3/3/3 4/4/4\nusemtl plain\nvt 0.5 0.5\nf 1/1/1 4/4/4 5/5/5\n");
   Textured<Mesh> read;
-  BOOST_TEST(bool(SMP::IO::read_OBJ("test_OBJ.obj", read.mesh, read.uv)));
+  BOOST_TEST(bool(TA::IO::read_OBJ("test_OBJ.obj", read.mesh, read.uv)));
   BOOST_TEST((read.corners(false, 0) == square.corners(false, 0)));
 
 #ifdef ABF_WITH_ASSIMP
@@ -701,12 +702,12 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written)
   const auto number = get(CGAL::dynamic_face_property_t<int>(), square.mesh);
   for(const auto f : faces(square.mesh))
     put(number, f, static_cast<int>(f.idx()));
-  const auto refuse = [&](const std::vector<SMP::OBJ_material>& materials, const std::string& message) {
-    const auto report = SMP::IO::write_OBJ(file, square.mesh, square.uv, number, materials);
+  const auto refuse = [&](const std::vector<TA::OBJ_material>& materials, const std::string& message) {
+    const auto report = TA::IO::write_OBJ(file, square.mesh, square.uv, number, materials);
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_OPTION);
     BOOST_TEST(report.message.find(file + ": " + message) == 0u, report.message);
   };
-  SMP::OBJ_material good, bad;
+  TA::OBJ_material good, bad;
   good.name = "good";
   refuse({good}, "face 1 has material 1, but there are 1 materials");
   put(number, *faces(square.mesh).begin(), -1);
@@ -717,9 +718,9 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written)
     bad.name = name;
     refuse({bad}, "material 0 has an empty name, or one that cannot be written");
     bad = good;
-    for(std::string SMP::OBJ_material::*image :
-        {&SMP::OBJ_material::color_image, &SMP::OBJ_material::normal_image,
-         &SMP::OBJ_material::displacement_image})
+    for(std::string TA::OBJ_material::*image :
+        {&TA::OBJ_material::color_image, &TA::OBJ_material::normal_image,
+         &TA::OBJ_material::displacement_image})
       if(*name != '\0') {
         bad = good;
         bad.*image = name;
@@ -731,21 +732,21 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written)
     bad.color[1] = number_out_of_range;
     refuse({bad}, "material 0 has a colour outside of 0 to 1");
   }
-  for(double SMP::OBJ_material::*displacement :
-      {&SMP::OBJ_material::least_displacement, &SMP::OBJ_material::greatest_displacement}) {
+  for(double TA::OBJ_material::*displacement :
+      {&TA::OBJ_material::least_displacement, &TA::OBJ_material::greatest_displacement}) {
     bad = good;
     bad.*displacement = std::numeric_limits<double>::infinity();
     refuse({bad}, "material 0 has a displacement that is not finite");
   }
   BOOST_TEST(!std::ifstream(file));
-  BOOST_TEST(SMP::IO::write_OBJ("test_OBJ.refused.mtl", square.mesh, square.uv, good).status ==
+  BOOST_TEST(TA::IO::write_OBJ("test_OBJ.refused.mtl", square.mesh, square.uv, good).status ==
              SMP::Diagnosis::WRONG_OPTION);
   BOOST_TEST(!std::ifstream("test_OBJ.refused.mtl"));
 
   // numbers that are not finite
   const auto check = [&](SMP::Diagnosis status, const std::string& message) {
     std::ostringstream out;
-    const auto report = SMP::IO::write_OBJ(out, square.mesh, square.uv);
+    const auto report = TA::IO::write_OBJ(out, square.mesh, square.uv);
     BOOST_TEST(report.status == status);
     BOOST_TEST(report.message.find(message) == 0u, report.message);
     BOOST_TEST(out.str().empty());
@@ -756,7 +757,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written)
   std::ostringstream out;
   put(square.patch, Mesh::Face_index(1), -1); // where nobody looks
   BOOST_TEST(
-      bool(SMP::IO::write_OBJ(out, square.mesh, square.uv, CGAL::parameters::face_patch_map(square.patch))));
+      bool(TA::IO::write_OBJ(out, square.mesh, square.uv, CGAL::parameters::face_patch_map(square.patch))));
   square.mesh.point(Mesh::Vertex_index(2)) = Point_3(0, std::numeric_limits<double>::infinity(), 0);
   check(SMP::Diagnosis::NON_FINITE_POINT, "vertex 2 has a point that is not finite");
   square.mesh.point(Mesh::Vertex_index(2)) = Point_3(1, 1, 0);
@@ -764,37 +765,36 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written)
   for(const auto v : vertices(square.mesh))
     put(normals, v, Kernel::Vector_3(0, 0, v.idx() == 1 ? std::nan("") : 1));
   BOOST_TEST(
-      SMP::IO::write_OBJ(out, square.mesh, square.uv, CGAL::parameters::vertex_normal_map(normals)).status ==
+      TA::IO::write_OBJ(out, square.mesh, square.uv, CGAL::parameters::vertex_normal_map(normals)).status ==
       SMP::Diagnosis::WRONG_NORMAL);
 }
 
 BOOST_AUTO_TEST_CASE(files_that_fail)
 {
   Text_mesh square(points + coordinates + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
-  const auto written = SMP::IO::write_OBJ("no such folder/a.obj", square.mesh, square.uv);
+  const auto written = TA::IO::write_OBJ("no such folder/a.obj", square.mesh, square.uv);
   BOOST_TEST(written.status == SMP::Diagnosis::CANNOT_OPEN);
   BOOST_TEST(written.message == "cannot open no such folder/a.obj");
   Textured<Mesh> read;
-  const auto missing = SMP::IO::read_OBJ("no such folder/a.obj", read.mesh, read.uv);
+  const auto missing = TA::IO::read_OBJ("no such folder/a.obj", read.mesh, read.uv);
   BOOST_TEST(missing.status == SMP::Diagnosis::CANNOT_OPEN);
   BOOST_TEST(missing.message == "cannot open no such folder/a.obj");
   std::ofstream("test_OBJ.wrong.obj") << "v 1\n";
-  BOOST_TEST(SMP::IO::read_OBJ("test_OBJ.wrong.obj", read.mesh, read.uv).message ==
+  BOOST_TEST(TA::IO::read_OBJ("test_OBJ.wrong.obj", read.mesh, read.uv).message ==
              "test_OBJ.wrong.obj: line 1: vertex 1: a number is missing");
 
   std::stringstream broken;
   broken.setstate(std::ios::failbit);
-  BOOST_TEST(SMP::IO::read_OBJ(broken, read.mesh, read.uv).status == SMP::Diagnosis::CANNOT_READ);
-  BOOST_TEST(SMP::IO::write_OBJ(broken, square.mesh, square.uv).status == SMP::Diagnosis::CANNOT_WRITE);
+  BOOST_TEST(TA::IO::read_OBJ(broken, read.mesh, read.uv).status == SMP::Diagnosis::CANNOT_READ);
+  BOOST_TEST(TA::IO::write_OBJ(broken, square.mesh, square.uv).status == SMP::Diagnosis::CANNOT_WRITE);
   struct Lost_buffer : std::streambuf
   {
     int_type underflow() override { throw std::ios_base::failure("lost"); }
   } buffer;
   std::istream lost(&buffer);
-  BOOST_TEST(SMP::IO::read_OBJ(lost, read.mesh, read.uv).status == SMP::Diagnosis::CANNOT_READ);
+  BOOST_TEST(TA::IO::read_OBJ(lost, read.mesh, read.uv).status == SMP::Diagnosis::CANNOT_READ);
   if(std::ofstream("/dev/full")) {
-    BOOST_TEST(SMP::IO::write_OBJ("/dev/full", square.mesh, square.uv).status ==
-               SMP::Diagnosis::CANNOT_WRITE);
+    BOOST_TEST(TA::IO::write_OBJ("/dev/full", square.mesh, square.uv).status == SMP::Diagnosis::CANNOT_WRITE);
   }
 }
 

@@ -15,9 +15,9 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
-#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <atomic>
 #include <cstddef>
@@ -122,6 +122,7 @@ BOOST_AUTO_TEST_SUITE(test_allocation_failures)
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 using scenes::Mesh;
 using scenes::Scene;
 
@@ -226,10 +227,10 @@ Call hierarchical(const SMP::Hierarchical_options& options)
   return flattening<SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>>(options);
 }
 
-Call atlas(const SMP::Atlas_options& options)
+Call atlas(const TA::Atlas_options& options)
 {
   return [options](Scene& scene) {
-    return SMP::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts, options).status;
+    return TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts, options).status;
   };
 }
 
@@ -270,26 +271,26 @@ BOOST_AUTO_TEST_CASE(seams)
 {
   Scene scene(scenes::sphere_and_torus());
   check(
-      scene, [](Scene& s) { return SMP::select_seams(s.mesh, s.seams).status; }, 600);
+      scene, [](Scene& s) { return TA::select_seams(s.mesh, s.seams).status; }, 600);
 }
 
 BOOST_AUTO_TEST_CASE(cones)
 {
   Scene scene(seam_surfaces::sphere(1).mesh<Mesh>());
   check(
-      scene, [](Scene& s) { return SMP::flatten_with_cones(s.mesh, 4, s.seams, s.corner_uv).status; }, 2000);
+      scene, [](Scene& s) { return TA::flatten_with_cones(s.mesh, 4, s.seams, s.corner_uv).status; }, 2000);
 }
 
 BOOST_AUTO_TEST_CASE(atlases)
 {
   Scene scene(scenes::sphere_and_torus());
-  SMP::Atlas_options options;
+  TA::Atlas_options options;
   options.resolution = 64;
   for(int threads : {1, 2}) {
     options.threads = threads;
     check(scene, atlas(options), 100);
   }
-  SMP::Atlas_options texture(SMP::Atlas_options::TEXTURE);
+  TA::Atlas_options texture(TA::Atlas_options::TEXTURE);
   texture.threads = 1; // or else the number of its many allocations varies
   texture.resolution = 64;
   check(scene, atlas(texture), 10);
@@ -303,12 +304,12 @@ BOOST_AUTO_TEST_CASE(common_atlases)
   const std::vector seams = {scene.seams, second.seams};
   const std::vector uv = {scene.corner_uv, second.corner_uv};
   const std::vector charts = {scene.charts, second.charts};
-  SMP::Atlas_options options;
+  TA::Atlas_options options;
   options.threads = 1;
   options.resolution = 64;
   const Call call = [&](Scene&) {
     second.clear();
-    return SMP::make_common_atlas(meshes, seams, uv, charts, options).status;
+    return TA::make_common_atlas(meshes, seams, uv, charts, options).status;
   };
   check(scene, call, 40);
 }

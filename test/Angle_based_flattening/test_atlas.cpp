@@ -14,7 +14,7 @@
 #include "test_options.h"
 
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -32,6 +32,7 @@
 BOOST_AUTO_TEST_SUITE(test_atlas)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
 using atlas_check::Atlas_run;
 using atlas_check::check_atlas;
@@ -41,10 +42,10 @@ using atlas_surfaces::component;
 using atlas_surfaces::Component;
 using atlas_surfaces::random_union;
 using atlas_surfaces::Union;
-using SMP::Atlas_options;
-using SMP::Atlas_report;
+using TA::Atlas_options;
+using TA::Atlas_report;
 using SMP::Diagnosis;
-using SMP::Atlas_visitor;
+using TA::Atlas_visitor;
 using test_charts::uniform_int;
 typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
 typedef Mesh::Edge_index Edge;
@@ -677,14 +678,14 @@ BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
     put(seams, e, false);
   const auto charts = get(CGAL::dynamic_face_property_t<int>(), mesh);
   const Atlas_report report =
-      SMP::make_atlas(mesh, seams, uv, charts, with<Atlas_options>(&Atlas_options::pack_into_square, false));
+      TA::make_atlas(mesh, seams, uv, charts, with<Atlas_options>(&Atlas_options::pack_into_square, false));
   BOOST_TEST_REQUIRE(bool(report));
-  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
+  const auto seam_mesh = TA::make_seam_mesh(mesh, seams).mesh;
   typedef std::decay_t<decltype(seam_mesh)> Seam_mesh;
   const auto vertex_uv = boost::make_function_property_map<boost::graph_traits<Seam_mesh>::vertex_descriptor>(
       [&](const auto& v) { return get(uv, static_cast<Mesh::Halfedge_index>(v)); });
   const SMP::Flattening_measures expected =
-      SMP::measure_flattening(seam_mesh, SMP::border_halfedge(seam_mesh), vertex_uv);
+      SMP::measure_flattening(seam_mesh, TA::border_halfedge(seam_mesh), vertex_uv);
   const auto check = [&](auto member) {
     BOOST_TEST((report.measures.*member) == (expected.*member), boost::test_tools::tolerance(1e-9));
   };

@@ -28,6 +28,7 @@
 BOOST_AUTO_TEST_SUITE(test_atlas_meshes)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
 using atlas_check::Atlas_run;
 using atlas_check::check_atlas;
@@ -36,8 +37,8 @@ using atlas_check::Wishes;
 using atlas_surfaces::component;
 using atlas_surfaces::random_union;
 using atlas_surfaces::Union;
-using SMP::Atlas_options;
-using SMP::Atlas_report;
+using TA::Atlas_options;
+using TA::Atlas_report;
 using SMP::Diagnosis;
 typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
 
@@ -46,7 +47,7 @@ namespace {
 typedef CGAL::Simple_cartesian<float> Float_kernel;
 
 // Counts the calls of `start()` for each stage.
-struct Counting_visitor : SMP::Atlas_visitor
+struct Counting_visitor : TA::Atlas_visitor
 {
   std::vector<Stage> stages;
 
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
   const Atlas_run alone = make_atlas_of<Float_kernel::Point_2>(
       octahedron.mesh<Mesh>(), with<Atlas_options>(&Atlas_options::resolution, 256));
   BOOST_TEST(run.report.covered_share == alone.report.covered_share, boost::test_tools::tolerance(1e-3));
-  typedef SMP::Atlas_visitor Visitor;
+  typedef TA::Atlas_visitor Visitor;
   const std::vector<Visitor::Stage> stages{Visitor::READ,    Visitor::CHARTS,  Visitor::PACK,
                                            Visitor::CERTIFY, Visitor::MEASURE, Visitor::WRITE};
   BOOST_TEST((visitor.stages == stages));
@@ -220,7 +221,7 @@ BOOST_AUTO_TEST_CASE(maps_may_be_left_out)
   const Mesh mesh = random_union(5).mesh<Mesh>();
   const Atlas_run run = make_atlas_of(mesh);
   const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
-  const Atlas_report report = SMP::make_atlas(mesh, uv);
+  const Atlas_report report = TA::make_atlas(mesh, uv);
   BOOST_TEST((report.status == run.report.status));
   BOOST_TEST(report.charts.size() == run.report.charts.size());
   std::size_t corner = 0;
@@ -284,10 +285,10 @@ BOOST_AUTO_TEST_CASE(polygons_become_convex)
   for(unsigned seed = 0; seed < 20; ++seed) {
     Quadrangles quadrangles(12, seed);
     const auto uv = quadrangles.mesh.add_property_map<Mesh::Halfedge_index, Point>("h:uv").first;
-    BOOST_TEST_REQUIRE(SMP::make_atlas(quadrangles.mesh, uv).has_atlas());
+    BOOST_TEST_REQUIRE(TA::make_atlas(quadrangles.mesh, uv).has_atlas());
     const int before = quadrangles.count_concave(uv);
-    const auto report = SMP::make_atlas(quadrangles.mesh, uv, Atlas_options(),
-                                        parameters::face_patch_map(quadrangles.number));
+    const auto report =
+        TA::make_atlas(quadrangles.mesh, uv, Atlas_options(), parameters::face_patch_map(quadrangles.number));
     BOOST_TEST_REQUIRE(report.has_atlas());
     const int after = quadrangles.count_concave(uv);
     BOOST_TEST(after <= before);

@@ -8,8 +8,8 @@
 #include "baked_surfaces.h"
 #include "test_options.h"
 
-#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/bake_surface.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_SUITE(test_baking)
 
 using namespace baked_surfaces;
 namespace np = CGAL::parameters;
-using SMP::Baking_options;
+using TA::Baking_options;
 using SMP::Diagnosis;
 
 namespace {
@@ -63,7 +63,7 @@ struct Baked_sphere
   Uv_map uv = uv_map(simple);
   Frame_map frames = frame_map(simple);
   Surface::Property_map<Face, int> chart = simple.add_property_map<Face, int>("f:chart", -1).first;
-  SMP::Baked_textures textures;
+  TA::Baked_textures textures;
 
   // The simple surface is bumpy, so that its own normals are wrong.
   void bake(int resolution)
@@ -74,12 +74,12 @@ struct Baked_sphere
       const Vector p = radius(random) * vector_of(simple.point(v));
       simple.point(v) = Kernel::Point_3(p.x(), p.y(), p.z());
     }
-    BOOST_REQUIRE(SMP::make_atlas(simple, no_seams(simple), uv, chart,
-                                  with<SMP::Atlas_options>(&SMP::Atlas_options::resolution, resolution,
-                                                           &SMP::Atlas_options::stretch_bound, 1.05)));
-    textures = SMP::bake_surface(simple, uv, fine, frames,
-                                 with<Baking_options>(&Baking_options::resolution, resolution),
-                                 np::face_patch_map(chart));
+    BOOST_REQUIRE(TA::make_atlas(simple, no_seams(simple), uv, chart,
+                                 with<TA::Atlas_options>(&TA::Atlas_options::resolution, resolution,
+                                                         &TA::Atlas_options::stretch_bound, 1.05)));
+    textures = TA::bake_surface(simple, uv, fine, frames,
+                                with<Baking_options>(&Baking_options::resolution, resolution),
+                                np::face_patch_map(chart));
     BOOST_REQUIRE(textures);
   }
 
@@ -160,8 +160,8 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_position)
     transform(simple, matrix, shift);
     transform(fine, matrix, shift);
     const Uv_map uv = uv_map(simple);
-    const SMP::Baked_textures moved =
-        SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 128));
+    const TA::Baked_textures moved =
+        TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 128));
     BOOST_REQUIRE(moved);
     BOOST_TEST((moved.texels == sphere.textures.texels));
     double normals = 0, displacements = 0;
@@ -181,8 +181,8 @@ BOOST_AUTO_TEST_CASE(plane_over_plane_is_exact)
   Surface simple = sheet(3, flat);
   Surface fine = sheet(7, [](double, double) { return 0.03125; });
   const Uv_map uv = project(simple, as_it_is);
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
+  const TA::Baked_textures textures =
+      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.number_of_chart_texels == 64u * 64u);
   BOOST_TEST(textures.number_of_front_faces() == 64u * 64u);
@@ -210,8 +210,8 @@ BOOST_AUTO_TEST_CASE(shows_bumps_on_a_plane)
         return Plane_point(Eigen::Rotation2Dd(angle) * p * 0.7 + Plane_point(0.5, 0.5));
       });
       const Frame_map frames = frame_map(simple);
-      const SMP::Baked_textures textures =
-          SMP::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 256));
+      const TA::Baked_textures textures =
+          TA::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 256));
       BOOST_REQUIRE(textures);
       const std::vector<std::uint16_t> pixels = textures.normal_pixels<std::uint16_t>();
       std::mt19937 random(4);
@@ -245,13 +245,13 @@ BOOST_AUTO_TEST_CASE(normals_in_object_space)
   const Surface fine = sheet(2, [](double x, double) { return 0.1 * x - 0.05; });
   const Uv_map uv =
       project(simple, [](double x, double y) { return Plane_point(0.9 - 0.8 * y, 0.1 + 0.8 * x); });
-  const SMP::Baked_textures textures = SMP::bake_surface(
+  const TA::Baked_textures textures = TA::bake_surface(
       simple, uv, fine,
       with<Baking_options>(&Baking_options::resolution, 32, &Baking_options::normals_in_object_space, true));
   BOOST_REQUIRE(textures);
   const Vector expected = Vector(-0.1, 0, 1).normalized();
   for(std::size_t i = 0; i < textures.texels.size(); ++i)
-    if(textures.texels[i] != SMP::Baked_textures::EMPTY)
+    if(textures.texels[i] != TA::Baked_textures::EMPTY)
       for(std::size_t k = 0; k < 3; ++k)
         BOOST_TEST(std::abs(textures.normals[3 * i + k] - expected[k]) < 1e-6);
 }
@@ -266,9 +266,9 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
   for(const Vertex v : painted.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(std::lround(250 * painted.point(v).x())),
                                static_cast<unsigned char>(std::lround(100 * painted.point(v).y())), 7);
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, painted, with<Baking_options>(&Baking_options::resolution, 50),
-                        np::default_values(), np::vertex_color_map(color));
+  const TA::Baked_textures textures =
+      TA::bake_surface(simple, uv, painted, with<Baking_options>(&Baking_options::resolution, 50),
+                       np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
   const std::vector<std::uint8_t> pixels = textures.color_pixels<std::uint8_t>();
   for(int row = 0; row < 50; ++row)
@@ -281,18 +281,18 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
 
   // Oblique normals of the simple surface move what is met, and so the colours.
   const auto normal = simple.add_property_map<Vertex, Kernel::Vector_3>("v:normal", {1, 0, 2}).first;
-  const SMP::Baked_textures oblique =
-      SMP::bake_surface(simple, uv, painted,
-                        with<Baking_options>(&Baking_options::resolution, 50, &Baking_options::ray_length, 1),
-                        np::vertex_normal_map(normal), np::vertex_color_map(color));
+  const TA::Baked_textures oblique =
+      TA::bake_surface(simple, uv, painted,
+                       with<Baking_options>(&Baking_options::resolution, 50, &Baking_options::ray_length, 1),
+                       np::vertex_normal_map(normal), np::vertex_color_map(color));
   const std::size_t middle = 25 * 50 + 25;
   BOOST_TEST(std::abs(oblique.colors[3 * middle] - 250. / 255 * (0.51 + 0.05)) < 1e-3);
   BOOST_TEST(std::abs(oblique.displacements[middle] - 0.1 * std::sqrt(1.25)) < 1e-6);
 
   Polyhedron fine;
   CGAL::copy_face_graph(painted, fine);
-  const SMP::Baked_textures same =
-      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 50));
+  const TA::Baked_textures same =
+      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 50));
   BOOST_TEST((same.normals == textures.normals));
   BOOST_TEST(same.colors.empty());
 }
@@ -302,14 +302,14 @@ BOOST_AUTO_TEST_CASE(an_inverted_fine_surface_is_all_back_faces)
   const auto bowl = [](double x, double y) { return 0.05 * x * x - 0.03 * x * y; };
   Surface simple = sheet(2, flat), fine = sheet(30, bowl);
   const Uv_map uv = project(simple, as_it_is);
-  const SMP::Baked_textures right =
-      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
+  const TA::Baked_textures right =
+      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   CGAL::Polygon_mesh_processing::reverse_face_orientations(fine);
-  const SMP::Baked_textures turned =
-      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
+  const TA::Baked_textures turned =
+      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_TEST(right.number_of_back_faces == 0u);
   BOOST_TEST(turned.number_of_back_faces == 64u * 64u);
-  BOOST_TEST(std::count(turned.texels.begin(), turned.texels.end(), SMP::Baked_textures::BACK_FACE) ==
+  BOOST_TEST(std::count(turned.texels.begin(), turned.texels.end(), TA::Baked_textures::BACK_FACE) ==
              64 * 64);
   for(std::size_t i = 0; i < right.normals.size(); ++i)
     BOOST_TEST(std::abs(right.normals[i] - turned.normals[i]) < 1e-6);
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(front_faces_come_first)
   fine += sheet(4, [](double, double) { return -0.05; });
   const Uv_map uv = project(simple, as_it_is);
   const auto baked = [&](double distance) {
-    return SMP::bake_surface(
+    return TA::bake_surface(
         simple, uv, fine,
         with<Baking_options>(&Baking_options::resolution, 16, &Baking_options::ray_length, distance));
   };
@@ -346,14 +346,14 @@ BOOST_AUTO_TEST_CASE(rays_through_a_hole_are_counted)
       CGAL::Euler::remove_face(fine.halfedge(f), fine);
   }
   const Uv_map uv = project(simple, as_it_is);
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 100));
+  const TA::Baked_textures textures =
+      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 100));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.number_of_missed_rays == 40u * 20u);
   for(std::size_t i = 0; i < textures.texels.size(); ++i) {
     const double x = (i % 100 + 0.5) / 100, y = 1 - (i / 100 + 0.5) / 100;
     const bool is_over_hole = std::abs(x - 0.5) < 0.2 && std::abs(y - 0.5) < 0.1;
-    BOOST_TEST((textures.texels[i] == SMP::Baked_textures::CLOSEST_POINT) == is_over_hole);
+    BOOST_TEST((textures.texels[i] == TA::Baked_textures::CLOSEST_POINT) == is_over_hole);
     BOOST_TEST(std::abs(textures.displacements[i] - 0.02) < 1e-6);
   }
   const double to_border = 0.1 - 0.005; // from the middle of the texels that are farthest from it
@@ -366,20 +366,20 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
   const int n = 150, gutter = 3;
   std::mt19937 random(5);
   Baked_sphere sphere;
-  BOOST_REQUIRE(SMP::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
-                                with<SMP::Atlas_options>(&SMP::Atlas_options::resolution, n,
-                                                         &SMP::Atlas_options::gutter, gutter,
-                                                         &SMP::Atlas_options::separate_overlaps, true)));
+  BOOST_REQUIRE(
+      TA::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
+                     with<TA::Atlas_options>(&TA::Atlas_options::resolution, n, &TA::Atlas_options::gutter,
+                                             gutter, &TA::Atlas_options::separate_overlaps, true)));
   const auto color = sphere.fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : sphere.fine.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(random() % 256), 0, 0);
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(sphere.simple, sphere.uv, sphere.fine,
-                        with<Baking_options>(&Baking_options::resolution, n, &Baking_options::gutter, gutter),
-                        np::default_values(), np::vertex_color_map(color));
+  const TA::Baked_textures textures =
+      TA::bake_surface(sphere.simple, sphere.uv, sphere.fine,
+                       with<Baking_options>(&Baking_options::resolution, n, &Baking_options::gutter, gutter),
+                       np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
   const auto is_in_chart = [&](int row, int column) {
-    return textures.texels[static_cast<std::size_t>(row) * n + column] > SMP::Baked_textures::GUTTER;
+    return textures.texels[static_cast<std::size_t>(row) * n + column] > TA::Baked_textures::GUTTER;
   };
   for(int i = 0; i < 100000; ++i) {
     const Plane_point uv = uv_at(sphere.simple, sphere.uv, random_place(sphere.simple, random));
@@ -406,7 +406,7 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
       const std::size_t texel = static_cast<std::size_t>(row) * n + column;
       gutters += !candidates.empty();
       BOOST_TEST(textures.texels[texel] ==
-                 (candidates.empty() ? SMP::Baked_textures::EMPTY : SMP::Baked_textures::GUTTER));
+                 (candidates.empty() ? TA::Baked_textures::EMPTY : TA::Baked_textures::GUTTER));
       BOOST_TEST(
           (candidates.empty() || std::any_of(candidates.begin(), candidates.end(), [&](std::size_t from) {
              return textures.colors[3 * texel] == textures.colors[3 * from] &&
@@ -439,9 +439,9 @@ BOOST_AUTO_TEST_CASE(charts_do_not_bleed_into_one_another)
     const Kernel::Point_3& p = simple.point(simple.target(h)); // two texels between the charts
     uv[h] = Kernel::Point_2((p.z() > 0.5 ? 33. : 1.) / n + 30. / n * p.x(), 0.1 + 0.8 * p.y());
   }
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, n),
-                        np::default_values(), np::vertex_color_map(color));
+  const TA::Baked_textures textures =
+      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, n),
+                       np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
   const std::vector<std::uint8_t> pixels = textures.color_pixels<std::uint8_t>();
   std::mt19937 random(6);
@@ -459,19 +459,19 @@ BOOST_AUTO_TEST_CASE(rectangles_are_parts_of_squares)
 {
   Baked_sphere sphere;
   sphere.bake(128);
-  const auto bake = [&](int height) -> SMP::Baked_textures {
-    return SMP::bake_surface(
+  const auto bake = [&](int height) -> TA::Baked_textures {
+    return TA::bake_surface(
         sphere.simple, sphere.uv, sphere.fine, sphere.frames,
         with<Baking_options>(&Baking_options::resolution, 128, &Baking_options::height, height),
         np::face_patch_map(sphere.chart));
   };
-  const SMP::Baked_textures half = bake(64);
+  const TA::Baked_textures half = bake(64);
   BOOST_REQUIRE(half);
   BOOST_TEST(half.resolution == 128);
   BOOST_TEST(half.height == 64);
   for(const Halfedge h : sphere.simple.halfedges())
     sphere.uv[h] = Kernel::Point_2(sphere.uv[h].x(), sphere.uv[h].y() / 2);
-  const SMP::Baked_textures whole = bake(128);
+  const TA::Baked_textures whole = bake(128);
   const auto lower_half = [](const auto& values) {
     return std::decay_t<decltype(values)>(values.begin() + values.size() / 2, values.end());
   };
@@ -486,7 +486,7 @@ BOOST_AUTO_TEST_CASE(threads_do_not_matter)
   Baked_sphere sphere;
   sphere.bake(100);
   for(const int threads : {1, 2, 3}) {
-    const SMP::Baked_textures again = SMP::bake_surface(
+    const TA::Baked_textures again = TA::bake_surface(
         sphere.simple, sphere.uv, sphere.fine,
         with<Baking_options>(&Baking_options::resolution, 100, &Baking_options::threads, threads),
         np::face_patch_map(sphere.chart));
@@ -508,12 +508,12 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_are_ignored)
       chart[f] = -1;
       uv[simple.halfedge(f)] = Kernel::Point_2(7, std::numeric_limits<double>::quiet_NaN());
     }
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, sheet(2, flat), with<Baking_options>(&Baking_options::resolution, 20),
-                        np::face_patch_map(chart));
+  const TA::Baked_textures textures =
+      TA::bake_surface(simple, uv, sheet(2, flat), with<Baking_options>(&Baking_options::resolution, 20),
+                       np::face_patch_map(chart));
   BOOST_REQUIRE(textures);
-  BOOST_TEST(textures.texels[5] == SMP::Baked_textures::FRONT_FACE);
-  BOOST_TEST(textures.texels[15] == SMP::Baked_textures::EMPTY);
+  BOOST_TEST(textures.texels[5] == TA::Baked_textures::FRONT_FACE);
+  BOOST_TEST(textures.texels[15] == TA::Baked_textures::EMPTY);
 }
 
 // Degenerate triangles of both surfaces are no error: they have no values of their own, or those of their sides.
@@ -527,8 +527,8 @@ BOOST_AUTO_TEST_CASE(degenerate_triangles)
   }
   const Uv_map uv = project(simple, as_it_is);
   const Frame_map frames = frame_map(simple);
-  const SMP::Baked_textures textures =
-      SMP::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 30));
+  const TA::Baked_textures textures =
+      TA::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 30));
   BOOST_REQUIRE(textures);
   for(const float x : textures.normals)
     BOOST_TEST(std::isfinite(x));
@@ -546,7 +546,7 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  const auto check = [](const SMP::Baked_textures& textures, Diagnosis diagnosis, const std::string& word) {
+  const auto check = [](const TA::Baked_textures& textures, Diagnosis diagnosis, const std::string& word) {
     BOOST_TEST(to_string(textures.status) == to_string(diagnosis));
     BOOST_TEST((textures.message.find(word) != std::string::npos), textures.message << " lacks " << word);
     BOOST_TEST(!textures);
@@ -558,56 +558,54 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
   const Vertex last(8);
 
   uv[corner] = Kernel::Point_2(nan, 0);
-  check(SMP::bake_surface(simple, uv, fine), Diagnosis::NO_TEXTURE_COORDINATES,
+  check(TA::bake_surface(simple, uv, fine), Diagnosis::NO_TEXTURE_COORDINATES,
         "the face with the vertices at (");
   uv[corner] = Kernel::Point_2(0.5, 1.25);
-  check(SMP::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
+  check(TA::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
   uv[corner] = Kernel::Point_2(-1e-12, 0.5);
-  check(SMP::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
-  check(
-      SMP::bake_surface(simple, project(simple, [](double, double) { return Plane_point(0.5, 0.5); }), fine),
-      Diagnosis::NO_TEXTURE_COORDINATES, "no area");
+  check(TA::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
+  check(TA::bake_surface(simple, project(simple, [](double, double) { return Plane_point(0.5, 0.5); }), fine),
+        Diagnosis::NO_TEXTURE_COORDINATES, "no area");
   project(simple, as_it_is);
 
   for(const double x : {nan, infinity, 1e38}) {
     Surface wrong = simple;
     wrong.point(last) = Kernel::Point_3(1, x, 0);
-    check(SMP::bake_surface(wrong, uv_map(wrong), fine), Diagnosis::NON_FINITE_POINT, "the vertex at (1, ");
+    check(TA::bake_surface(wrong, uv_map(wrong), fine), Diagnosis::NON_FINITE_POINT, "the vertex at (1, ");
     Surface wrong_fine = fine;
     wrong_fine.point(last) = Kernel::Point_3(1, x, 0);
-    check(SMP::bake_surface(simple, uv, wrong_fine), Diagnosis::WRONG_FINE_POINT, "the vertex at (1, ");
+    check(TA::bake_surface(simple, uv, wrong_fine), Diagnosis::WRONG_FINE_POINT, "the vertex at (1, ");
   }
-  check(SMP::bake_surface(simple, uv, Surface()), Diagnosis::EMPTY_FINE_MESH, "fine");
+  check(TA::bake_surface(simple, uv, Surface()), Diagnosis::EMPTY_FINE_MESH, "fine");
   Surface line;
   line.add_face(line.add_vertex({0, 0, 0}), line.add_vertex({1, 0, 0}), line.add_vertex({2, 0, 0}));
-  check(SMP::bake_surface(simple, uv, line), Diagnosis::EMPTY_FINE_MESH, "fine");
+  check(TA::bake_surface(simple, uv, line), Diagnosis::EMPTY_FINE_MESH, "fine");
   const auto charts = simple.add_property_map<Face, int>("f:chart", -1).first;
-  check(SMP::bake_surface(simple, uv, fine, Baking_options(), np::face_patch_map(charts)),
+  check(TA::bake_surface(simple, uv, fine, Baking_options(), np::face_patch_map(charts)),
         Diagnosis::EMPTY_MESH, "chart");
 
   Surface quadrangle;
   CGAL::make_quad(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
                   Kernel::Point_3(0, 1, 0), quadrangle);
-  check(SMP::bake_surface(simple, uv, quadrangle), Diagnosis::FINE_MESH_NOT_TRIANGULATED,
-        "is not a triangle");
-  check(SMP::bake_surface(quadrangle, project(quadrangle, as_it_is), fine), Diagnosis::NOT_TRIANGULATED,
+  check(TA::bake_surface(simple, uv, quadrangle), Diagnosis::FINE_MESH_NOT_TRIANGULATED, "is not a triangle");
+  check(TA::bake_surface(quadrangle, project(quadrangle, as_it_is), fine), Diagnosis::NOT_TRIANGULATED,
         "is not a triangle");
 
   const auto normals = fine.add_property_map<Vertex, Kernel::Vector_3>("v:normal", {0, 0, 1}).first;
   normals[last] = Kernel::Vector_3(0, 0, 0);
-  check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 4),
-                          np::default_values(), np::vertex_normal_map(normals)),
+  check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 4),
+                         np::default_values(), np::vertex_normal_map(normals)),
         Diagnosis::WRONG_NORMAL, "(1, 1, 0)");
   for(const int resolution : {-1, 0, 16385})
-    check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, resolution)),
+    check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, resolution)),
           Diagnosis::WRONG_OPTION, std::to_string(resolution));
   for(const int gutter : {-1, 1025})
-    check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::gutter, gutter)),
+    check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::gutter, gutter)),
           Diagnosis::WRONG_OPTION, std::to_string(gutter));
   for(const double distance : {0., -1., nan, infinity})
-    check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::ray_length, distance)),
+    check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::ray_length, distance)),
           Diagnosis::WRONG_OPTION, "ray length");
-  check(SMP::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::threads, -1)),
+  check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::threads, -1)),
         Diagnosis::WRONG_OPTION, "threads");
 }
 

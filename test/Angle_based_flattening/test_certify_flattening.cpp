@@ -8,7 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 
 #include "immersed_charts.h"
@@ -42,6 +42,7 @@
 BOOST_AUTO_TEST_SUITE(test_certify_flattening)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace abf = SMP::internal::ABF;
 using test_charts::Chart;
 using test_charts::Point_3;
@@ -580,7 +581,7 @@ BOOST_AUTO_TEST_CASE(not_triangles)
     BOOST_TEST((flipped == expected));
     BOOST_TEST(!SMP::is_injective(quads, map));
     BOOST_TEST(!SMP::is_locally_injective(quads, map));
-    SMP::overlapping_faces(quads, map, std::back_inserter(overlapping));
+    TA::overlapping_faces(quads, map, std::back_inserter(overlapping));
     BOOST_TEST(overlapping.empty());
   };
   const auto check_both = [&](const std::vector<Face>& expected) {

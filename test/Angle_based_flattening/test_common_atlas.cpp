@@ -12,7 +12,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <cstddef>
@@ -30,7 +30,7 @@ using atlas_check::Atlas_options;
 using atlas_check::Atlas_report;
 using atlas_check::Diagnosis;
 using atlas_check::Point_2;
-using atlas_check::SMP::make_common_atlas;
+using atlas_check::TA::make_common_atlas;
 typedef CGAL::Surface_mesh<atlas_check::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Halfedge_index, Point_2> UV_map;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Seam_map;
@@ -148,8 +148,8 @@ BOOST_AUTO_TEST_CASE(the_same_as_of_one_mesh)
       Atlas_options options(seed % 2 == 0 ? Atlas_options::TEXTURE : Atlas_options::FEW_CHARTS);
       options.pack_into_square = seed % 4 != 3;
       const Atlas_report one =
-          atlas_check::SMP::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
-                                       Meshes::charts_of(all.joined), options);
+          atlas_check::TA::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
+                                      Meshes::charts_of(all.joined), options);
       options.threads = static_cast<int>(seed % 3);
       all.check_same(one, all.make(options));
       statuses.insert(one.status);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(sizes_in_proportion)
     all.add(mesh);
   }
   all.add_maps(1000000);
-  const Atlas_report one = atlas_check::SMP::make_atlas(
+  const Atlas_report one = atlas_check::TA::make_atlas(
       all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined), Meshes::charts_of(all.joined));
   all.check_same(one, all.make());
 }

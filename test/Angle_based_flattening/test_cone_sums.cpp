@@ -13,8 +13,8 @@
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
@@ -35,14 +35,15 @@ BOOST_AUTO_TEST_SUITE(test_cone_sums)
 
 using namespace seam_surfaces;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef Surface_mesh Mesh;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Seams;
 typedef Mesh::Property_map<Halfedge, Kernel::Point_2> UV_map;
-typedef SMP::Cut_mesh<Mesh> Seam_mesh;
+typedef TA::Cut_mesh<Mesh> Seam_mesh;
 typedef SMP::ABF_plus_plus_report Report;
-using SMP::Seam_options;
+using TA::Seam_options;
 typedef SMP::ABF_plus_plus_options Options;
 typedef SMP::Vertex_angles<Mesh> Angles;
 
@@ -60,11 +61,11 @@ struct Map
 template <typename Angle_map>
 Map flatten(Mesh& mesh, const Seams& seams, const Angle_map& angles, const Options& options = Options())
 {
-  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
+  Seam_mesh cut = TA::make_seam_mesh(mesh, seams).mesh;
   const UV_map uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer(options);
   parameterizer.set_angle_sums(angles);
-  SMP::parameterize(cut, parameterizer, SMP::border_halfedge(cut), uv);
+  SMP::parameterize(cut, parameterizer, TA::border_halfedge(cut), uv);
   Map map;
   map.report = parameterizer.report();
   for(const auto& v : parameterizer.report().offending_vertices)
@@ -170,7 +171,7 @@ Seams cut(Mesh& mesh, double stretch)
 {
   const Seams seams = add_seams(mesh);
   BOOST_REQUIRE(
-      SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, stretch)).status ==
+      TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, stretch)).status ==
       SMP::Diagnosis::NOTHING_WRONG);
   return seams;
 }
@@ -469,7 +470,7 @@ BOOST_FIXTURE_TEST_CASE(survive_failures_of_the_solver, Sphere_with_cones)
 {
   int failures = 0;
   for(int call = 1; call < 100; ++call) {
-    Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
+    Seam_mesh cut = TA::make_seam_mesh(mesh, seams).mesh;
     const UV_map uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:faulty_uv").first;
     for(Halfedge h : mesh.halfedges())
       put(uv, h, Kernel::Point_2(7, 7));
@@ -477,7 +478,7 @@ BOOST_FIXTURE_TEST_CASE(survive_failures_of_the_solver, Sphere_with_cones)
     *traits.calls_left = call;
     SMP::ABF_plus_plus_parameterizer_3<Seam_mesh, Faulty_traits> parameterizer(Options(), traits);
     parameterizer.set_angle_sums(angles);
-    const SMP::Error_code code = SMP::parameterize(cut, parameterizer, SMP::border_halfedge(cut), uv);
+    const SMP::Error_code code = SMP::parameterize(cut, parameterizer, TA::border_halfedge(cut), uv);
     const auto all = mesh.halfedges();
     const bool is_written =
         std::any_of(all.begin(), all.end(), [&](Halfedge h) { return get(uv, h) != Kernel::Point_2(7, 7); });

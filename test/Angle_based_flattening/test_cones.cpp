@@ -11,12 +11,12 @@
 #include "test_data.h"
 #include "test_options.h"
 
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
+#include <CGAL/Texture_atlas/select_cones.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -44,19 +44,20 @@
 BOOST_AUTO_TEST_SUITE(test_cones)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
 using namespace seam_surfaces;
-using SMP::Seam_report;
-using SMP::Cone_options;
+using TA::Seam_report;
+using TA::Cone_options;
 using SMP::Diagnosis;
 typedef Surface_mesh Mesh;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Property_map<Edge, bool> Seam_map;
-typedef SMP::Cone_selection<Mesh> Selection;
-typedef SMP::Cone_report Cone_report;
-typedef SMP::Cone_flattening<Mesh> Cone_flattening;
+typedef TA::Cone_selection<Mesh> Selection;
+typedef TA::Cone_report Cone_report;
+typedef TA::Cone_flattening<Mesh> Cone_flattening;
 typedef Mesh::Property_map<Halfedge, Kernel::Point_2> UV_map;
 
 namespace {
@@ -100,7 +101,7 @@ std::vector<Vertex> in_order(const Selection& selection)
 void check_disk(const Mesh& mesh, Seam_map seams, const Seam_report& report)
 {
   BOOST_TEST_REQUIRE(report.message == "");
-  const auto check = SMP::is_disk_cut(mesh, seams);
+  const auto check = TA::is_disk_cut(mesh, seams);
   BOOST_TEST(bool(check), check.message);
   BOOST_TEST(report.number_of_disks == report.number_of_components);
 }
@@ -313,15 +314,15 @@ struct Mapped_surface
   }
 };
 
-SMP::Cone_angles angles(bool are_free)
+TA::Cone_angles angles(bool are_free)
 {
-  return are_free ? SMP::Cone_angles::FREE : SMP::Cone_angles::PREDICTED;
+  return are_free ? TA::Cone_angles::FREE : TA::Cone_angles::PREDICTED;
 }
 
 Cone_flattening check_map(Mesh& mesh, const Surface& surface, std::size_t n, bool is_free)
 {
   const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
-  const Cone_flattening result = SMP::flatten_with_cones(
+  const Cone_flattening result = TA::flatten_with_cones(
       mesh, n, map.seams, map.uv, with<Cone_options>(&Cone_options::angles, angles(is_free)));
   BOOST_TEST_REQUIRE(result.message == "");
   BOOST_TEST(to_string(result.status) == "NOTHING_WRONG");
@@ -332,8 +333,8 @@ Cone_flattening check_map(Mesh& mesh, const Surface& surface, std::size_t n, boo
   check_disk(mesh, map.seams, result.seams);
   map.check_orientations();
   map.check_seams(result, !is_free);
-  const auto cut = SMP::make_seam_mesh(mesh, map.seams).mesh;
-  BOOST_TEST(SMP::measure_flattening(cut, SMP::border_halfedge(cut), map.uv).flipped_triangles == 0);
+  const auto cut = TA::make_seam_mesh(mesh, map.seams).mesh;
+  BOOST_TEST(SMP::measure_flattening(cut, TA::border_halfedge(cut), map.uv).flipped_triangles == 0);
   return result;
 }
 
@@ -348,7 +349,7 @@ BOOST_AUTO_TEST_CASE(seams_reach_all_terminals)
     const std::set<Vertex> terminals = random_vertices(mesh, seed % 7, seed);
     BOOST_TEST_CONTEXT("seed " << seed << ", " << surface.name << ", " << terminals.size() << " terminals")
     {
-      check_disk(mesh, seams, SMP::cut_to_disks(mesh, seams, through(terminals)));
+      check_disk(mesh, seams, TA::cut_to_disks(mesh, seams, through(terminals)));
       for(Vertex v : terminals)
         BOOST_TEST((mesh.is_border(v) || seams_at(mesh, seams, v) > 0));
       if(surface.handles == 0 && surface.borders == 0 && terminals.size() >= 2)
@@ -365,7 +366,7 @@ BOOST_AUTO_TEST_CASE(of_regular_polyhedra)
     BOOST_TEST_CONTEXT(surface.name)
     {
       const Mesh mesh = surface.mesh();
-      const auto cones = SMP::select_cones(mesh, 4);
+      const auto cones = TA::select_cones(mesh, 4);
       BOOST_TEST(cones.status == Diagnosis::NOTHING_WRONG, cones.message);
       double total = 0;
       for(const auto& cone : cones.cones)
@@ -383,7 +384,7 @@ BOOST_AUTO_TEST_CASE(seams_between_two_terminals)
     const Halfedge h = mesh.halfedge(Edge(static_cast<Mesh::size_type>(mesh.number_of_edges() / 3)));
     const std::vector<Vertex> ends = {mesh.source(h), mesh.target(h)};
     const std::set<Vertex> both(ends.begin(), ends.end());
-    const Seam_report report = SMP::cut_to_disks(mesh, seams, through(both));
+    const Seam_report report = TA::cut_to_disks(mesh, seams, through(both));
     check_disk(mesh, seams, report);
     BOOST_TEST(report.number_of_terminals == 2u);
     BOOST_TEST(seams_at(mesh, seams, ends[0]) == 1u);
@@ -401,7 +402,7 @@ BOOST_AUTO_TEST_CASE(seams_of_several_parts)
   CGAL::copy_face_graph(sphere_with_holes(2, 3).mesh(), mesh);
   const std::set<Vertex> terminals = random_vertices(mesh, 20, 5);
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = SMP::cut_to_disks(mesh, seams, through(terminals));
+  const Seam_report report = TA::cut_to_disks(mesh, seams, through(terminals));
   check_disk(mesh, seams, report);
   BOOST_TEST(report.number_of_components == 3u);
   for(Vertex v : terminals)
@@ -413,7 +414,7 @@ BOOST_AUTO_TEST_CASE(terminals_on_seams)
 {
   Mesh mesh = torus(12, 8).mesh();
   const Seam_map seams = add_seams(mesh);
-  SMP::cut_to_disks(mesh, seams);
+  TA::cut_to_disks(mesh, seams);
   std::vector<bool> before;
   std::set<Vertex> terminals;
   for(Edge e : mesh.edges()) {
@@ -421,7 +422,7 @@ BOOST_AUTO_TEST_CASE(terminals_on_seams)
     if(seams[e])
       terminals.insert(mesh.target(mesh.halfedge(e)));
   }
-  check_disk(mesh, seams, SMP::cut_to_disks(mesh, seams, through(terminals)));
+  check_disk(mesh, seams, TA::cut_to_disks(mesh, seams, through(terminals)));
   for(Edge e : mesh.edges())
     BOOST_TEST(seams[e] == before[e.idx()]);
 }
@@ -440,14 +441,14 @@ BOOST_AUTO_TEST_CASE(terminals_that_cannot_be_reached)
     const Vertex other = mesh.target(mesh.next(mesh.next(mesh.opposite(mesh.next(mesh.halfedge(walled))))));
     for(const std::set<Vertex>& terminals : {std::set<Vertex>{walled}, {other, walled}}) {
       const Seam_report report =
-          SMP::cut_to_disks(mesh, seams, through(terminals).edge_is_constrained_map(is_forbidden));
+          TA::cut_to_disks(mesh, seams, through(terminals).edge_is_constrained_map(is_forbidden));
       BOOST_TEST(report.status == Diagnosis::NO_CUT_ALLOWED);
       BOOST_TEST(report.message.find("must be reached") != std::string::npos);
       for(Edge e : mesh.edges())
         BOOST_TEST(!seams[e]);
     }
     const std::set<Vertex> lonely = {other, mesh.add_vertex(Point_3(9, 9, 9))};
-    const Seam_report report = SMP::cut_to_disks(mesh, seams, through(lonely));
+    const Seam_report report = TA::cut_to_disks(mesh, seams, through(lonely));
     BOOST_TEST(report.status == Diagnosis::WRONG_OPTION);
     BOOST_TEST(report.message.find("vertex " + std::to_string(mesh.number_of_vertices() - 1) +
                                    " has no face") == 0u);
@@ -478,7 +479,7 @@ BOOST_AUTO_TEST_CASE(cones_are_those_of_the_slow_rule)
       }
       u = slow.solve(-slow.curvature(), cones);
       const Eigen::VectorXd charges = slow.left(u);
-      const Selection selection = SMP::select_cones(mesh, 24);
+      const Selection selection = TA::select_cones(mesh, 24);
       BOOST_TEST_REQUIRE(selection.message == "");
       check_angles(mesh, surface, selection);
       BOOST_TEST((in_order(selection) == cones));
@@ -498,10 +499,10 @@ BOOST_AUTO_TEST_CASE(least_squares_vary_least)
     BOOST_TEST_CONTEXT(surface.name)
     {
       const Mesh mesh = surface.mesh();
-      const Selection predicted = SMP::select_cones(mesh, 12),
-                      least = SMP::select_cones(
+      const Selection predicted = TA::select_cones(mesh, 12),
+                      least = TA::select_cones(
                           mesh, 12,
-                          with<Cone_options>(&Cone_options::angles, SMP::Cone_angles::LEAST_SQUARES));
+                          with<Cone_options>(&Cone_options::angles, TA::Cone_angles::LEAST_SQUARES));
       BOOST_TEST_REQUIRE(predicted.message == "");
       if(least.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
         continue;
@@ -540,8 +541,8 @@ BOOST_AUTO_TEST_CASE(angles_are_multiples_of_a_quantum)
         {
           const Mesh mesh = surface.mesh();
           const double quantum = 2 * CGAL_PI / turn;
-          const Selection any = SMP::select_cones(mesh, 8),
-                          selection = SMP::select_cones(
+          const Selection any = TA::select_cones(mesh, 8),
+                          selection = TA::select_cones(
                               mesh, 8, with<Cone_options>(&Cone_options::angle_multiple, quantum));
           if(selection.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
             continue;
@@ -563,7 +564,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_cones)
 {
   const auto check = [](const Mesh& mesh, std::size_t n, const Cone_options& options, Diagnosis diagnosis,
                         const std::string& part) {
-    const Selection selection = SMP::select_cones(mesh, n, options);
+    const Selection selection = TA::select_cones(mesh, n, options);
     BOOST_TEST(to_string(selection.status) == to_string(diagnosis));
     BOOST_TEST(selection.message.find(part) != std::string::npos, selection.message);
     BOOST_TEST(selection.cones.empty());
@@ -589,8 +590,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_cones)
         1u);
   check(ball, 3, with<Cone_options>(&Cone_options::angle_multiple, 2 * CGAL_PI),
         Diagnosis::INFEASIBLE_ANGLE_SUMS, "no multiples");
-  BOOST_TEST(SMP::select_cones(ring, 0).message == "");
-  BOOST_TEST(SMP::select_cones(pipe, 0).message == "");
+  BOOST_TEST(TA::select_cones(ring, 0).message == "");
+  BOOST_TEST(TA::select_cones(pipe, 0).message == "");
 
   Mesh two = ball;
   CGAL::copy_face_graph(ring, two);
@@ -627,7 +628,7 @@ BOOST_AUTO_TEST_CASE(flat_disks_get_no_cones)
     for(std::size_t j = 0; j < 9; ++j)
       plane.faces.push_back({10 * i + j, 10 * i + j + 10, 10 * i + j + 11, 10 * i + j + 1});
   triangulate(plane);
-  const Selection selection = SMP::select_cones(plane.mesh(), 8);
+  const Selection selection = TA::select_cones(plane.mesh(), 8);
   BOOST_TEST(selection.message == "");
   BOOST_TEST(selection.cones.empty());
 }
@@ -663,7 +664,7 @@ BOOST_AUTO_TEST_CASE(quarter_turns)
       {
         Mesh mesh = surface.mesh();
         const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
-        const Cone_flattening result = SMP::flatten_with_cones(
+        const Cone_flattening result = TA::flatten_with_cones(
             mesh, 12, map.seams, map.uv, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2));
         if(result.cones.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
           continue;
@@ -692,7 +693,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_map)
   };
   const auto check_with = [&](std::size_t n, const Cone_options& options, const auto& np, Stage stage,
                               Diagnosis diagnosis, const std::string& part) {
-    const Cone_flattening result = SMP::flatten_with_cones(mesh, n, seams, uv, options, np);
+    const Cone_flattening result = TA::flatten_with_cones(mesh, n, seams, uv, options, np);
     BOOST_TEST(result.status == diagnosis);
     BOOST_TEST(bool(result.cones) == (stage > CONES));
     BOOST_TEST(bool(result.seams) == (stage != SEAMS));
@@ -712,7 +713,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_map)
         "2 pi is not a multiple");
   check(8,
         with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI, &Cone_options::angles,
-                           SMP::Cone_angles::FREE),
+                           TA::Cone_angles::FREE),
         CONES, Diagnosis::WRONG_OPTION, "free angles");
   const auto forbidden = boost::make_function_property_map<Edge>([](Edge) { return true; });
   check_with(8, Cone_options(), parameters::edge_is_constrained_map(forbidden), SEAMS,
@@ -738,16 +739,16 @@ BOOST_AUTO_TEST_CASE(points_threads_and_coordinates)
   SMP::ABF_plus_plus_options options;
   options.threads = 1;
   BOOST_TEST(
-      SMP::flatten_with_cones(mesh, 8, seams, uv, with<Cone_options>(&Cone_options::parameterizer, options))
+      TA::flatten_with_cones(mesh, 8, seams, uv, with<Cone_options>(&Cone_options::parameterizer, options))
           .message == "");
   options.threads = 2;
-  BOOST_TEST(SMP::flatten_with_cones(mesh, 8, seams, other,
-                                     with<Cone_options>(&Cone_options::parameterizer, options))
-                 .message == "");
+  BOOST_TEST(
+      TA::flatten_with_cones(mesh, 8, seams, other, with<Cone_options>(&Cone_options::parameterizer, options))
+          .message == "");
   for(Halfedge h : mesh.halfedges())
     BOOST_TEST(uv[h] == other[h]);
-  BOOST_TEST(SMP::flatten_with_cones(mesh, 8, seams, other, Cone_options(),
-                                     parameters::vertex_point_map(twice.points()))
+  BOOST_TEST(TA::flatten_with_cones(mesh, 8, seams, other, Cone_options(),
+                                    parameters::vertex_point_map(twice.points()))
                  .message == "");
   double area = 0, least_x = 1, least_y = 1;
   for(Halfedge h : mesh.halfedges()) {
@@ -776,14 +777,14 @@ BOOST_AUTO_TEST_CASE(polyhedra_and_other_solvers)
   const Polyhedron polyhedron = surface.mesh<Polyhedron>();
   std::map<Traits::edge_descriptor, bool> seams;
   std::map<Traits::halfedge_descriptor, Kernel::Point_2> uv;
-  const auto result = SMP::flatten_with_cones(polyhedron, 8, boost::make_assoc_property_map(seams),
-                                              boost::make_assoc_property_map(uv));
+  const auto result = TA::flatten_with_cones(polyhedron, 8, boost::make_assoc_property_map(seams),
+                                             boost::make_assoc_property_map(uv));
   BOOST_TEST_REQUIRE(result.message == "");
   BOOST_TEST(uv.size() == 3 * mesh.number_of_faces());
   BOOST_TEST(seams.size() == mesh.number_of_edges());
-  const Selection expected = SMP::select_cones(mesh, 8),
+  const Selection expected = TA::select_cones(mesh, 8),
                   other =
-                      SMP::select_cones(mesh, 8, Cone_options(), parameters::sparse_linear_solver(Solver()));
+                      TA::select_cones(mesh, 8, Cone_options(), parameters::sparse_linear_solver(Solver()));
   for(std::size_t i = 0; i < 8; ++i) {
     BOOST_TEST(mesh.point(expected.cones[i].first) == result.cones.cones[i].first->point());
     BOOST_TEST(std::abs(expected.cones[i].second - result.cones.cones[i].second) < 1e-9);
@@ -807,7 +808,7 @@ BOOST_AUTO_TEST_CASE(degenerate_surfaces)
       }
       const Seam_map seams = add_seams(mesh);
       const UV_map uv = add_coordinates(mesh);
-      const Cone_flattening result = SMP::flatten_with_cones(mesh, 6, seams, uv);
+      const Cone_flattening result = TA::flatten_with_cones(mesh, 6, seams, uv);
       BOOST_TEST(bool(result) == (result.message == ""));
       if(result.message == "") {
         ++flattened;
@@ -840,12 +841,12 @@ BOOST_AUTO_TEST_CASE(models_with_cones)
       const UV_map uv = add_coordinates(mesh);
       SMP::ABF_plus_plus_options options;
       options.equal_seam_lengths = is_equal;
-      const auto result = SMP::flatten_with_cones(
+      const auto result = TA::flatten_with_cones(
           mesh, model.cones, seams, uv,
           with<Cone_options>(&Cone_options::angles, angles(is_free), &Cone_options::parameterizer, options));
       BOOST_TEST_REQUIRE(result.message == "");
-      const auto cut = SMP::make_seam_mesh(mesh, seams).mesh;
-      return SMP::measure_flattening(cut, SMP::border_halfedge(cut), uv);
+      const auto cut = TA::make_seam_mesh(mesh, seams).mesh;
+      return SMP::measure_flattening(cut, TA::border_halfedge(cut), uv);
     };
     BOOST_TEST_CONTEXT(model.name)
     {

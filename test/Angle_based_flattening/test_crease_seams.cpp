@@ -12,8 +12,8 @@
 #include "test_data.h"
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
-#include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
+#include <CGAL/Texture_atlas/seam_weights.h>
+#include <CGAL/Texture_atlas/select_crease_seams.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +28,7 @@
 BOOST_AUTO_TEST_SUITE(test_crease_seams)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
 using atlas_check::Atlas_run;
 using atlas_check::check_atlas;
@@ -118,7 +119,7 @@ double length(const Mesh& mesh, Edge e)
 
 struct Crease_atlas
 {
-  SMP::Crease_report creases;
+  TA::Crease_report creases;
   Atlas_run run;
 };
 
@@ -126,10 +127,10 @@ Crease_atlas make_crease_atlas(Mesh& mesh)
 {
   const Marks seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
   const auto weights = mesh.add_property_map<Edge, double>("e:weight", 0).first;
-  Crease_atlas result{SMP::select_crease_seams(mesh, seams), {}};
-  SMP::compute_crease_weights(mesh, weights);
+  Crease_atlas result{TA::select_crease_seams(mesh, seams), {}};
+  TA::compute_crease_weights(mesh, weights);
   result.run = atlas_check::make_atlas_of(
-      mesh, SMP::Atlas_options(), parameters::edge_weight_map(weights), [&](Edge e) { return seams[e]; },
+      mesh, TA::Atlas_options(), parameters::edge_weight_map(weights), [&](Edge e) { return seams[e]; },
       get(CGAL::vertex_point, mesh));
   BOOST_TEST(bool(result.run.report), result.run.report.message);
   check_atlas(result.run, Wishes());
@@ -247,7 +248,7 @@ BOOST_AUTO_TEST_CASE(seams_lie_on_creases)
     {
       std::mt19937 random(seed);
       Mesh mesh = seam_surfaces::random_surface(seed).mesh();
-      SMP::Crease_options options;
+      TA::Crease_options options;
       options.angle = std::uniform_real_distribution<>(0.1, 1.5)(random);
       const Marks given = mesh.add_property_map<Edge, bool>("e:given", false).first,
                   seams = mesh.add_property_map<Edge, bool>("e:seam", false).first,
@@ -257,7 +258,7 @@ BOOST_AUTO_TEST_CASE(seams_lie_on_creases)
         forbidden[e] = random() % 5 == 0;
       }
       const auto report =
-          SMP::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
+          TA::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
       BOOST_TEST_REQUIRE(bool(report), report.message);
       for(const Edge e : mesh.edges())
         BOOST_TEST((given[e] ? seams[e]
@@ -265,7 +266,7 @@ BOOST_AUTO_TEST_CASE(seams_lie_on_creases)
       BOOST_TEST(report.number_of_parts <= report.number_of_patches);
       // again, there is nothing to do but to join what would be another part now
       const auto again =
-          SMP::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
+          TA::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
       BOOST_TEST(again.number_of_parts >= report.number_of_parts);
     }
 }
@@ -277,7 +278,7 @@ BOOST_AUTO_TEST_CASE(smooth_surfaces_have_no_creases)
                                                {seam_surfaces::tube(30, 4), true}}) {
     Mesh mesh = surface.mesh();
     const Marks seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
-    const auto report = SMP::select_crease_seams(mesh, seams);
+    const auto report = TA::select_crease_seams(mesh, seams);
     BOOST_TEST(bool(report));
     BOOST_TEST(report.number_of_patches == 1u);
     BOOST_TEST(report.number_of_parts == 1u);
@@ -303,7 +304,7 @@ BOOST_AUTO_TEST_CASE(rough_places_stay_whole)
       creases += bend(mesh, e) > 40 * degree;
     BOOST_TEST(creases >= 10u);
     const auto report =
-        SMP::select_crease_seams(mesh, mesh.add_property_map<Edge, bool>("e:seam", false).first);
+        TA::select_crease_seams(mesh, mesh.add_property_map<Edge, bool>("e:seam", false).first);
     BOOST_TEST(report.number_of_parts == 1u);
     BOOST_TEST(report.seam_length == 0);
   }
@@ -314,9 +315,9 @@ BOOST_AUTO_TEST_CASE(wrong_angles_are_refused)
   Mesh mesh = seam_surfaces::tetrahedron().mesh();
   const Marks seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
   for(const double angle : {0., -1., CGAL_PI, std::numeric_limits<double>::quiet_NaN()}) {
-    SMP::Crease_options options;
+    TA::Crease_options options;
     options.angle = angle;
-    const auto report = SMP::select_crease_seams(mesh, seams, options);
+    const auto report = TA::select_crease_seams(mesh, seams, options);
     BOOST_TEST((report.status == SMP::Diagnosis::WRONG_OPTION));
     BOOST_TEST(report.message.find("angle of a crease") != std::string::npos);
     for(const Edge e : mesh.edges())
@@ -330,7 +331,7 @@ BOOST_AUTO_TEST_CASE(wrong_meshes_are_named)
   square.add_face(square.add_vertex(Point_3(0, 0, 0)), square.add_vertex(Point_3(1, 0, 0)),
                   square.add_vertex(Point_3(1, 1, 0)), square.add_vertex(Point_3(0, 1, 0)));
   const auto report =
-      SMP::select_crease_seams(square, square.add_property_map<Edge, bool>("e:seam", false).first);
+      TA::select_crease_seams(square, square.add_property_map<Edge, bool>("e:seam", false).first);
   BOOST_TEST((report.status == SMP::Diagnosis::NOT_TRIANGULATED));
   BOOST_TEST(report.offending_faces.size() == 1u);
 }
@@ -344,14 +345,14 @@ BOOST_AUTO_TEST_CASE(seams_hide)
     seam_surfaces::subdivide(surface, 2);
     Mesh mesh = surface.mesh();
     const auto weights = mesh.add_property_map<Edge, double>("e:weight", 0).first;
-    SMP::compute_visibility_weights(mesh, weights);
+    TA::compute_visibility_weights(mesh, weights);
     const auto cost = [&](const auto& np) {
       const Marks seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
       for(const Edge e : mesh.edges())
         seams[e] = false;
       const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
       const auto charts = get(CGAL::dynamic_face_property_t<int>(), mesh);
-      BOOST_TEST(SMP::make_atlas(mesh, seams, uv, charts, SMP::Atlas_options(), np).has_atlas());
+      BOOST_TEST(TA::make_atlas(mesh, seams, uv, charts, TA::Atlas_options(), np).has_atlas());
       double sum = 0;
       for(const Edge e : mesh.edges())
         sum += seams[e] ? weights[e] : 0;
@@ -389,7 +390,7 @@ BOOST_AUTO_TEST_CASE(figures_are_no_hard_surfaces)
     Mesh mesh;
     BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / name, mesh));
     const auto report =
-        SMP::select_crease_seams(mesh, mesh.add_property_map<Edge, bool>("e:seam", false).first);
+        TA::select_crease_seams(mesh, mesh.add_property_map<Edge, bool>("e:seam", false).first);
     BOOST_TEST(bool(report));
     BOOST_TEST(!report.is_hard_surface(), name);
   }

@@ -15,8 +15,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -34,6 +34,7 @@
 BOOST_AUTO_TEST_SUITE(test_disk_cut)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace abf = SMP::internal::ABF;
 using seam_surfaces::Surface;
 using SMP::Diagnosis;
@@ -73,12 +74,12 @@ Seams<Mesh> seams_along(const Mesh& mesh, const std::vector<Vertex>& path)
 }
 
 template <typename TriangleMesh>
-SMP::Disk_cut_report<TriangleMesh> check(const TriangleMesh& mesh, const Seams<TriangleMesh>& seams)
+TA::Disk_cut_report<TriangleMesh> check(const TriangleMesh& mesh, const Seams<TriangleMesh>& seams)
 {
-  return SMP::is_disk_cut(mesh, seams.map);
+  return TA::is_disk_cut(mesh, seams.map);
 }
 
-SMP::Disk_cut_report<Mesh> check_along(const Mesh& mesh, const std::vector<Vertex>& path)
+TA::Disk_cut_report<Mesh> check_along(const Mesh& mesh, const std::vector<Vertex>& path)
 {
   return check(mesh, seams_along(mesh, path));
 }
@@ -237,7 +238,7 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
       const auto result = check(mesh, seams);
       const std::vector<Count> counts = count_parts(mesh, seams);
       BOOST_REQUIRE(result.parts.size() == counts.size());
-      const auto seam_mesh = SMP::make_seam_mesh(mesh, seams.map).mesh;
+      const auto seam_mesh = TA::make_seam_mesh(mesh, seams.map).mesh;
       std::size_t disks = 0, vertices = 0;
       for(std::size_t p = 0; p < counts.size(); ++p) {
         const auto& part = result.parts[p];
@@ -250,7 +251,7 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
         ++tally[part.status];
         disks += part.status == Diagnosis::NOTHING_WRONG;
         vertices += counts[p].vertices;
-        const auto border = SMP::border_halfedge(seam_mesh, part.face);
+        const auto border = TA::border_halfedge(seam_mesh, part.face);
         if(part.status == Diagnosis::NO_BORDER)
           BOOST_TEST((border == Mesh::null_halfedge()));
         else {
@@ -382,10 +383,10 @@ BOOST_AUTO_TEST_CASE(pinched_vertices)
   const auto result = check(open, Seams<Mesh>(open));
   BOOST_TEST(static_cast<bool>(result));
   BOOST_TEST(result.number_of_disks == 2u);
-  const auto opened = SMP::make_seam_mesh(open, Seams<Mesh>(open).map).mesh;
+  const auto opened = TA::make_seam_mesh(open, Seams<Mesh>(open).map).mesh;
   BOOST_TEST(num_vertices(opened) == 8u);
   for(Face f : open.faces())
-    BOOST_TEST(read_part(opened, SMP::border_halfedge(opened, f)).first);
+    BOOST_TEST(read_part(opened, TA::border_halfedge(opened, f)).first);
 
   // One of them is closed, and so the seam mesh could not tell them apart.
   const Mesh half = mesh_of({{0, 1, 2}, {0, 2, 3}, {1, 3, 2}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {4, 6, 5}});
@@ -403,7 +404,7 @@ BOOST_AUTO_TEST_CASE(pinched_vertices)
                       return ends == std::set<Vertex>{Vertex(0), Vertex(5)};
                     }),
       true);
-  const auto cut = SMP::make_seam_mesh(half, slit.map);
+  const auto cut = TA::make_seam_mesh(half, slit.map);
   BOOST_TEST(name(cut.status) == "NON_MANIFOLD_VERTEX");
   BOOST_TEST((cut.offending_vertices == std::vector<Vertex>{Vertex(0)}));
   BOOST_TEST(cut.message == "vertex 0 is surrounded by faces, and is on a seam or border of other faces");
@@ -426,15 +427,15 @@ BOOST_AUTO_TEST_CASE(parallel_edges)
                              static_cast<int>(mesh.target(result.parts[0].where).idx())};
     const auto& offenders = infeasible.offenders;
     BOOST_TEST((std::find(offenders.begin(), offenders.end(), ends) != offenders.end()));
-    const auto seam_mesh = SMP::make_seam_mesh(mesh, Seams<Mesh>(mesh).map).mesh;
-    BOOST_TEST(!read_part(seam_mesh, SMP::border_halfedge(seam_mesh)).first);
+    const auto seam_mesh = TA::make_seam_mesh(mesh, Seams<Mesh>(mesh).map).mesh;
+    BOOST_TEST(!read_part(seam_mesh, TA::border_halfedge(seam_mesh)).first);
   }
 
   // Where the surface meets itself in one vertex, it is a disk nevertheless.
   const Mesh bow_tie = test_charts::mesh_of_chart<Mesh>(test_charts::bow_tie(5, random).chart);
   BOOST_TEST(static_cast<bool>(check(bow_tie, Seams<Mesh>(bow_tie))));
-  const auto opened = SMP::make_seam_mesh(bow_tie, Seams<Mesh>(bow_tie).map).mesh;
-  BOOST_TEST(read_part(opened, SMP::border_halfedge(opened)).first);
+  const auto opened = TA::make_seam_mesh(bow_tie, Seams<Mesh>(bow_tie).map).mesh;
+  BOOST_TEST(read_part(opened, TA::border_halfedge(opened)).first);
   BOOST_TEST(num_vertices(opened) == num_vertices(bow_tie) + 1);
 }
 
@@ -467,8 +468,8 @@ BOOST_AUTO_TEST_CASE(any_mesh_type)
         BOOST_TEST(name(x.status) == name(y.status));
         BOOST_TEST(x.parts.size() == y.parts.size());
         BOOST_TEST(x.number_of_disks == y.number_of_disks);
-        const auto p = SMP::make_seam_mesh(polyhedron, a.map).mesh;
-        const auto m = SMP::make_seam_mesh(mesh, b.map).mesh;
+        const auto p = TA::make_seam_mesh(polyhedron, a.map).mesh;
+        const auto m = TA::make_seam_mesh(mesh, b.map).mesh;
         BOOST_TEST(p.number_of_seam_edges() == marked);
         BOOST_TEST(num_vertices(p) == num_vertices(m));
         BOOST_TEST(num_halfedges(p) == num_halfedges(m));

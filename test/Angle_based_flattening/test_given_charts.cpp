@@ -32,7 +32,7 @@ using atlas_check::check_atlas;
 using atlas_check::Point_2;
 using atlas_check::Wishes;
 using CGAL::Surface_mesh_parameterization::Diagnosis;
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef CGAL::Surface_mesh<atlas_check::Point_3> Mesh;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Face_index Face;
@@ -63,7 +63,7 @@ struct Charted_mesh
     Charted_mesh result(all.mesh<Mesh>());
     Atlas_options options(Atlas_options::TEXTURE);
     options.isometric_charts = false;
-    const auto report = SMP::make_atlas(result.mesh, result.seams, result.uv, result.chart, options);
+    const auto report = TA::make_atlas(result.mesh, result.seams, result.uv, result.chart, options);
     BOOST_TEST_REQUIRE(report.has_atlas(), report.message);
     result.number_of_charts = report.charts.size();
     for(int c = 0; c < static_cast<int>(report.charts.size()); ++c) {
@@ -124,7 +124,7 @@ struct Charted_mesh
     read_run(mesh, mesh.points(), uv, chart, seams, before);
     run.was_seam = before.is_seam;
     auto found = mesh.add_property_map<Mesh::Edge_index, bool>("e:found", false).first;
-    run.report = SMP::make_atlas(mesh, found, uv, chart, options);
+    run.report = TA::make_atlas(mesh, found, uv, chart, options);
     read_run(mesh, mesh.points(), uv, chart, found, run);
     mesh.remove_property_map(found);
     return run;
@@ -335,11 +335,11 @@ BOOST_AUTO_TEST_CASE(coordinates_must_be_readable)
 {
   const Charted_mesh charts = Charted_mesh::random(1);
   for(const auto given : {Atlas_options::KEEP, Atlas_options::REPAIR}) {
-    const auto report = SMP::make_atlas(charts.mesh, Written_only(), options_of(given));
+    const auto report = TA::make_atlas(charts.mesh, Written_only(), options_of(given));
     BOOST_TEST(report.status == Diagnosis::WRONG_OPTION);
     BOOST_TEST(report.message.find("can be read") != std::string::npos);
   }
-  BOOST_TEST(bool(SMP::make_atlas(charts.mesh, Written_only(), options_of(Atlas_options::REPLACE))));
+  BOOST_TEST(bool(TA::make_atlas(charts.mesh, Written_only(), options_of(Atlas_options::REPLACE))));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,12 +13,12 @@
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/IO/OBJ.h>
+#include <CGAL/Texture_atlas/IO/OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -39,6 +39,7 @@
 BOOST_AUTO_TEST_SUITE(test_halfedge_maps)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
 typedef Mesh::Halfedge_index Halfedge;
@@ -55,14 +56,14 @@ struct Atlas
   Mesh::Property_map<Halfedge, Point_2> uv;
   Mesh::Property_map<Mesh::Edge_index, bool> seams;
   Mesh::Property_map<Face, int> chart;
-  SMP::Atlas_report report;
+  TA::Atlas_report report;
 
-  Atlas(const Mesh& surface, const SMP::Atlas_options& options = SMP::Atlas_options()) : mesh(surface)
+  Atlas(const Mesh& surface, const TA::Atlas_options& options = TA::Atlas_options()) : mesh(surface)
   {
     uv = mesh.add_property_map<Halfedge, Point_2>("h:uv", {0, 0}).first;
     seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
     chart = mesh.add_property_map<Face, int>("f:chart", -1).first;
-    report = SMP::make_atlas(mesh, seams, uv, chart, options);
+    report = TA::make_atlas(mesh, seams, uv, chart, options);
   }
 
   explicit Atlas(unsigned seed) : Atlas(atlas_surfaces::random_union(seed, 4).mesh<Mesh>()) {}
@@ -70,7 +71,7 @@ struct Atlas
   std::vector<Face> overlapping() const
   {
     std::vector<Face> result;
-    SMP::overlapping_faces(mesh, uv, std::back_inserter(result));
+    TA::overlapping_faces(mesh, uv, std::back_inserter(result));
     return result;
   }
 };
@@ -169,18 +170,18 @@ BOOST_AUTO_TEST_CASE(atlases_are_injective)
 
 BOOST_AUTO_TEST_CASE(one_chart_is_measured_as_a_seam_mesh)
 {
-  SMP::Atlas_options options;
+  TA::Atlas_options options;
   options.pack_into_square = false;
   for(const auto& surface : {seam_surfaces::sphere(2), seam_surfaces::torus(12, 8)}) {
     const Atlas atlas(surface.mesh<Mesh>(), options);
     BOOST_TEST_REQUIRE(atlas.report.charts.size() == 1u);
     Mesh copy = atlas.mesh;
-    const auto cut = SMP::make_seam_mesh(copy, atlas.seams).mesh;
+    const auto cut = TA::make_seam_mesh(copy, atlas.seams).mesh;
     typedef std::decay_t<decltype(cut)> Cut;
     const auto uv_of_vertex = boost::make_function_property_map<boost::graph_traits<Cut>::vertex_descriptor>(
         [&](const auto& v) { return get(atlas.uv, static_cast<Halfedge>(v)); });
     const SMP::Flattening_measures expected =
-        SMP::measure_flattening(cut, SMP::border_halfedge(cut), uv_of_vertex);
+        SMP::measure_flattening(cut, TA::border_halfedge(cut), uv_of_vertex);
     check_equal(SMP::measure_flattening(atlas.mesh, atlas.uv), expected);
     check_equal(SMP::measure_flattening(cut, uv_of_vertex), expected);
     int faces = 0;
@@ -277,7 +278,7 @@ BOOST_AUTO_TEST_CASE(obj_files_are_read_back)
           });
       std::stringstream stream;
       stream.precision(3);
-      BOOST_TEST(bool(SMP::IO::write_OBJ(stream, atlas.mesh, atlas.uv)) == is_finite);
+      BOOST_TEST(bool(TA::IO::write_OBJ(stream, atlas.mesh, atlas.uv)) == is_finite);
       if(!is_finite)
         continue;
       ++written;
@@ -294,7 +295,7 @@ BOOST_AUTO_TEST_CASE(obj_files_are_read_back)
       for(const Face f : atlas.mesh.faces())
         atlas.chart[f] = static_cast<int>(f.idx() % 3) - 1;
       BOOST_TEST(bool(
-          SMP::IO::write_OBJ(apart, atlas.mesh, atlas.uv, CGAL::parameters::face_patch_map(atlas.chart))));
+          TA::IO::write_OBJ(apart, atlas.mesh, atlas.uv, CGAL::parameters::face_patch_map(atlas.chart))));
       BOOST_TEST((read_obj(apart, coordinates) ==
                   corners_of(atlas.mesh, atlas.uv, [&](Face f) { return atlas.chart[f] >= 0; })));
     }
@@ -308,7 +309,7 @@ BOOST_AUTO_TEST_CASE(obj_files_of_vertex_maps)
   for(const Vertex v : mesh.vertices())
     uv[v] = Point_2(v.idx() / 3., -1. * v.idx());
   const std::string file = "test_halfedge_maps.obj";
-  BOOST_TEST_REQUIRE(bool(SMP::IO::write_OBJ(file, mesh, uv)));
+  BOOST_TEST_REQUIRE(bool(TA::IO::write_OBJ(file, mesh, uv)));
   std::ifstream in(file);
   std::size_t coordinates = 0;
   const auto of_corner =

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -27,6 +27,7 @@
 BOOST_AUTO_TEST_SUITE(test_kernels)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef CGAL::Simple_cartesian<double> Kernel;
 
 namespace {
@@ -97,7 +98,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(atlases, Some_kernel, Kernels)
       mesh.template add_property_map<typename Some_mesh::Halfedge_index, typename Some_kernel::Point_2>(
               "h:uv")
           .first;
-  const SMP::Atlas_report report = SMP::make_atlas(mesh, uv);
+  const TA::Atlas_report report = TA::make_atlas(mesh, uv);
   BOOST_TEST(bool(report), report.message);
   BOOST_TEST(report.charts.size() == 1u);
   for(const auto h : mesh.halfedges()) {

@@ -22,7 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <atomic>
 #include <cstddef>
@@ -71,6 +71,7 @@ BOOST_AUTO_TEST_SUITE(test_memory)
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace abf = SMP::internal::ABF;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -268,11 +269,11 @@ BOOST_AUTO_TEST_CASE(seams_to_further_terminals_allocate_no_array)
   Mesh mesh = test_meshes::bump<Mesh>(40);
   const auto allocations = [&](int terminals) {
     auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-    SMP::Seam_options options;
+    TA::Seam_options options;
     options.maximum_number_of_terminals = terminals;
     options.stretch_bound = 1.0001;
     const Allocation_count count(bytes_of_an_array(mesh));
-    const auto report = SMP::select_seams(mesh, seams, options);
+    const auto report = TA::select_seams(mesh, seams, options);
     const long number = count.get();
     BOOST_TEST(report.number_of_terminals == std::size_t(terminals));
     mesh.remove_property_map(seams);

@@ -7,7 +7,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -26,7 +26,7 @@ namespace {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 // A flat surface of unit squares: those that are marked by `#` in a picture, each divided into triangles.
 Mesh flat_surface(const std::vector<std::string>& picture)
@@ -59,7 +59,7 @@ const std::vector<std::string> dumbbell = {"######  ######", //
 
 struct Result
 {
-  SMP::Atlas_report report;
+  TA::Atlas_report report;
   std::vector<Mesh::Edge_index> seams;
 };
 
@@ -76,9 +76,9 @@ Result atlas_of(Mesh& mesh, double seam_price, const std::vector<Mesh::Edge_inde
     constrained[e] = true;
   Result result;
   const auto charts = mesh.add_property_map<Mesh::Face_index, int>("f:chart").first;
-  SMP::Atlas_options options;
+  TA::Atlas_options options;
   options.seam_price = seam_price;
-  result.report = SMP::make_atlas(mesh, seams, uv, charts, options, np::edge_is_constrained_map(constrained));
+  result.report = TA::make_atlas(mesh, seams, uv, charts, options, np::edge_is_constrained_map(constrained));
   for(const Mesh::Edge_index e : mesh.edges())
     if(seams[e])
       result.seams.push_back(e);

@@ -11,7 +11,7 @@
 #include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -31,14 +31,15 @@
 BOOST_AUTO_TEST_SUITE(test_packing)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace ABF = SMP::internal::ABF;
 namespace parameters = CGAL::parameters;
-using ABF::Packing;
-using ABF::Packing_check;
+using TA::internal::Packing;
+using TA::internal::Packing_check;
 using ABF::Planar_point;
-using SMP::Packing_report;
+using TA::Packing_report;
 using SMP::Diagnosis;
-using SMP::Packing_options;
+using TA::Packing_options;
 using test_charts::Planar_charts;
 using test_charts::Texel_oracle;
 
@@ -71,7 +72,7 @@ void check_packing(const Planar_charts& charts, const Packing& packing, const Pa
   const Texel_oracle oracle(corners, charts.chart, options.resolution);
   BOOST_TEST(!oracle.are_too_near(options.number_of_gutter_texels()));
   BOOST_TEST(oracle.border() >= (options.number_of_gutter_texels() + 1) / 2);
-  BOOST_TEST((ABF::certify_packing(corners, charts.chart, packing.page, options).status ==
+  BOOST_TEST((TA::internal::certify_packing(corners, charts.chart, packing.page, options).status ==
               Packing_check::CERTIFIED));
   BOOST_TEST(std::abs(sum_of_areas(corners) / packing.covered_share - 1) < 1e-6);
 
@@ -140,8 +141,8 @@ BOOST_AUTO_TEST_CASE(high_resolutions)
     const Packing packing = pack(charts, o);
     BOOST_REQUIRE(packing.status == Packing::DONE);
     const std::vector<Planar_point> corners = placed_corners(charts, packing);
-    BOOST_TEST(
-        (ABF::certify_packing(corners, charts.chart, packing.page, o).status == Packing_check::CERTIFIED));
+    BOOST_TEST((TA::internal::certify_packing(corners, charts.chart, packing.page, o).status ==
+                Packing_check::CERTIFIED));
   }
 }
 
@@ -179,8 +180,8 @@ BOOST_AUTO_TEST_CASE(any_resolution_and_gutter)
       if(packing.status == Packing::DONE) {
         const std::vector<Planar_point> corners = placed_corners(charts, packing);
         BOOST_TEST(
-            (ABF::certify_packing(corners, charts.chart, packing.page, options(resolution, gutter)).status ==
-             Packing_check::CERTIFIED));
+            (TA::internal::certify_packing(corners, charts.chart, packing.page, options(resolution, gutter))
+                 .status == Packing_check::CERTIFIED));
       }
       // Two texels with the gutter between them, and half of it around
       BOOST_TEST((packing.status == Packing::DONE) == (resolution >= 2 + gutter + (gutter + 1) / 2 * 2));
@@ -204,7 +205,8 @@ BOOST_AUTO_TEST_CASE(certificate_equals_the_oracle)
         if(charts.chart[c / 3] == moved)
           corners[c] += shift;
       const Texel_oracle oracle(corners, charts.chart, 64);
-      const Packing_check check = ABF::certify_packing(corners, charts.chart, std::vector<int>(6, 0), o);
+      const Packing_check check =
+          TA::internal::certify_packing(corners, charts.chart, std::vector<int>(6, 0), o);
       if(oracle.border() < (o.number_of_gutter_texels() + 1) / 2) {
         BOOST_TEST((check.status == Packing_check::OUTSIDE));
         BOOST_TEST(charts.chart[check.triangle] == moved);
@@ -450,7 +452,7 @@ std::string check_failure(Charts& charts, Diagnosis diagnosis,
                           const NamedParameters& np = parameters::default_values())
 {
   const auto before = charts.coordinates();
-  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv, options, np);
+  const Packing_report report = TA::pack_charts(charts.mesh, charts.chart, charts.uv, options, np);
   BOOST_TEST(!report);
   BOOST_TEST(report.status == diagnosis);
   BOOST_TEST(!report.message.empty());
@@ -468,8 +470,8 @@ BOOST_AUTO_TEST_CASE(surface_mesh)
 {
   Charts_of_mesh<Doubles::Point_3, Doubles::Point_2> charts(30, 21);
   const Packing_report report =
-      SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                       with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 3));
+      TA::pack_charts(charts.mesh, charts.chart, charts.uv,
+                      with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 3));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_charts == 30u);
   BOOST_TEST(report.number_of_faces == 30u);
@@ -487,9 +489,9 @@ BOOST_AUTO_TEST_CASE(weights)
   Charts_of_mesh<Doubles::Point_3, Doubles::Point_2> charts(12, 22);
   for(const auto f : charts.mesh.faces())
     charts.weight[f] = f.idx() % 3 == 0 ? 3 : 1;
-  const Packing_report report = SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                                                 with<Packing_options>(&Packing_options::resolution, 512),
-                                                 parameters::face_size_map(charts.weight));
+  const Packing_report report = TA::pack_charts(charts.mesh, charts.chart, charts.uv,
+                                                with<Packing_options>(&Packing_options::resolution, 512),
+                                                parameters::face_size_map(charts.weight));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(charts, 512, 2);
   for(const auto f : charts.mesh.faces())
@@ -500,15 +502,15 @@ BOOST_AUTO_TEST_CASE(coordinates_of_floats_and_of_exact_numbers)
 {
   Charts_of_mesh<Floats::Point_3, Floats::Point_2> floats(25, 23);
   const Packing_report report =
-      SMP::pack_charts(floats.mesh, floats.chart, floats.uv,
-                       with<Packing_options>(&Packing_options::resolution, 256, &Packing_options::gutter, 2));
+      TA::pack_charts(floats.mesh, floats.chart, floats.uv,
+                      with<Packing_options>(&Packing_options::resolution, 256, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(floats, 256, 2);
 
   Charts_of_mesh<Exact::Point_3, Exact::Point_2> exact(8, 24);
   const Packing_report exact_report =
-      SMP::pack_charts(exact.mesh, exact.chart, exact.uv,
-                       with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
+      TA::pack_charts(exact.mesh, exact.chart, exact.uv,
+                      with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(exact_report, exact_report.message);
   check_mesh(exact, 64, 2);
 }
@@ -527,7 +529,7 @@ BOOST_AUTO_TEST_CASE(polyhedron)
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
       put(uv, h, Doubles::Point_2(target(h, mesh)->point().x(), target(h, mesh)->point().y()));
   }
-  const Packing_report report = SMP::pack_charts(
+  const Packing_report report = TA::pack_charts(
       mesh, chart, uv, with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   std::vector<Planar_point> corners;
@@ -548,8 +550,8 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_stay)
   for(const auto h : charts.mesh.halfedges_around_face(charts.mesh.halfedge(f)))
     charts.uv[h] = Doubles::Point_2(infinity, h.idx());
   const Packing_report report =
-      SMP::pack_charts(charts.mesh, charts.chart, charts.uv,
-                       with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
+      TA::pack_charts(charts.mesh, charts.chart, charts.uv,
+                      with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_charts == 8u);
   check_mesh(charts, 64, 2);

@@ -12,9 +12,9 @@
 #include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -31,15 +31,16 @@
 BOOST_AUTO_TEST_SUITE(test_pages)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace ABF = SMP::internal::ABF;
 namespace parameters = CGAL::parameters;
-using ABF::Packing;
-using ABF::Packing_check;
+using TA::internal::Packing;
+using TA::internal::Packing_check;
 using ABF::Planar_point;
-using SMP::Atlas_options;
-using SMP::Atlas_report;
+using TA::Atlas_options;
+using TA::Atlas_report;
 using SMP::Diagnosis;
-using SMP::Packing_options;
+using TA::Packing_options;
 using test_charts::Planar_charts;
 using test_charts::Texel_oracle;
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -158,7 +159,7 @@ BOOST_AUTO_TEST_CASE(charts_on_any_pages_are_apart)
     const double page = options.resolution * options.number_of_rows();
     BOOST_TEST(std::abs(texels / page / packing.number_of_pages / packing.covered_share - 1) < 1e-9);
     const std::vector<Planar_point> corners = placed_corners(charts, packing);
-    BOOST_TEST((ABF::certify_packing(corners, charts.chart, packing.page, options).status ==
+    BOOST_TEST((TA::internal::certify_packing(corners, charts.chart, packing.page, options).status ==
                 Packing_check::CERTIFIED));
     for(int k = 0; k < packing.number_of_pages; ++k)
       check_page(page_of(charts, packing, options, k), options);
@@ -179,7 +180,7 @@ BOOST_AUTO_TEST_CASE(the_certificate_sees_other_pages_and_blocks)
   BOOST_REQUIRE(packing.status == Packing::DONE);
   const std::vector<Planar_point> corners = placed_corners(charts, packing);
   const auto status = [&](const std::vector<int>& page) {
-    return ABF::certify_packing(corners, charts.chart, page, options).status;
+    return TA::internal::certify_packing(corners, charts.chart, page, options).status;
   };
   BOOST_TEST((status(packing.page) == Packing_check::CERTIFIED));
   std::vector<int> wrong = packing.page;
@@ -278,9 +279,9 @@ struct Squares
       uv[h] = {mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y()};
   }
 
-  SMP::Packing_report pack(const Packing_options& options)
+  TA::Packing_report pack(const Packing_options& options)
   {
-    return SMP::pack_charts(mesh, chart, uv, options);
+    return TA::pack_charts(mesh, chart, uv, options);
   }
 };
 
@@ -293,7 +294,7 @@ Packing_options with_density(int resolution, double texels)
 void check_failure(const Packing_options& options, Diagnosis diagnosis, const std::vector<std::string>& words)
 {
   Squares squares(3);
-  const SMP::Packing_report report = squares.pack(options);
+  const TA::Packing_report report = squares.pack(options);
   BOOST_TEST((report.status == diagnosis));
   for(const std::string& word : words)
     BOOST_TEST(report.message.find(word) != std::string::npos, report.message << " has no " << word);
@@ -308,7 +309,7 @@ void check_failure(const Packing_options& options, Diagnosis diagnosis, const st
 BOOST_AUTO_TEST_CASE(pages_are_numbered_as_in_UDIM)
 {
   Squares squares(48);
-  const SMP::Packing_report report = squares.pack(with_density(128, 50));
+  const TA::Packing_report report = squares.pack(with_density(128, 50));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_pages == 12u);
   BOOST_REQUIRE_EQUAL(report.page_of_chart.size(), 48u);
@@ -366,8 +367,7 @@ struct Strip_atlas
       mesh.add_property_map<CGAL::SM_Face_index, int>("f:chart", -1).first;
   CGAL::Surface_mesh_parameterization::Mesh_report<Mesh, Atlas_report> report;
 
-  explicit Strip_atlas(const Atlas_options& options)
-      : report(SMP::make_atlas(mesh, seams, uv, chart, options))
+  explicit Strip_atlas(const Atlas_options& options) : report(TA::make_atlas(mesh, seams, uv, chart, options))
   {}
 };
 
@@ -392,7 +392,7 @@ BOOST_AUTO_TEST_CASE(charts_are_cut_until_pages_hold_them)
     auto chart = mesh.add_property_map<CGAL::SM_Face_index, int>("f:chart", -1).first;
     auto seams = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:seam", false).first;
     auto weights = mesh.add_property_map<CGAL::SM_Face_index, double>("f:weight", weight).first;
-    const auto report = SMP::make_atlas(mesh, seams, uv, chart, options, parameters::face_size_map(weights));
+    const auto report = TA::make_atlas(mesh, seams, uv, chart, options, parameters::face_size_map(weights));
     BOOST_REQUIRE_MESSAGE(report, report.message);
     BOOST_TEST(report.number_of_pages > 8u);
     BOOST_TEST(report.charts.size() >= report.number_of_pages);

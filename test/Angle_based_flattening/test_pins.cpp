@@ -14,9 +14,9 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -39,6 +39,7 @@
 BOOST_AUTO_TEST_SUITE(test_pins)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 using SMP::Diagnosis;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
@@ -427,14 +428,14 @@ BOOST_AUTO_TEST_CASE(polyhedra_have_pins)
 // The copies of a vertex on a seam are vertices of their own.
 BOOST_AUTO_TEST_CASE(copies_of_vertices_have_pins_of_their_own)
 {
-  typedef SMP::Cut_mesh<Mesh> Seam_mesh;
+  typedef TA::Cut_mesh<Mesh> Seam_mesh;
   typedef boost::graph_traits<Seam_mesh>::vertex_descriptor Seam_vertex;
   Mesh mesh;
   CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  SMP::select_seams(mesh, seams);
-  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
-  const auto border = SMP::border_halfedge(cut);
+  TA::select_seams(mesh, seams);
+  Seam_mesh cut = TA::make_seam_mesh(mesh, seams).mesh;
+  const auto border = TA::border_halfedge(cut);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer;
   BOOST_REQUIRE(SMP::parameterize(cut, parameterizer, border, uv) == SMP::OK);

@@ -10,11 +10,11 @@
 
 #include "planar_charts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/occupied_cells.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/pack.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/texel_mask.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/turned_mask.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/visit_texels.h>
+#include <CGAL/Texture_atlas/internal/packing/occupied_cells.h>
+#include <CGAL/Texture_atlas/internal/packing/pack.h>
+#include <CGAL/Texture_atlas/internal/packing/texel_mask.h>
+#include <CGAL/Texture_atlas/internal/packing/turned_mask.h>
+#include <CGAL/Texture_atlas/internal/packing/visit_texels.h>
 
 #include <algorithm>
 #include <array>
@@ -26,11 +26,12 @@
 BOOST_AUTO_TEST_SUITE(test_places)
 
 namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
-using ABF::Occupied_cells;
-using ABF::Packing;
+namespace TA = CGAL::Texture_atlas;
+using TA::internal::Occupied_cells;
+using TA::internal::Packing;
 using ABF::Planar_point;
-using ABF::Texel;
-using ABF::Texel_mask;
+using TA::internal::Texel;
+using TA::internal::Texel_mask;
 
 namespace {
 
@@ -116,9 +117,9 @@ BOOST_AUTO_TEST_CASE(runs_of_texels)
     for(int y = 0; y < mask.height(); ++y)
       for(const bool is_free : {false, true})
         BOOST_TEST(mask.longest_run(y, is_free, mask.width()) == longest_run(mask, y, is_free));
-    const std::vector<ABF::Row_run> runs = longest_runs(mask);
+    const std::vector<TA::internal::Row_run> runs = longest_runs(mask);
     BOOST_TEST(!runs.empty());
-    for(const ABF::Row_run& run : runs) {
+    for(const TA::internal::Row_run& run : runs) {
       BOOST_TEST(run.length == longest_run(mask, run.y, false));
       BOOST_TEST(run.length <= runs.front().length);
     }
@@ -170,10 +171,10 @@ BOOST_AUTO_TEST_CASE(texels_of_segments)
                            : i % 3 == 1 ? Planar_point(coordinate(random), p.y())
                                         : Planar_point(coordinate(random), coordinate(random));
     std::vector<std::tuple<int, int, int>> of_segment, of_triangle;
-    ABF::visit_texels(p, q, tolerance,
-                      [&](int y, int first, int last) { of_segment.emplace_back(y, first, last); });
-    ABF::visit_texels(std::array<Planar_point, 3>{p, q, q}, tolerance,
-                      [&](int y, int first, int last) { of_triangle.emplace_back(y, first, last); });
+    TA::internal::visit_texels(p, q, tolerance,
+                               [&](int y, int first, int last) { of_segment.emplace_back(y, first, last); });
+    TA::internal::visit_texels(std::array<Planar_point, 3>{p, q, q}, tolerance,
+                               [&](int y, int first, int last) { of_triangle.emplace_back(y, first, last); });
     BOOST_TEST((of_segment == of_triangle));
   }
 }
@@ -182,14 +183,14 @@ BOOST_AUTO_TEST_CASE(texels_of_segments)
 BOOST_AUTO_TEST_CASE(wanted_shares)
 {
   std::mt19937 random(5);
-  CGAL::Surface_mesh_parameterization::Packing_options options;
+  CGAL::Texture_atlas::Packing_options options;
   options.resolution = 128;
   options.gutter = 0;
   for(int number : {1, 4, 12}) {
     const test_charts::Planar_charts charts = test_charts::random_charts(number, random);
     const double share = pack(charts, options).covered_share;
     const auto pack_if_more = [&](double least) {
-      return ABF::pack(charts.corners, charts.chart, charts.area, charts.number, options, least);
+      return TA::internal::pack(charts.corners, charts.chart, charts.area, charts.number, options, least);
     };
     for(const double least : {0.2 * share, 0.9 * share, 0.97 * share}) {
       const Packing packing = pack_if_more(least);

@@ -161,10 +161,10 @@ BOOST_AUTO_TEST_CASE(cheaper_seams_cover_more)
 
 BOOST_AUTO_TEST_CASE(the_name_of_a_purpose_is_an_argument)
 {
-  namespace SMP = CGAL::Surface_mesh_parameterization;
+  namespace TA = CGAL::Texture_atlas;
   Mesh mesh = surface(1);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, atlas_check::Point_2>("h:uv").first;
-  const auto report = SMP::make_atlas(mesh, uv, Atlas_options::TEXTURE);
+  const auto report = TA::make_atlas(mesh, uv, Atlas_options::TEXTURE);
   BOOST_TEST(bool(report));
   BOOST_TEST(report.texel_density == make_atlas_of(mesh, Atlas_options::TEXTURE).report.texel_density,
              boost::test_tools::tolerance(1e-6));
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(the_name_of_a_purpose_is_an_argument)
 // Until the last chart is isometric
 BOOST_AUTO_TEST_CASE(progress_reaches_the_end_and_can_be_cancelled)
 {
-  struct Visitor : CGAL::Surface_mesh_parameterization::Atlas_visitor
+  struct Visitor : CGAL::Texture_atlas::Atlas_visitor
   {
     double last = 0, end = 2;
     bool is_rising = true;

@@ -11,19 +11,19 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/bake_surface.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
-#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
+#include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -43,6 +43,7 @@
 BOOST_AUTO_TEST_SUITE(test_reports)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 using SMP::Diagnosis;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
@@ -111,16 +112,16 @@ BOOST_AUTO_TEST_CASE(of_points_that_are_not_finite)
   const Vertex v(12);
   s.mesh.point(v) = Point_3(0, infinity, 0);
   const Vertices bad{v};
-  check(SMP::select_seams(s.mesh, s.seams), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  check(SMP::cut_to_disks(s.mesh, s.seams), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  check(SMP::shorten_seams(s.mesh, s.seams), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  check(SMP::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  check(SMP::select_cones(s.mesh, 3), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  check(SMP::flatten_with_cones(s.mesh, 3, s.seams, s.uv), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  check(TA::select_seams(s.mesh, s.seams), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  check(TA::cut_to_disks(s.mesh, s.seams), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  check(TA::shorten_seams(s.mesh, s.seams), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  check(TA::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  check(TA::select_cones(s.mesh, 3), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  check(TA::flatten_with_cones(s.mesh, 3, s.seams, s.uv), Diagnosis::NON_FINITE_POINT, bad, {}, {});
   check(SMP::flatten_surface(s.mesh, s.vertex_uv), Diagnosis::NON_FINITE_POINT, bad, {}, {});
   check(SMP::measure_flattening(s.mesh, s.uv), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  check(SMP::bake_surface(s.mesh, s.uv, Surface().mesh), Diagnosis::NON_FINITE_POINT, bad, {}, {});
-  const auto packing = SMP::pack_charts(s.mesh, s.charts, s.uv);
+  check(TA::bake_surface(s.mesh, s.uv, Surface().mesh), Diagnosis::NON_FINITE_POINT, bad, {}, {});
+  const auto packing = TA::pack_charts(s.mesh, s.charts, s.uv);
   BOOST_TEST(packing.status == Diagnosis::NON_FINITE_POINT);
   BOOST_TEST_REQUIRE(packing.offending_faces.size() == 1u);
   std::set<Vertex> corners;
@@ -129,7 +130,7 @@ BOOST_AUTO_TEST_CASE(of_points_that_are_not_finite)
   BOOST_TEST(corners.count(v) == 1u);
 
   const Surface simple;
-  const auto baked = SMP::bake_surface(simple.mesh, simple.uv, s.mesh);
+  const auto baked = TA::bake_surface(simple.mesh, simple.uv, s.mesh);
   check(baked, Diagnosis::WRONG_FINE_POINT, {}, {}, {});
   BOOST_TEST((baked.offending_fine_vertices == bad));
 }
@@ -142,18 +143,18 @@ BOOST_AUTO_TEST_CASE(of_faces_that_are_not_triangles)
     e = Edge(e.idx() + 1);
   const Halfedge kept = CGAL::Euler::join_face(s.mesh.halfedge(e), s.mesh);
   const Faces bad{s.mesh.face(kept)};
-  check(SMP::select_seams(s.mesh, s.seams), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
-  check(SMP::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
-  check(SMP::flatten_with_cones(s.mesh, 3, s.seams, s.uv), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
+  check(TA::select_seams(s.mesh, s.seams), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
+  check(TA::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
+  check(TA::flatten_with_cones(s.mesh, 3, s.seams, s.uv), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
   check(SMP::flatten_surface(s.mesh, s.vertex_uv), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
   check(SMP::measure_flattening(s.mesh, s.uv), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
-  check(SMP::pack_charts(s.mesh, s.charts, s.uv), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
-  check(SMP::is_disk_cut(s.mesh, s.seams), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
+  check(TA::pack_charts(s.mesh, s.charts, s.uv), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
+  check(TA::is_disk_cut(s.mesh, s.seams), Diagnosis::NOT_TRIANGULATED, {}, {}, bad);
   const Surface simple;
-  const auto baked = SMP::bake_surface(simple.mesh, simple.uv, s.mesh);
+  const auto baked = TA::bake_surface(simple.mesh, simple.uv, s.mesh);
   check(baked, Diagnosis::FINE_MESH_NOT_TRIANGULATED, {}, {}, {});
   BOOST_TEST((baked.offending_fine_faces == bad));
-  check(SMP::make_atlas(s.mesh, s.uv), Diagnosis::SOMETHING_SKIPPED, {}, {}, bad);
+  check(TA::make_atlas(s.mesh, s.uv), Diagnosis::SOMETHING_SKIPPED, {}, {}, bad);
 }
 
 BOOST_AUTO_TEST_CASE(of_weights_and_coordinates)
@@ -164,30 +165,29 @@ BOOST_AUTO_TEST_CASE(of_weights_and_coordinates)
     e = Edge(e.idx() + 1);
   s.weights[e] = -1;
   const auto np = CGAL::parameters::edge_weight_map(s.weights);
-  check(SMP::select_seams(s.mesh, s.seams, SMP::Seam_options(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
-  check(SMP::make_atlas(s.mesh, s.uv, SMP::Atlas_options(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
+  check(TA::select_seams(s.mesh, s.seams, TA::Seam_options(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
+  check(TA::make_atlas(s.mesh, s.uv, TA::Atlas_options(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
 
   const Face f(9);
   auto sizes = s.mesh.add_property_map<Face, double>("f:size", 1).first;
   sizes[f] = -2;
   const auto with_sizes = CGAL::parameters::face_size_map(sizes);
-  check(SMP::make_atlas(s.mesh, s.uv, SMP::Atlas_options(), with_sizes), Diagnosis::WRONG_WEIGHT, {}, {},
-        {f});
-  check(SMP::pack_charts(s.mesh, s.charts, s.uv, SMP::Packing_options(), with_sizes), Diagnosis::WRONG_WEIGHT,
+  check(TA::make_atlas(s.mesh, s.uv, TA::Atlas_options(), with_sizes), Diagnosis::WRONG_WEIGHT, {}, {}, {f});
+  check(TA::pack_charts(s.mesh, s.charts, s.uv, TA::Packing_options(), with_sizes), Diagnosis::WRONG_WEIGHT,
         {}, {}, {f});
 
   const Halfedge h = s.mesh.halfedge(f);
   const Point_2 p = s.uv[h];
   s.uv[h] = Point_2(p.x() + 1e-3, p.y());
-  check(SMP::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::INCONSISTENT_COORDINATES,
+  check(TA::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::INCONSISTENT_COORDINATES,
         {s.mesh.target(h)}, {}, {});
   s.uv[h] = Point_2(infinity, 0);
-  check(SMP::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::NON_FINITE_COORDINATE,
+  check(TA::split_overlaps(s.mesh, s.uv, s.seams, s.charts), Diagnosis::NON_FINITE_COORDINATE,
         {s.mesh.target(h)}, {}, {});
-  check(SMP::pack_charts(s.mesh, s.charts, s.uv), Diagnosis::NON_FINITE_COORDINATE, {}, {}, {f});
-  check(SMP::bake_surface(s.mesh, s.uv, s.mesh), Diagnosis::NO_TEXTURE_COORDINATES, {}, {}, {f});
+  check(TA::pack_charts(s.mesh, s.charts, s.uv), Diagnosis::NON_FINITE_COORDINATE, {}, {}, {f});
+  check(TA::bake_surface(s.mesh, s.uv, s.mesh), Diagnosis::NO_TEXTURE_COORDINATES, {}, {}, {f});
   s.uv[h] = Point_2(2, 0);
-  check(SMP::bake_surface(s.mesh, s.uv, s.mesh), Diagnosis::OUTSIDE_SQUARE, {}, {}, {f});
+  check(TA::bake_surface(s.mesh, s.uv, s.mesh), Diagnosis::OUTSIDE_SQUARE, {}, {}, {f});
 
   // Chart 1 has no area in the plane.
   Surface flat;
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(of_weights_and_coordinates)
     for(Halfedge k : CGAL::halfedges_around_face(flat.mesh.halfedge(g), flat.mesh))
       flat.uv[k] = Point_2(0.5, 0.5);
   }
-  check(SMP::pack_charts(flat.mesh, flat.charts, flat.uv), Diagnosis::DEGENERATE_CHART, {}, {},
+  check(TA::pack_charts(flat.mesh, flat.charts, flat.uv), Diagnosis::DEGENERATE_CHART, {}, {},
         {Face(3), Face(4)});
 }
 
@@ -205,21 +205,21 @@ BOOST_AUTO_TEST_CASE(of_seams)
   Surface s;
   const auto terminals = boost::make_function_property_map<Vertex>([](Vertex) { return true; });
   const Vertex isolated = s.mesh.add_vertex(Point_3(0, 0, 0));
-  check(SMP::cut_to_disks(s.mesh, s.seams, CGAL::parameters::vertex_is_constrained_map(terminals)),
+  check(TA::cut_to_disks(s.mesh, s.seams, CGAL::parameters::vertex_is_constrained_map(terminals)),
         Diagnosis::WRONG_OPTION, {isolated}, {}, {});
 
   Mesh ball;
   CGAL::make_icosahedron<Mesh, Point_3>(ball);
   const auto seams = ball.add_property_map<Edge, bool>("e:seam", false).first;
-  check(SMP::is_disk_cut(ball, seams), Diagnosis::NO_BORDER, {}, {}, {Face(0)});
+  check(TA::is_disk_cut(ball, seams), Diagnosis::NO_BORDER, {}, {}, {Face(0)});
   const auto none = boost::make_function_property_map<Edge>([](Edge) { return true; });
-  check(SMP::select_seams(ball, seams, SMP::Seam_options(), CGAL::parameters::edge_is_constrained_map(none)),
+  check(TA::select_seams(ball, seams, TA::Seam_options(), CGAL::parameters::edge_is_constrained_map(none)),
         Diagnosis::NO_CUT_ALLOWED, {}, {}, {Face(0)});
   Vertex far(1);
   while(ball.halfedge(Vertex(0), far) != Mesh::null_halfedge())
     far = Vertex(far.idx() + 1);
   std::istringstream selection("\n\n0 " + std::to_string(far.idx()) + "\n");
-  check(SMP::read_seam_selection(selection, ball, seams), Diagnosis::NO_SUCH_EDGE, {Vertex(0), far}, {}, {});
+  check(TA::read_seam_selection(selection, ball, seams), Diagnosis::NO_SUCH_EDGE, {Vertex(0), far}, {}, {});
 }
 
 // The first face, or the wrong one, of each part without charts
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(of_atlases)
   s.mesh += other;
   s.mesh.point(*std::next(s.mesh.vertices().begin(), static_cast<long>(other.number_of_vertices()))) =
       Point_3(0, 0, infinity);
-  const auto report = SMP::make_atlas(s.mesh, s.uv);
+  const auto report = TA::make_atlas(s.mesh, s.uv);
   BOOST_TEST(report.status == Diagnosis::SOMETHING_SKIPPED);
   BOOST_TEST_REQUIRE(report.offending_faces.size() == 1u);
   BOOST_TEST(report.offending_faces[0].idx() >= size);
@@ -310,9 +310,9 @@ BOOST_AUTO_TEST_CASE(have_borders)
                                   CGAL::parameters::vertex_point_map(points))));
     for(Vertex v : s.mesh.vertices())
       BOOST_TEST((s.vertex_uv[v] == s.untouched) == (v.idx() / number != larger));
-    const auto cut = SMP::make_seam_mesh(s.mesh, s.seams);
+    const auto cut = TA::make_seam_mesh(s.mesh, s.seams);
     BOOST_TEST_REQUIRE(bool(cut));
-    const auto border = SMP::border_halfedge(cut.mesh, CGAL::parameters::vertex_point_map(points));
+    const auto border = TA::border_halfedge(cut.mesh, CGAL::parameters::vertex_point_map(points));
     BOOST_TEST(target(static_cast<Halfedge>(border), s.mesh).idx() / number == larger);
   }
 }
@@ -322,8 +322,8 @@ BOOST_AUTO_TEST_CASE(of_seam_meshes_are_flattened)
   Surface expected;
   Moved_surface moved;
   const auto flatten = [](Surface& s, const auto& np) {
-    auto cut = SMP::make_seam_mesh(s.mesh, s.seams);
-    typedef SMP::Cut_mesh<Mesh> Seam_mesh;
+    auto cut = TA::make_seam_mesh(s.mesh, s.seams);
+    typedef TA::Cut_mesh<Mesh> Seam_mesh;
     const auto report =
         SMP::flatten_surface(cut.mesh, s.uv, SMP::ABF_plus_plus_parameterizer_3<Seam_mesh>(), np);
     BOOST_TEST_REQUIRE(bool(report), report.message);

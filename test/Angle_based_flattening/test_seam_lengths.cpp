@@ -12,9 +12,9 @@
 #include "test_options.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
@@ -35,12 +35,13 @@ BOOST_AUTO_TEST_SUITE(test_seam_lengths)
 
 using namespace seam_surfaces;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef Surface_mesh Mesh;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Seams;
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> UV_map;
-typedef SMP::Cut_mesh<Mesh> Seam_mesh;
+typedef TA::Cut_mesh<Mesh> Seam_mesh;
 typedef SMP::ABF_plus_plus_report Report;
-using SMP::Seam_options;
+using TA::Seam_options;
 typedef SMP::ABF_plus_plus_options Options;
 
 namespace {
@@ -77,8 +78,8 @@ double largest_jump(const Mesh& mesh, const Seams& seams, const Map& map)
 
 Map flatten(Mesh& mesh, const Seams& seams, const Options& options)
 {
-  Seam_mesh cut = SMP::make_seam_mesh(mesh, seams).mesh;
-  const auto border = SMP::border_halfedge(cut);
+  Seam_mesh cut = TA::make_seam_mesh(mesh, seams).mesh;
+  const auto border = TA::border_halfedge(cut);
   const UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer(options);
   Map map;
@@ -143,7 +144,7 @@ BOOST_AUTO_TEST_CASE(of_spheres_are_equal)
       Mesh mesh = bumpy_sphere(3, seed);
       const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
       BOOST_REQUIRE(
-          SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02 + 0.05 * seed))
+          TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02 + 0.05 * seed))
               .status == SMP::Diagnosis::NOTHING_WRONG);
       check_equal(mesh, seams, 1.5);
     }
@@ -158,7 +159,7 @@ BOOST_AUTO_TEST_CASE(are_equal_to_the_tolerance)
       {
         Mesh mesh = bumpy_sphere(3, seed);
         const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-        SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02));
+        TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02));
         Options options = with_equal_lengths(true);
         options.tolerance = tolerance;
         const Map map = flatten(mesh, seams, options);
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(of_other_surfaces_are_equal)
     {
       Mesh mesh = surface.mesh();
       const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-      SMP::cut_to_disks(mesh, seams);
+      TA::cut_to_disks(mesh, seams);
       check_equal(mesh, seams, 2);
     }
 }
@@ -225,7 +226,7 @@ BOOST_AUTO_TEST_CASE(beside_holes_are_equal)
       if(surface.handles == 2)
         CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
       const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-      SMP::cut_to_disks(mesh, seams);
+      TA::cut_to_disks(mesh, seams);
       int holes = 0;
       for(Mesh::Face_index f : mesh.faces()) {
         bool is_inside = true;
@@ -283,7 +284,7 @@ BOOST_AUTO_TEST_CASE(are_equal)
     BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / name, mesh));
     const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
     BOOST_REQUIRE(
-        SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2)).status ==
+        TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2)).status ==
         SMP::Diagnosis::NOTHING_WRONG);
     BOOST_TEST_CONTEXT(name)
     check_equal(mesh, seams, 1.02);

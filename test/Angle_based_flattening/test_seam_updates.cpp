@@ -13,11 +13,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/grounded_laplacian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/cut_topology.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/log_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/nearest_seams.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/shorten_paths.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/internal/seams/cut_topology.h>
+#include <CGAL/Texture_atlas/internal/seams/log_scale.h>
+#include <CGAL/Texture_atlas/internal/seams/nearest_seams.h>
+#include <CGAL/Texture_atlas/internal/seams/shorten_paths.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,11 +30,12 @@
 BOOST_AUTO_TEST_SUITE(test_seam_updates)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace ABF = SMP::internal::ABF;
+namespace TA = CGAL::Texture_atlas;
+namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
 namespace parameters = CGAL::parameters;
 using seam_surfaces::Surface;
-using SMP::Seam_options;
-using SMP::Seam_report;
+using TA::Seam_options;
+using TA::Seam_report;
 typedef seam_surfaces::Surface_mesh Mesh;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Property_map<Edge, bool> Seam_map;
@@ -131,7 +132,7 @@ BOOST_AUTO_TEST_CASE(predictions_are_those_of_new_factorizations)
   int predictions = 0;
   for(const Surface& surface : surfaces()) {
     const ABF::Surface_part part = part_of(surface.mesh(), 1);
-    const ABF::Log_scale log_scale(part.chart, others);
+    const TA::internal::Log_scale log_scale(part.chart, others);
     ABF::Grounded_laplacian laplacian(log_scale.laplacian(), solvers);
     const int n = part.chart.number_of_vertices();
     std::mt19937 random(5);
@@ -163,9 +164,9 @@ BOOST_AUTO_TEST_CASE(seams_do_not_depend_on_the_way_of_prediction)
     const Seam_map updated = mesh.add_property_map<Edge, bool>("e:updated", false).first,
                    anew = mesh.add_property_map<Edge, bool>("e:anew", false).first;
     const auto options = with<Seam_options>(&Seam_options::stretch_bound, 1.03);
-    const Seam_report report = SMP::select_seams(mesh, updated, options);
+    const Seam_report report = TA::select_seams(mesh, updated, options);
     const Seam_report expected =
-        SMP::select_seams(mesh, anew, options, parameters::sparse_linear_solver(Forgetful_traits()));
+        TA::select_seams(mesh, anew, options, parameters::sparse_linear_solver(Forgetful_traits()));
     BOOST_TEST_CONTEXT(surface.name)
     {
       BOOST_TEST_REQUIRE(expected.message == "");
@@ -188,10 +189,10 @@ BOOST_AUTO_TEST_CASE(few_factorizations_for_many_terminals)
       Calls calls;
       const Seam_map seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
       const Seam_report report =
-          SMP::select_seams(mesh, seams,
-                            with<Seam_options>(&Seam_options::stretch_bound, 1.0001,
-                                               &Seam_options::maximum_number_of_terminals, terminals),
-                            parameters::sparse_linear_solver(Counting_traits(calls)));
+          TA::select_seams(mesh, seams,
+                           with<Seam_options>(&Seam_options::stretch_bound, 1.0001,
+                                              &Seam_options::maximum_number_of_terminals, terminals),
+                           parameters::sparse_linear_solver(Counting_traits(calls)));
       BOOST_TEST_CONTEXT(surface.name << ", " << terminals << " terminals")
       {
         BOOST_TEST_REQUIRE(report.message == "");
@@ -204,21 +205,21 @@ BOOST_AUTO_TEST_CASE(few_factorizations_for_many_terminals)
 namespace {
 
 // Opens a surface to a disk.
-ABF::Sector_graph disk(const ABF::Surface_part& part)
+TA::internal::Sector_graph disk(const ABF::Surface_part& part)
 {
-  ABF::Sector_graph result(part.chart);
-  BOOST_TEST_REQUIRE(ABF::Topological_cut(result, part.cost).run());
+  TA::internal::Sector_graph result(part.chart);
+  BOOST_TEST_REQUIRE(TA::internal::Topological_cut(result, part.cost).run());
   return result;
 }
 
-std::vector<int> key_path(ABF::Sector_graph& surface, const ABF::Surface_part& part,
+std::vector<int> key_path(TA::internal::Sector_graph& surface, const ABF::Surface_part& part,
                           const std::vector<int>& terminals, unsigned number)
 {
-  const auto paths = ABF::Path_shortening(surface, part.cost, terminals).key_paths();
+  const auto paths = TA::internal::Path_shortening(surface, part.cost, terminals).key_paths();
   return paths[number % paths.size()];
 }
 
-std::vector<bool> marks(const ABF::Sector_graph& surface)
+std::vector<bool> marks(const TA::internal::Sector_graph& surface)
 {
   std::vector<bool> result;
   for(int c = 0; c < surface.surface().number_of_corners(); ++c)
@@ -242,8 +243,8 @@ BOOST_AUTO_TEST_CASE(nearest_seams_are_those_found_anew)
 {
   for(const Surface& surface : surfaces()) {
     const ABF::Surface_part part = part_of(surface.mesh(), 2);
-    ABF::Sector_graph opened = disk(part);
-    ABF::Nearest_seams nearest(opened, part.cost);
+    TA::internal::Sector_graph opened = disk(part);
+    TA::internal::Nearest_seams nearest(opened, part.cost);
     nearest.find();
     std::mt19937 random(3);
     std::vector<int> terminals;
@@ -265,7 +266,7 @@ BOOST_AUTO_TEST_CASE(nearest_seams_are_those_found_anew)
         nearest.close(closed, step % 3 == 1 ? 0.5 : 2);
         nearest.reopen(closed);
       }
-      ABF::Nearest_seams expected(opened, part.cost);
+      TA::internal::Nearest_seams expected(opened, part.cost);
       expected.find();
       BOOST_TEST_CONTEXT(surface.name << ", step " << step)
       for(int x = 0; x < opened.number_of_nodes(); ++x)
@@ -287,17 +288,18 @@ BOOST_AUTO_TEST_CASE(exchanges_are_those_of_searches)
       const ABF::Surface_part part = part_of(surface.mesh(), static_cast<unsigned>(number));
       std::mt19937 random(7);
       const std::vector<int> terminals = random_vertices(part.chart, number, random);
-      ABF::Sector_graph opened(part.chart);
-      BOOST_TEST_REQUIRE(ABF::Topological_cut(opened, part.cost, terminals).run());
-      BOOST_TEST_REQUIRE(ABF::leaves_disks(opened));
-      ABF::Sector_graph searched = opened;
-      const bool is_shorter = ABF::Path_shortening(opened, part.cost, terminals).run(1000);
+      TA::internal::Sector_graph opened(part.chart);
+      BOOST_TEST_REQUIRE(TA::internal::Topological_cut(opened, part.cost, terminals).run());
+      BOOST_TEST_REQUIRE(TA::internal::leaves_disks(opened));
+      TA::internal::Sector_graph searched = opened;
+      const bool is_shorter = TA::internal::Path_shortening(opened, part.cost, terminals).run(1000);
       exchanged += is_shorter;
       BOOST_TEST_CONTEXT(surface.name << ", " << number << " terminals")
       {
-        BOOST_TEST(ABF::Path_shortening(searched, part.cost, terminals, false).run(1000) == is_shorter);
+        BOOST_TEST(TA::internal::Path_shortening(searched, part.cost, terminals, false).run(1000) ==
+                   is_shorter);
         BOOST_TEST((marks(opened) == marks(searched)));
-        BOOST_TEST(ABF::leaves_disks(opened));
+        BOOST_TEST(TA::internal::leaves_disks(opened));
       }
     }
   BOOST_TEST(exchanged > 10);
@@ -310,9 +312,9 @@ BOOST_AUTO_TEST_CASE(visits_do_not_grow_with_terminals)
   for(std::size_t number : {10, 100, 1000}) {
     std::mt19937 random(11);
     const std::vector<int> terminals = random_vertices(part.chart, number, random);
-    ABF::Sector_graph opened(part.chart);
-    BOOST_TEST_REQUIRE(ABF::Topological_cut(opened, part.cost, terminals).run());
-    ABF::Path_shortening shortening(opened, part.cost, terminals);
+    TA::internal::Sector_graph opened(part.chart);
+    BOOST_TEST_REQUIRE(TA::internal::Topological_cut(opened, part.cost, terminals).run());
+    TA::internal::Path_shortening shortening(opened, part.cost, terminals);
     BOOST_TEST(shortening.run(100));
     BOOST_TEST_CONTEXT(number << " terminals")
     BOOST_TEST(shortening.number_of_visits() < 12 * std::int64_t(part.chart.number_of_vertices()));
@@ -326,14 +328,15 @@ BOOST_AUTO_TEST_CASE(other_surfaces_than_disks_are_recognized)
       {seam_surfaces::sphere(2), seam_surfaces::torus(6, 5), seam_surfaces::tube(5, 4),
        seam_surfaces::sphere_with_holes(3, 1), seam_surfaces::sphere_with_holes(1, 1)}) {
     const ABF::Surface_part part = part_of(surface.mesh(), 1);
-    ABF::Sector_graph opened(part.chart);
-    BOOST_TEST(ABF::leaves_disks(opened) == (surface.handles == 0 && surface.borders == 1), surface.name);
+    TA::internal::Sector_graph opened(part.chart);
+    BOOST_TEST(TA::internal::leaves_disks(opened) == (surface.handles == 0 && surface.borders == 1),
+               surface.name);
     if(surface.borders == 0) {
       for(int c = 0; c < 3; ++c)
         opened.set_seam(c, true);
-      BOOST_TEST(ABF::leaves_disks(opened) == (surface.handles == 0), surface.name);
+      BOOST_TEST(TA::internal::leaves_disks(opened) == (surface.handles == 0), surface.name);
     }
-    BOOST_TEST(ABF::leaves_disks(disk(part)), surface.name);
+    BOOST_TEST(TA::internal::leaves_disks(disk(part)), surface.name);
   }
 }
 

@@ -13,11 +13,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
-#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
+#include <CGAL/Texture_atlas/seam_weights.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -39,6 +39,7 @@
 BOOST_AUTO_TEST_SUITE(test_seam_weights)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 using seam_surfaces::Point_3;
 using seam_surfaces::Surface;
 typedef seam_surfaces::Surface_mesh Mesh;
@@ -47,7 +48,7 @@ typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Vertex_index Vertex;
 typedef CGAL::Polyhedron_3<seam_surfaces::Kernel> Polyhedron;
 typedef seam_surfaces::Kernel::Point_2 Point_2;
-typedef SMP::Seam_selection_report Report;
+typedef TA::Seam_selection_report Report;
 typedef std::set<std::pair<std::size_t, std::size_t>> Pairs;
 
 namespace {
@@ -64,7 +65,7 @@ Weights weights(const Mesh& mesh, Kind kind)
 {
   Weights result;
   const auto map = boost::make_assoc_property_map(result);
-  kind == VISIBILITY ? SMP::compute_visibility_weights(mesh, map) : SMP::compute_crease_weights(mesh, map);
+  kind == VISIBILITY ? TA::compute_visibility_weights(mesh, map) : TA::compute_crease_weights(mesh, map);
   return result;
 }
 
@@ -102,7 +103,7 @@ struct Octahedron
   Report read(const std::string& text)
   {
     std::istringstream in(text);
-    return SMP::read_seam_selection(in, mesh, seams);
+    return TA::read_seam_selection(in, mesh, seams);
   }
 
   Mesh mesh = seam_surfaces::octahedron().mesh();
@@ -207,7 +208,7 @@ BOOST_AUTO_TEST_CASE(cheapest_creases)
   for(const double cheapest : {0., 0.3, 0.475, 1.}) {
     Weights result;
     const auto map = boost::make_assoc_property_map(result);
-    BOOST_TEST(bool(SMP::compute_crease_weights(tube, map, cheapest)));
+    BOOST_TEST(bool(TA::compute_crease_weights(tube, map, cheapest)));
     for(Edge e : tube.edges())
       BOOST_TEST(factor(tube, result, e) == 1 - (1 - cheapest) / 0.7 * (1 - factor(tube, usual, e)),
                  boost::test_tools::tolerance(1e-9));
@@ -215,7 +216,7 @@ BOOST_AUTO_TEST_CASE(cheapest_creases)
   for(const double cheapest : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     Weights result;
     const auto map = boost::make_assoc_property_map(result);
-    const auto report = SMP::compute_crease_weights(tube, map, cheapest);
+    const auto report = TA::compute_crease_weights(tube, map, cheapest);
     BOOST_TEST((report.status == SMP::Diagnosis::WRONG_OPTION));
     BOOST_TEST(report.message.find("cheapest") != std::string::npos);
     BOOST_TEST(result.empty());
@@ -232,8 +233,8 @@ BOOST_AUTO_TEST_CASE(points_of_another_map)
     Weights result;
     const auto map = boost::make_assoc_property_map(result);
     const auto np = CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(doubled));
-    kind == VISIBILITY ? SMP::compute_visibility_weights(mesh, map, np)
-                       : SMP::compute_crease_weights(mesh, map, 0.3, np);
+    kind == VISIBILITY ? TA::compute_visibility_weights(mesh, map, np)
+                       : TA::compute_crease_weights(mesh, map, 0.3, np);
     for(const auto& [e, weight] : weights(mesh, kind))
       BOOST_TEST(result.at(e) == 2 * weight, boost::test_tools::tolerance(1e-12));
   }
@@ -243,7 +244,7 @@ BOOST_AUTO_TEST_CASE(weights_of_bad_meshes)
 {
   const auto message = [](const Mesh& mesh) {
     Weights result;
-    const auto report = SMP::compute_visibility_weights(mesh, boost::make_assoc_property_map(result));
+    const auto report = TA::compute_visibility_weights(mesh, boost::make_assoc_property_map(result));
     if(!report)
       BOOST_TEST(result.empty());
     BOOST_TEST(report.offending_vertices.size() == (report.status == SMP::Diagnosis::NON_FINITE_POINT));
@@ -282,7 +283,7 @@ BOOST_AUTO_TEST_CASE(selections)
 
   std::ostringstream out;
   out.imbue(std::locale(""));
-  BOOST_TEST(SMP::write_seam_selection(out, o.mesh, o.seams).number_of_seams == 4u);
+  BOOST_TEST(TA::write_seam_selection(out, o.mesh, o.seams).number_of_seams == 4u);
   Octahedron copy;
   BOOST_TEST(copy.read(out.str()).number_of_seams == 4u);
   BOOST_TEST((marked(copy.mesh, copy.seams) == marked(o.mesh, o.seams)));
@@ -325,17 +326,17 @@ BOOST_AUTO_TEST_CASE(wrong_selections)
 BOOST_AUTO_TEST_CASE(selection_files)
 {
   Octahedron o;
-  const Report missing = SMP::read_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams);
+  const Report missing = TA::read_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams);
   BOOST_TEST(SMP::to_string(missing.status) == "CANNOT_OPEN");
   BOOST_TEST(missing.message == "cannot open no such folder/a.selection.txt");
   BOOST_TEST(
-      SMP::to_string(SMP::write_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams).status) ==
+      SMP::to_string(TA::write_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams).status) ==
       "CANNOT_OPEN");
 
   // What we write is what CGAL reads.
   BOOST_REQUIRE(static_cast<bool>(o.read("\n\n0 2 2 1 4 0")));
   const std::string name = "test_seam_weights.selection.txt";
-  BOOST_TEST(static_cast<bool>(SMP::write_seam_selection(name, o.mesh, o.seams)));
+  BOOST_TEST(static_cast<bool>(TA::write_seam_selection(name, o.mesh, o.seams)));
   Octahedron copy;
   const auto vertex_map = copy.mesh.add_property_map<Vertex, bool>("v:seam", false).first;
   CGAL::Seam_mesh<Mesh, Edge_map, Mesh::Property_map<Vertex, bool>> seam_mesh(copy.mesh, copy.seams,
@@ -352,20 +353,20 @@ BOOST_AUTO_TEST_CASE(marked_borders)
   Mesh mesh = seam_surfaces::tube(5, 2).mesh();
   const Edge_map seams = seam_map(mesh);
   std::istringstream in("\n\n0 1 0 5 5 10");
-  const Report report = SMP::read_seam_selection(in, mesh, seams);
+  const Report report = TA::read_seam_selection(in, mesh, seams);
   BOOST_TEST(report.number_of_border_edges == 1u);
   BOOST_TEST(report.number_of_seams == 2u);
   BOOST_TEST((marked(mesh, seams) == Pairs{{0, 5}, {5, 10}}));
   for(Edge e : mesh.edges())
     if(mesh.is_border(e))
       put(seams, e, true);
-  BOOST_TEST(static_cast<bool>(SMP::is_disk_cut(mesh, seams)));
-  const auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
+  BOOST_TEST(static_cast<bool>(TA::is_disk_cut(mesh, seams)));
+  const auto seam_mesh = TA::make_seam_mesh(mesh, seams).mesh;
   BOOST_TEST(seam_mesh.number_of_seam_edges() == 2u);
   BOOST_TEST(num_vertices(seam_mesh) == 18u);
   BOOST_TEST(num_edges(seam_mesh) == mesh.number_of_edges() + 2);
   std::ostringstream out;
-  BOOST_TEST(SMP::write_seam_selection(out, mesh, seams).number_of_border_edges == 10u);
+  BOOST_TEST(TA::write_seam_selection(out, mesh, seams).number_of_border_edges == 10u);
 }
 
 namespace {
@@ -395,16 +396,16 @@ void check_flattening(const Surface& surface)
   TriangleMesh mesh = surface.mesh<TriangleMesh>();
   const auto seams = get(CGAL::dynamic_edge_property_t<bool>(), const_cast<const TriangleMesh&>(mesh));
   open_along_dual_tree(mesh, seams);
-  BOOST_REQUIRE(static_cast<bool>(SMP::is_disk_cut(mesh, seams)));
+  BOOST_REQUIRE(static_cast<bool>(TA::is_disk_cut(mesh, seams)));
 
-  auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
+  auto seam_mesh = TA::make_seam_mesh(mesh, seams).mesh;
   for(auto e : edges(mesh)) // it has its own marks
     put(seams, e, false);
   typedef decltype(seam_mesh) Seam_mesh;
   std::unordered_map<halfedge_descriptor, Point_2> uv;
   const auto uvmap = boost::make_assoc_property_map(uv);
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer;
-  BOOST_TEST(SMP::parameterize(seam_mesh, parameterizer, SMP::border_halfedge(seam_mesh), uvmap) == SMP::OK);
+  BOOST_TEST(SMP::parameterize(seam_mesh, parameterizer, TA::border_halfedge(seam_mesh), uvmap) == SMP::OK);
   BOOST_TEST(parameterizer.report().message == "");
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> flipped;
   SMP::flipped_faces(seam_mesh, uvmap, std::back_inserter(flipped));
@@ -429,9 +430,9 @@ BOOST_AUTO_TEST_CASE(borders_of_parts)
 {
   Octahedron o;
   BOOST_REQUIRE(static_cast<bool>(o.read("\n\n0 2 2 1 1 3 3 0 4 0")));
-  const auto seam_mesh = SMP::make_seam_mesh(o.mesh, o.seams).mesh;
+  const auto seam_mesh = TA::make_seam_mesh(o.mesh, o.seams).mesh;
   for(auto f : o.mesh.faces()) {
-    const auto border = SMP::border_halfedge(seam_mesh, f);
+    const auto border = TA::border_halfedge(seam_mesh, f);
     BOOST_REQUIRE(is_border(border, seam_mesh));
     std::set<Mesh::Face_index> along;
     for(auto h : halfedges_around_face(border, seam_mesh))
@@ -440,7 +441,7 @@ BOOST_AUTO_TEST_CASE(borders_of_parts)
     BOOST_TEST(along.size() == 4u);
   }
   // The slit within the upper cap makes its border the longer one.
-  const auto longest = SMP::border_halfedge(seam_mesh);
+  const auto longest = TA::border_halfedge(seam_mesh);
   std::size_t size = 0;
   for(auto h : halfedges_around_face(longest, seam_mesh)) {
     (void)h;
@@ -450,8 +451,8 @@ BOOST_AUTO_TEST_CASE(borders_of_parts)
 
   // Of a closed part, and of a mesh without seams
   const Octahedron closed;
-  const auto without = SMP::make_seam_mesh(closed.mesh, closed.seams).mesh;
-  BOOST_TEST((SMP::border_halfedge(without) == decltype(without)::halfedge_descriptor()));
+  const auto without = TA::make_seam_mesh(closed.mesh, closed.seams).mesh;
+  BOOST_TEST((TA::border_halfedge(without) == decltype(without)::halfedge_descriptor()));
   BOOST_TEST(without.number_of_seam_edges() == 0u);
 }
 

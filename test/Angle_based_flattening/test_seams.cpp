@@ -13,10 +13,10 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -37,10 +37,11 @@
 BOOST_AUTO_TEST_SUITE(test_seams)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
 using seam_surfaces::Surface;
-using SMP::Seam_report;
-using SMP::Seam_options;
+using TA::Seam_report;
+using TA::Seam_options;
 typedef seam_surfaces::Surface_mesh Mesh;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Halfedge_index Halfedge;
@@ -82,7 +83,7 @@ void check_report(const Mesh& mesh, Seam_map seams, const Seam_report& report)
 {
   BOOST_TEST_REQUIRE(report.message == "");
   BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
-  const auto check = SMP::is_disk_cut(mesh, seams);
+  const auto check = TA::is_disk_cut(mesh, seams);
   BOOST_TEST(bool(check), check.message);
   BOOST_TEST(report.number_of_disks == report.number_of_components);
   BOOST_TEST(report.seam_length == seam_length(mesh, seams), boost::test_tools::tolerance(1e-9));
@@ -108,12 +109,12 @@ std::vector<Surface> surfaces()
 // The L2 stretch of the flattened disk; infinity if it cannot be flattened
 double flattened_stretch(const Mesh& mesh, Seam_map seams)
 {
-  auto seam_mesh = SMP::make_seam_mesh(mesh, seams).mesh;
+  auto seam_mesh = TA::make_seam_mesh(mesh, seams).mesh;
   typedef decltype(seam_mesh) Seam_mesh;
   typedef boost::graph_traits<Seam_mesh>::halfedge_descriptor Seam_halfedge;
   typedef boost::graph_traits<Seam_mesh>::vertex_descriptor Seam_vertex;
   std::map<Seam_vertex, Point_2> uv;
-  const Seam_halfedge border = SMP::border_halfedge(seam_mesh);
+  const Seam_halfedge border = TA::border_halfedge(seam_mesh);
   SMP::ABF_plus_plus_parameterizer_3<Seam_mesh> parameterizer;
   const auto code = SMP::parameterize(seam_mesh, parameterizer, border, boost::make_assoc_property_map(uv));
   if(code != SMP::OK)
@@ -145,7 +146,7 @@ BOOST_AUTO_TEST_CASE(cuts_leave_disks_that_can_be_flattened)
     const Seam_map seams = add_seams(mesh);
     BOOST_TEST_CONTEXT(surface.name)
     {
-      const Seam_report report = SMP::cut_to_disks(mesh, seams);
+      const Seam_report report = TA::cut_to_disks(mesh, seams);
       check_report(mesh, seams, report);
       BOOST_TEST(report.number_of_components == 1u);
       BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
@@ -159,10 +160,10 @@ BOOST_AUTO_TEST_CASE(disks_are_left_as_they_are)
   for(const Surface& surface : {seam_surfaces::sphere_with_holes(1, 3), seam_surfaces::slab(3)}) {
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
-    SMP::cut_to_disks(mesh, seams);
+    TA::cut_to_disks(mesh, seams);
     const std::vector<bool> before = marks(mesh, seams);
     BOOST_TEST((std::count(before.begin(), before.end(), true) == 0) == (surface.handles == 0));
-    SMP::cut_to_disks(mesh, seams);
+    TA::cut_to_disks(mesh, seams);
     BOOST_TEST((marks(mesh, seams) == before));
   }
 }
@@ -173,7 +174,7 @@ BOOST_AUTO_TEST_CASE(cuts_of_a_torus_are_short)
   Mesh mesh = seam_surfaces::torus(60, 20).mesh();
   const Seam_map seams = add_seams(mesh);
   const double shortest = 2 * CGAL_PI * (1 + 2);
-  const double found = SMP::cut_to_disks(mesh, seams).seam_length;
+  const double found = TA::cut_to_disks(mesh, seams).seam_length;
   BOOST_TEST(found < 1.02 * shortest);
   BOOST_TEST(found > 0.98 * shortest);
 }
@@ -186,7 +187,7 @@ BOOST_AUTO_TEST_CASE(selected_seams_keep_the_bound)
     BOOST_TEST_CONTEXT(surface.name)
     {
       const Seam_report report =
-          SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
+          TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
       check_report(mesh, seams, report);
       BOOST_TEST(report.bound_reached);
       BOOST_TEST(report.predicted_stretch <= 1.2);
@@ -202,7 +203,7 @@ BOOST_AUTO_TEST_CASE(the_prediction_is_that_of_the_map)
       Mesh mesh = surface.mesh();
       const Seam_map seams = add_seams(mesh);
       const Seam_report report =
-          SMP::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, bound));
+          TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, bound));
       BOOST_TEST(report.predicted_stretch <= bound);
       BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch,
                  boost::test_tools::tolerance(0.03));
@@ -214,7 +215,7 @@ BOOST_AUTO_TEST_CASE(large_surfaces)
 {
   Mesh mesh = seam_surfaces::sphere(6).mesh();
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = SMP::select_seams(mesh, seams);
+  const Seam_report report = TA::select_seams(mesh, seams);
   check_report(mesh, seams, report);
   BOOST_TEST(report.bound_reached);
   BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch, boost::test_tools::tolerance(0.05));
@@ -261,7 +262,7 @@ BOOST_AUTO_TEST_CASE(large_surfaces_with_handles_and_forbidden_edges)
       BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
       {
         const Seam_report report =
-            SMP::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+            TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
         check_report(mesh, seams, report);
         for(Edge e : mesh.edges())
           BOOST_TEST_REQUIRE(!(seams[e] && std::isinf(weights[e])));
@@ -276,7 +277,7 @@ BOOST_AUTO_TEST_CASE(fewer_terminals_than_the_bound_needs)
 {
   Mesh mesh = seam_surfaces::sphere(3).mesh();
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = SMP::select_seams(
+  const Seam_report report = TA::select_seams(
       mesh, seams,
       with<Seam_options>(&Seam_options::stretch_bound, 1.01, &Seam_options::maximum_number_of_terminals, 4));
   check_report(mesh, seams, report);
@@ -299,9 +300,9 @@ BOOST_AUTO_TEST_CASE(given_seams_are_kept)
     BOOST_TEST_CONTEXT("seed " << seed << ", " << surface.name)
     {
       const Seam_report report =
-          seed % 2 == 0 ? SMP::cut_to_disks(mesh, seams) : SMP::select_seams(mesh, seams);
+          seed % 2 == 0 ? TA::cut_to_disks(mesh, seams) : TA::select_seams(mesh, seams);
       BOOST_TEST(report.message == "");
-      const auto check = SMP::is_disk_cut(mesh, seams);
+      const auto check = TA::is_disk_cut(mesh, seams);
       BOOST_TEST(bool(check), check.message);
       for(Edge e : mesh.edges())
         if(given[e.idx()])
@@ -324,12 +325,12 @@ BOOST_AUTO_TEST_CASE(a_seam_of_one_edge_becomes_longer)
       seams[given] = true;
       BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
       {
-        BOOST_TEST(!SMP::is_disk_cut(mesh, seams));
+        BOOST_TEST(!TA::is_disk_cut(mesh, seams));
         check_report(mesh, seams,
-                     kind == 0   ? SMP::cut_to_disks(mesh, seams)
-                     : kind == 1 ? SMP::select_seams(mesh, seams)
-                                 : SMP::select_seams(mesh, seams,
-                                                     with<Seam_options>(&Seam_options::stretch_bound, 1000)));
+                     kind == 0   ? TA::cut_to_disks(mesh, seams)
+                     : kind == 1 ? TA::select_seams(mesh, seams)
+                                 : TA::select_seams(mesh, seams,
+                                                    with<Seam_options>(&Seam_options::stretch_bound, 1000)));
         BOOST_TEST(seams[given]);
       }
     }
@@ -345,7 +346,7 @@ BOOST_AUTO_TEST_CASE(a_seam_of_one_edge_cannot_become_longer)
   for(bool selects : {false, true}) {
     const auto np = parameters::edge_is_constrained_map(is_forbidden);
     const Seam_report report =
-        selects ? SMP::select_seams(mesh, seams, Seam_options(), np) : SMP::cut_to_disks(mesh, seams, np);
+        selects ? TA::select_seams(mesh, seams, Seam_options(), np) : TA::cut_to_disks(mesh, seams, np);
     BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
   }
 }
@@ -359,7 +360,7 @@ BOOST_AUTO_TEST_CASE(some_edges_must_not_become_seams)
     for(Edge e : mesh.edges())
       is_forbidden[e] = mesh.point(mesh.source(mesh.halfedge(e))).x() > (surface.handles == 1 ? 3.2 : 0.1);
     check_report(mesh, seams,
-                 SMP::cut_to_disks(mesh, seams, parameters::edge_is_constrained_map(is_forbidden)));
+                 TA::cut_to_disks(mesh, seams, parameters::edge_is_constrained_map(is_forbidden)));
     for(Edge e : mesh.edges())
       BOOST_TEST(!(seams[e] && is_forbidden[e]));
   }
@@ -377,7 +378,7 @@ BOOST_AUTO_TEST_CASE(no_way_is_left)
   for(bool selects : {false, true}) {
     const auto np = parameters::edge_is_constrained_map(is_forbidden);
     const Seam_report report =
-        selects ? SMP::select_seams(mesh, seams, Seam_options(), np) : SMP::cut_to_disks(mesh, seams, np);
+        selects ? TA::select_seams(mesh, seams, Seam_options(), np) : TA::cut_to_disks(mesh, seams, np);
     BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
     BOOST_TEST(report.message.find("vertex at (") != std::string::npos);
     BOOST_TEST(seam_length(mesh, seams) == 0);
@@ -395,7 +396,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
     weights[e] =
         std::hypot(p.x(), p.y()) > 3.9 && std::hypot(q.x(), q.y()) > 3.9 ? 0.01 : 1; // the outer equator
   }
-  check_report(mesh, seams, SMP::cut_to_disks(mesh, seams, parameters::edge_weight_map(weights)));
+  check_report(mesh, seams, TA::cut_to_disks(mesh, seams, parameters::edge_weight_map(weights)));
   int cheap = 0;
   for(Edge e : mesh.edges())
     cheap += seams[e] && weights[e] < 1;
@@ -403,7 +404,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
   for(double wrong : {-1., std::numeric_limits<double>::quiet_NaN()}) {
     weights[Edge(17)] = wrong;
     const Seam_report report =
-        SMP::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+        TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(report.message.find("the edge from (") != std::string::npos);
   }
@@ -420,7 +421,7 @@ BOOST_AUTO_TEST_CASE(each_weight_is_read_once)
     ++reads[e.idx()];
     return length(mesh, e);
   });
-  check_report(mesh, seams, SMP::cut_to_disks(mesh, seams, parameters::edge_weight_map(weights)));
+  check_report(mesh, seams, TA::cut_to_disks(mesh, seams, parameters::edge_weight_map(weights)));
   BOOST_TEST((reads == std::vector<int>(mesh.number_of_edges(), 1)));
 }
 
@@ -435,7 +436,7 @@ BOOST_AUTO_TEST_CASE(seams_become_shorter)
     std::mt19937 random(5);
     for(Edge e : mesh.edges())
       weights[e] = 1 + static_cast<double>(random() % 100);
-    SMP::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+    TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
     std::vector<Vertex> ends;
     const auto is_end = [&](Vertex v) {
       int degree = 0;
@@ -447,9 +448,9 @@ BOOST_AUTO_TEST_CASE(seams_become_shorter)
       if(is_end(v))
         ends.push_back(v);
     const double before = seam_length(mesh, seams);
-    const Seam_report report = SMP::shorten_seams(mesh, seams);
+    const Seam_report report = TA::shorten_seams(mesh, seams);
     BOOST_TEST(report.seam_length < 0.95 * before);
-    BOOST_TEST(bool(SMP::is_disk_cut(mesh, seams)));
+    BOOST_TEST(bool(TA::is_disk_cut(mesh, seams)));
     for(Vertex v : ends) {
       bool is_on_seam = false;
       for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
@@ -470,16 +471,16 @@ BOOST_AUTO_TEST_CASE(disks_are_counted)
     for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(first)))
       seams[mesh.edge(h)] = true;
     if(kind == 0)
-      SMP::cut_to_disks(mesh, seams);
-    const Seam_report report = kind == 0   ? SMP::shorten_seams(mesh, seams)
-                               : kind == 1 ? SMP::cut_to_disks(mesh, seams)
-                                           : SMP::select_seams(mesh, seams);
+      TA::cut_to_disks(mesh, seams);
+    const Seam_report report = kind == 0   ? TA::shorten_seams(mesh, seams)
+                               : kind == 1 ? TA::cut_to_disks(mesh, seams)
+                                           : TA::select_seams(mesh, seams);
     BOOST_TEST_CONTEXT("kind " << kind)
     {
       BOOST_TEST(report.message == "");
       BOOST_TEST(report.number_of_components == 2u);
       BOOST_TEST(report.number_of_disks == 3u);
-      const auto check = SMP::is_disk_cut(mesh, seams);
+      const auto check = TA::is_disk_cut(mesh, seams);
       BOOST_TEST(bool(check), check.message);
       BOOST_TEST(check.parts.size() == report.number_of_disks);
     }
@@ -494,7 +495,7 @@ BOOST_AUTO_TEST_CASE(all_components_are_cut)
   mesh.add_face(mesh.add_vertex(Mesh::Point(0, 0, 9)), mesh.add_vertex(Mesh::Point(1, 0, 9)),
                 mesh.add_vertex(Mesh::Point(0, 1, 9)));
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = SMP::select_seams(mesh, seams);
+  const Seam_report report = TA::select_seams(mesh, seams);
   check_report(mesh, seams, report);
   BOOST_TEST(report.number_of_components == 4u);
 }
@@ -506,7 +507,7 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
   for(int threads : {1, 4}) {
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
-    SMP::internal::ABF::with_threads(threads, [&]() { SMP::select_seams(mesh, seams); });
+    SMP::internal::ABF::with_threads(threads, [&]() { TA::select_seams(mesh, seams); });
     results.push_back(marks(mesh, seams));
   }
   BOOST_TEST((results[0] == results[1]));
@@ -516,16 +517,16 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
   const auto seams = get(CGAL::dynamic_edge_property_t<bool>(), polyhedron);
   for(auto e : edges(polyhedron))
     put(seams, e, false);
-  const Seam_report report = SMP::select_seams(polyhedron, seams);
+  const Seam_report report = TA::select_seams(polyhedron, seams);
   BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
-  BOOST_TEST(bool(SMP::is_disk_cut(polyhedron, seams)));
+  BOOST_TEST(bool(TA::is_disk_cut(polyhedron, seams)));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_named)
 {
   const auto diagnosis_of = [](Mesh mesh) {
     const Seam_map seams = add_seams(mesh);
-    const Seam_report report = SMP::select_seams(mesh, seams);
+    const Seam_report report = TA::select_seams(mesh, seams);
     BOOST_TEST(report.message != "");
     BOOST_TEST(seam_length(mesh, seams) == 0);
     return report.status;
@@ -538,16 +539,16 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named)
   Mesh infinite = seam_surfaces::sphere(1).mesh();
   infinite.point(Vertex(3)) = Mesh::Point(0, (std::numeric_limits<double>::infinity)(), 0);
   Seam_map seams = add_seams(infinite);
-  BOOST_TEST(SMP::cut_to_disks(infinite, seams).status == SMP::Diagnosis::NON_FINITE_POINT);
+  BOOST_TEST(TA::cut_to_disks(infinite, seams).status == SMP::Diagnosis::NON_FINITE_POINT);
 
   Mesh sphere = seam_surfaces::sphere(1).mesh();
   seams = add_seams(sphere);
-  BOOST_TEST(SMP::select_seams(sphere, seams, with<Seam_options>(&Seam_options::stretch_bound, 0.9)).status ==
+  BOOST_TEST(TA::select_seams(sphere, seams, with<Seam_options>(&Seam_options::stretch_bound, 0.9)).status ==
              SMP::Diagnosis::WRONG_OPTION);
-  BOOST_TEST(SMP::select_seams(sphere, seams, with<Seam_options>(&Seam_options::stretch_bound, std::nan("")))
+  BOOST_TEST(TA::select_seams(sphere, seams, with<Seam_options>(&Seam_options::stretch_bound, std::nan("")))
                  .status == SMP::Diagnosis::WRONG_OPTION);
   BOOST_TEST(
-      SMP::select_seams(sphere, seams, with<Seam_options>(&Seam_options::maximum_number_of_terminals, -1))
+      TA::select_seams(sphere, seams, with<Seam_options>(&Seam_options::maximum_number_of_terminals, -1))
           .status == SMP::Diagnosis::WRONG_OPTION);
 }
 
@@ -567,9 +568,9 @@ BOOST_AUTO_TEST_CASE(degenerate_surfaces_are_cut)
       const Seam_map seams = add_seams(mesh);
       BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
       {
-        const Seam_report report = kind < 3 ? SMP::select_seams(mesh, seams) : SMP::cut_to_disks(mesh, seams);
+        const Seam_report report = kind < 3 ? TA::select_seams(mesh, seams) : TA::cut_to_disks(mesh, seams);
         BOOST_TEST(report.message == "");
-        const auto check = SMP::is_disk_cut(mesh, seams);
+        const auto check = TA::is_disk_cut(mesh, seams);
         BOOST_TEST(bool(check), check.message);
       }
     }

@@ -26,12 +26,12 @@ using atlas_check::Atlas_run;
 using atlas_check::check_atlas;
 using atlas_check::make_atlas_of;
 using atlas_check::Wishes;
-using CGAL::Surface_mesh_parameterization::Atlas_options;
+using CGAL::Texture_atlas::Atlas_options;
 using CGAL::Surface_mesh_parameterization::Diagnosis;
 using atlas_surfaces::Component;
 using atlas_surfaces::component;
 using atlas_surfaces::Union;
-using CGAL::Surface_mesh_parameterization::Atlas_report;
+using CGAL::Texture_atlas::Atlas_report;
 typedef CGAL::Surface_mesh<test_charts::Point_3> Mesh;
 
 namespace {

@@ -9,13 +9,13 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 
 #include "hard_charts.h"
 #include "immersed_charts.h"
@@ -46,8 +46,9 @@
 BOOST_AUTO_TEST_SUITE(test_split_overlaps)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
-using SMP::Overlap_split_report;
+using TA::Overlap_split_report;
 using test_charts::Chart;
 using test_charts::Point_2;
 using test_charts::Point_3;
@@ -95,7 +96,7 @@ struct Flat_mesh
   template <typename NamedParameters = parameters::Default_named_parameters>
   Overlap_split_report split(const NamedParameters& np = parameters::default_values())
   {
-    return SMP::split_overlaps(mesh, uv, seams, piece, np);
+    return TA::split_overlaps(mesh, uv, seams, piece, np);
   }
 
   std::vector<bool> seam_marks() const
@@ -124,7 +125,7 @@ struct Flat_mesh
   std::vector<int> overlapping() const
   {
     std::vector<Face> faces;
-    SMP::overlapping_faces(mesh, vertex_uv(), std::back_inserter(faces));
+    TA::overlapping_faces(mesh, vertex_uv(), std::back_inserter(faces));
     return std::vector<int>(faces.begin(), faces.end());
   }
 };
@@ -189,9 +190,9 @@ void check_pieces(const Flat_mesh& flat, const Overlap_split_report& report, boo
 {
   BOOST_TEST_REQUIRE(report.message == "");
   BOOST_TEST(bool(report));
-  const auto check = SMP::is_disk_cut(flat.mesh, flat.seams);
+  const auto check = TA::is_disk_cut(flat.mesh, flat.seams);
   BOOST_TEST_REQUIRE(check.parts.size() == report.number_of_pieces);
-  const auto seam_mesh = SMP::make_seam_mesh(flat.mesh, flat.seams).mesh;
+  const auto seam_mesh = TA::make_seam_mesh(flat.mesh, flat.seams).mesh;
   typedef decltype(seam_mesh) Seam_mesh;
   typedef std::decay_t<Seam_mesh> Plain_seam_mesh;
   const auto uv =
@@ -206,7 +207,7 @@ void check_pieces(const Flat_mesh& flat, const Overlap_split_report& report, boo
     const typename Plain_seam_mesh::halfedge_descriptor h(flat.mesh.halfedge(check.parts[p].face));
     BOOST_TEST(SMP::is_injective(seam_mesh, h, uv));
     std::vector<Face> overlapping;
-    SMP::overlapping_faces(seam_mesh, h, uv, std::back_inserter(overlapping));
+    TA::overlapping_faces(seam_mesh, h, uv, std::back_inserter(overlapping));
     BOOST_TEST(overlapping.empty());
     if(check.parts[p].number_of_faces < 150)
       BOOST_TEST(is_slowly_injective(flat, seam_mesh, static_cast<int>(p)));
@@ -393,7 +394,7 @@ BOOST_AUTO_TEST_CASE(components_are_looked_at_together_or_one_by_one)
   BOOST_TEST(flat.overlapping().size() == 2u);
   for(Halfedge h : flat.mesh.halfedges()) {
     std::vector<Face> faces;
-    SMP::overlapping_faces(flat.mesh, h, flat.vertex_uv(), std::back_inserter(faces));
+    TA::overlapping_faces(flat.mesh, h, flat.vertex_uv(), std::back_inserter(faces));
     BOOST_TEST(faces.empty());
   }
   Mesh quad;
@@ -401,7 +402,7 @@ BOOST_AUTO_TEST_CASE(components_are_looked_at_together_or_one_by_one)
                 quad.add_vertex(Point_3(1, 1, 0)), quad.add_vertex(Point_3(0, 1, 0)));
   const auto uv = boost::make_function_property_map<Vertex>([](Vertex) { return Point_2(0, 0); });
   std::vector<Face> faces;
-  SMP::overlapping_faces(quad, uv, std::back_inserter(faces));
+  TA::overlapping_faces(quad, uv, std::back_inserter(faces));
   BOOST_TEST(faces.empty());
 }
 
@@ -516,7 +517,7 @@ BOOST_AUTO_TEST_CASE(charts_with_holes_and_several_components_are_split)
       std::size_t faces = 0;
       const Overlap_split_report report = flat.split();
       BOOST_TEST(report.message == "");
-      const auto check = SMP::is_disk_cut(flat.mesh, flat.seams);
+      const auto check = TA::is_disk_cut(flat.mesh, flat.seams);
       for(const auto& part : check.parts)
         faces += part.number_of_faces;
       BOOST_TEST(check.parts.size() == report.number_of_pieces);
@@ -569,7 +570,7 @@ BOOST_AUTO_TEST_CASE(a_closed_ring_with_a_seam_becomes_two_disks)
 {
   for(int n : {6, 12, 30}) {
     Flat_mesh flat(test_charts::annulus(n));
-    SMP::cut_to_disks(flat.mesh, flat.seams);
+    TA::cut_to_disks(flat.mesh, flat.seams);
     const Overlap_split_report report = flat.split();
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_charts == 1u);
@@ -678,7 +679,7 @@ BOOST_AUTO_TEST_CASE(coordinates_may_belong_to_vertices_and_have_exact_numbers)
   const std::vector<bool> marks = flat.seam_marks();
   for(Edge e : flat.mesh.edges())
     flat.seams[e] = false;
-  SMP::split_overlaps(flat.mesh, flat.vertex_uv(), flat.seams, flat.piece);
+  TA::split_overlaps(flat.mesh, flat.vertex_uv(), flat.seams, flat.piece);
   BOOST_TEST(flat.pieces() == pieces);
   BOOST_TEST((flat.seam_marks() == marks));
 
@@ -687,7 +688,7 @@ BOOST_AUTO_TEST_CASE(coordinates_may_belong_to_vertices_and_have_exact_numbers)
     flat.seams[e] = false;
   const auto exact_uv = boost::make_function_property_map<Halfedge>(
       [&](Halfedge h) { return Exact_point(flat.uv[h].x(), flat.uv[h].y()); });
-  SMP::split_overlaps(flat.mesh, exact_uv, flat.seams, flat.piece);
+  TA::split_overlaps(flat.mesh, exact_uv, flat.seams, flat.piece);
   BOOST_TEST(flat.pieces() == pieces);
   BOOST_TEST((flat.seam_marks() == marks));
 }
@@ -711,8 +712,8 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
   const auto uv = boost::make_function_property_map<boost::graph_traits<Polyhedron>::vertex_descriptor>(
       [](auto v) { return Point_2(v->point().x(), v->point().y()); });
   std::vector<boost::graph_traits<Polyhedron>::face_descriptor> overlapping;
-  SMP::overlapping_faces(polyhedron, uv, std::back_inserter(overlapping));
-  const Overlap_split_report report = SMP::split_overlaps(polyhedron, uv, seams, piece);
+  TA::overlapping_faces(polyhedron, uv, std::back_inserter(overlapping));
+  const Overlap_split_report report = TA::split_overlaps(polyhedron, uv, seams, piece);
   BOOST_TEST(report.number_of_overlapping_faces == overlapping.size());
   pieces.emplace_back();
   for(auto f : faces(polyhedron))

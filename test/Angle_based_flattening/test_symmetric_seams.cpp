@@ -9,9 +9,9 @@
 
 #include "seam_surfaces.h"
 
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/symmetrize_seams.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/symmetrize_seams.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +24,7 @@
 BOOST_AUTO_TEST_SUITE(test_symmetric_seams)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace parameters = CGAL::parameters;
 using seam_surfaces::Point_3;
 using seam_surfaces::Vector_3;
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(plane_of_symmetric_surfaces)
 {
   for(unsigned seed = 1; seed <= 4; ++seed) {
     const Horned_ball ball(seed, true);
-    const auto plane = SMP::find_mirror_plane(ball.mesh);
+    const auto plane = TA::find_mirror_plane(ball.mesh);
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       BOOST_TEST(static_cast<bool>(plane));
@@ -101,19 +102,19 @@ BOOST_AUTO_TEST_CASE(plane_of_symmetric_surfaces)
 BOOST_AUTO_TEST_CASE(deviation_of_other_surfaces)
 {
   for(unsigned seed = 1; seed <= 4; ++seed)
-    BOOST_TEST(SMP::find_mirror_plane(Horned_ball(seed, false).mesh).deviation > 0.01, "seed " << seed);
+    BOOST_TEST(TA::find_mirror_plane(Horned_ball(seed, false).mesh).deviation > 0.01, "seed " << seed);
 }
 
 BOOST_AUTO_TEST_CASE(seams_become_symmetric)
 {
   for(unsigned seed = 1; seed <= 4; ++seed) {
     Horned_ball ball(seed, true);
-    const auto plane = SMP::find_mirror_plane(ball.mesh);
+    const auto plane = TA::find_mirror_plane(ball.mesh);
     for(bool is_upper_side : {false, true}) {
       const Marks seams = ball.marks();
-      SMP::select_seams(ball.mesh, seams);
-      const auto before = SMP::measure_symmetry(ball.mesh, seams, plane);
-      const auto after = SMP::symmetrize_seams(ball.mesh, seams, plane, is_upper_side);
+      TA::select_seams(ball.mesh, seams);
+      const auto before = TA::measure_symmetry(ball.mesh, seams, plane);
+      const auto after = TA::symmetrize_seams(ball.mesh, seams, plane, is_upper_side);
       BOOST_TEST_CONTEXT("seed " << seed << " " << is_upper_side)
       {
         BOOST_TEST(static_cast<bool>(before));
@@ -121,11 +122,11 @@ BOOST_AUTO_TEST_CASE(seams_become_symmetric)
         BOOST_TEST(before.asymmetry > 0.02);
         BOOST_TEST(after.asymmetry < 0.01);
         BOOST_TEST(after.seam_length > 0);
-        const auto measured = SMP::measure_symmetry(ball.mesh, seams, plane);
+        const auto measured = TA::measure_symmetry(ball.mesh, seams, plane);
         BOOST_TEST(measured.asymmetry == after.asymmetry);
         BOOST_TEST(measured.seam_length == after.seam_length);
-        BOOST_TEST(static_cast<bool>(SMP::cut_to_disks(ball.mesh, seams)));
-        BOOST_TEST(static_cast<bool>(SMP::is_disk_cut(ball.mesh, seams)));
+        BOOST_TEST(static_cast<bool>(TA::cut_to_disks(ball.mesh, seams)));
+        BOOST_TEST(static_cast<bool>(TA::is_disk_cut(ball.mesh, seams)));
       }
     }
   }
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(seams_become_symmetric)
 BOOST_AUTO_TEST_CASE(kept_side)
 {
   Horned_ball ball(3, true);
-  const auto plane = SMP::find_mirror_plane(ball.mesh);
+  const auto plane = TA::find_mirror_plane(ball.mesh);
   const Vector_3 n(plane.normal[0], plane.normal[1], plane.normal[2]);
   const auto is_far_above = [&](Edge e, double sign) {
     const auto height = [&](std::size_t i) {
@@ -146,10 +147,10 @@ BOOST_AUTO_TEST_CASE(kept_side)
   };
   for(double sign : {-1., 1.}) {
     const Marks before = ball.marks(), seams = ball.marks();
-    SMP::select_seams(ball.mesh, before);
+    TA::select_seams(ball.mesh, before);
     for(Edge e : ball.mesh.edges())
       seams[e] = before[e];
-    SMP::symmetrize_seams(ball.mesh, seams, plane, sign > 0);
+    TA::symmetrize_seams(ball.mesh, seams, plane, sign > 0);
     std::size_t kept = 0;
     for(Edge e : ball.mesh.edges())
       if(is_far_above(e, sign)) {
@@ -163,13 +164,13 @@ BOOST_AUTO_TEST_CASE(kept_side)
 BOOST_AUTO_TEST_CASE(constrained_edges_are_no_seams)
 {
   Horned_ball ball(2, true);
-  const auto plane = SMP::find_mirror_plane(ball.mesh);
+  const auto plane = TA::find_mirror_plane(ball.mesh);
   const Marks seams = ball.marks(), is_constrained = ball.marks();
   std::mt19937 random(1);
   for(Edge e : ball.mesh.edges())
     is_constrained[e] = random() % 5 == 0;
-  SMP::select_seams(ball.mesh, seams, {}, parameters::edge_is_constrained_map(is_constrained));
-  SMP::symmetrize_seams(ball.mesh, seams, plane, true, parameters::edge_is_constrained_map(is_constrained));
+  TA::select_seams(ball.mesh, seams, {}, parameters::edge_is_constrained_map(is_constrained));
+  TA::symmetrize_seams(ball.mesh, seams, plane, true, parameters::edge_is_constrained_map(is_constrained));
   for(Edge e : ball.mesh.edges())
     BOOST_TEST((!seams[e] || !is_constrained[e]));
 }
@@ -177,9 +178,9 @@ BOOST_AUTO_TEST_CASE(constrained_edges_are_no_seams)
 BOOST_AUTO_TEST_CASE(edges_on_the_plane_become_cheap)
 {
   Mesh mesh = seam_surfaces::octahedron().mesh();
-  SMP::Mirror_plane_report plane; // x = 0
+  TA::Mirror_plane_report plane; // x = 0
   auto weights = mesh.add_property_map<Edge, double>("", 2.).first;
-  BOOST_TEST(static_cast<bool>(SMP::favor_mirror_plane(mesh, plane, weights)));
+  BOOST_TEST(static_cast<bool>(TA::favor_mirror_plane(mesh, plane, weights)));
   for(Edge e : mesh.edges()) {
     const bool is_on_plane = mesh.point(mesh.vertex(e, 0)).x() == 0 && mesh.point(mesh.vertex(e, 1)).x() == 0;
     BOOST_TEST(weights[e] == (is_on_plane ? 0.6 * 2 : 2));
@@ -189,30 +190,30 @@ BOOST_AUTO_TEST_CASE(edges_on_the_plane_become_cheap)
 BOOST_AUTO_TEST_CASE(wrong_input)
 {
   Horned_ball ball(1, true);
-  const auto plane = SMP::find_mirror_plane(ball.mesh);
+  const auto plane = TA::find_mirror_plane(ball.mesh);
   const Marks seams = ball.marks();
-  SMP::select_seams(ball.mesh, seams);
-  const double length = SMP::measure_symmetry(ball.mesh, seams, plane).seam_length;
-  SMP::Mirror_plane_report wrong = plane;
+  TA::select_seams(ball.mesh, seams);
+  const double length = TA::measure_symmetry(ball.mesh, seams, plane).seam_length;
+  TA::Mirror_plane_report wrong = plane;
   wrong.normal[0] += 1;
-  for(const SMP::Mirror_plane_report& p : {wrong, SMP::Mirror_plane_report{{}, {0, 0, 0}}}) {
-    const auto report = SMP::symmetrize_seams(ball.mesh, seams, p);
+  for(const TA::Mirror_plane_report& p : {wrong, TA::Mirror_plane_report{{}, {0, 0, 0}}}) {
+    const auto report = TA::symmetrize_seams(ball.mesh, seams, p);
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_OPTION);
     BOOST_TEST((report.message.find("normal") != std::string::npos));
-    BOOST_TEST(SMP::measure_symmetry(ball.mesh, seams, p).status == SMP::Diagnosis::WRONG_OPTION);
+    BOOST_TEST(TA::measure_symmetry(ball.mesh, seams, p).status == SMP::Diagnosis::WRONG_OPTION);
   }
-  BOOST_TEST(SMP::measure_symmetry(ball.mesh, seams, plane).seam_length == length); // unchanged
+  BOOST_TEST(TA::measure_symmetry(ball.mesh, seams, plane).seam_length == length); // unchanged
 
   Mesh quadrangle;
   quadrangle.add_face(quadrangle.add_vertex(Point_3(0, 0, 0)), quadrangle.add_vertex(Point_3(1, 0, 0)),
                       quadrangle.add_vertex(Point_3(1, 1, 0)), quadrangle.add_vertex(Point_3(0, 1, 0)));
-  const auto of_quadrangle = SMP::find_mirror_plane(quadrangle);
+  const auto of_quadrangle = TA::find_mirror_plane(quadrangle);
   BOOST_TEST(of_quadrangle.status == SMP::Diagnosis::NOT_TRIANGULATED);
   BOOST_TEST((of_quadrangle.offending_faces == std::vector<Mesh::Face_index>{Mesh::Face_index(0)}));
-  BOOST_TEST(SMP::find_mirror_plane(Mesh()).status == SMP::Diagnosis::NO_AREA);
+  BOOST_TEST(TA::find_mirror_plane(Mesh()).status == SMP::Diagnosis::NO_AREA);
   const Mesh::Vertex_index v(7);
   ball.mesh.point(v) = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  const auto of_nan = SMP::symmetrize_seams(ball.mesh, seams, plane);
+  const auto of_nan = TA::symmetrize_seams(ball.mesh, seams, plane);
   BOOST_TEST(of_nan.status == SMP::Diagnosis::NON_FINITE_POINT);
   BOOST_TEST((of_nan.offending_vertices == std::vector<Mesh::Vertex_index>{v}));
 }

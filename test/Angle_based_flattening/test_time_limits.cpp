@@ -13,14 +13,14 @@
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
-#include <CGAL/Surface_mesh_parameterization/flatten_with_cones.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/select_cones.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <chrono>
 #include <functional>
@@ -34,6 +34,7 @@ BOOST_AUTO_TEST_SUITE(test_time_limits)
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 using scenes::Mesh;
 using scenes::Scene;
 
@@ -73,7 +74,7 @@ std::string last_stage(SMP::Flattening_visitor::Stage stage)
   return std::string("not done after 0.03 s; the last stage was ") + names[stage];
 }
 
-std::string last_stage(SMP::Atlas_visitor::Stage stage)
+std::string last_stage(TA::Atlas_visitor::Stage stage)
 {
   static const char* const names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
   return std::string("not done after 0.03 s; the last stage was ") + names[stage];
@@ -104,9 +105,9 @@ SMP::Hierarchical_options injective(double limit)
   return options;
 }
 
-SMP::Cone_options cones(double limit)
+TA::Cone_options cones(double limit)
 {
-  SMP::Cone_options options;
+  TA::Cone_options options;
   options.parameterizer.time_limit = limit;
   return options;
 }
@@ -119,26 +120,26 @@ typedef std::function<SMP::Report(Scene&, double)> Limited_call;
 // All functions with a limit, for a disk
 std::vector<Limited_call> calls_for_disks()
 {
-  return {
-      [](Scene& s, double limit) -> SMP::Report {
-        return SMP::flatten_surface(s.mesh, s.uv, Direct(limited<SMP::ABF_plus_plus_options>(limit)));
-      },
-      [](Scene& s, double limit) -> SMP::Report {
-        return SMP::flatten_surface(s.mesh, s.uv, Hierarchical(limited<SMP::Hierarchical_options>(limit)));
-      },
-      [](Scene& s, double limit) -> SMP::Report {
-        return SMP::flatten_surface(s.mesh, s.uv, Hierarchical(injective(limit)));
-      },
-      [](Scene& s, double limit) -> SMP::Report {
-        return SMP::make_atlas(s.mesh, s.seams, s.corner_uv, s.charts, limited<SMP::Atlas_options>(limit));
-      },
-      [](Scene& s, double limit) -> SMP::Report {
-        return SMP::select_seams(s.mesh, s.seams, limited<SMP::Seam_options>(limit));
-      },
-      [](Scene& s, double limit) -> SMP::Report { return SMP::select_cones(s.mesh, 3, cones(limit)); },
-      [](Scene& s, double limit) -> SMP::Report {
-        return SMP::flatten_with_cones(s.mesh, 3, s.seams, s.corner_uv, cones(limit));
-      }};
+  return {[](Scene& s, double limit) -> SMP::Report {
+            return SMP::flatten_surface(s.mesh, s.uv, Direct(limited<SMP::ABF_plus_plus_options>(limit)));
+          },
+          [](Scene& s, double limit) -> SMP::Report {
+            return SMP::flatten_surface(s.mesh, s.uv,
+                                        Hierarchical(limited<SMP::Hierarchical_options>(limit)));
+          },
+          [](Scene& s, double limit) -> SMP::Report {
+            return SMP::flatten_surface(s.mesh, s.uv, Hierarchical(injective(limit)));
+          },
+          [](Scene& s, double limit) -> SMP::Report {
+            return TA::make_atlas(s.mesh, s.seams, s.corner_uv, s.charts, limited<TA::Atlas_options>(limit));
+          },
+          [](Scene& s, double limit) -> SMP::Report {
+            return TA::select_seams(s.mesh, s.seams, limited<TA::Seam_options>(limit));
+          },
+          [](Scene& s, double limit) -> SMP::Report { return TA::select_cones(s.mesh, 3, cones(limit)); },
+          [](Scene& s, double limit) -> SMP::Report {
+            return TA::flatten_with_cones(s.mesh, 3, s.seams, s.corner_uv, cones(limit));
+          }};
 }
 
 } // namespace
@@ -225,15 +226,15 @@ BOOST_AUTO_TEST_CASE(stages_of_maps)
 
 BOOST_AUTO_TEST_CASE(stages_of_atlases)
 {
-  typedef SMP::Atlas_visitor V;
+  typedef TA::Atlas_visitor V;
   Scene scene(scenes::sphere_and_torus());
   for(int threads : {1, 2})
     for(V::Stage stage : {V::READ, V::CHARTS, V::PACK, V::CERTIFY, V::MEASURE, V::WRITE}) {
-      SMP::Atlas_options options;
+      TA::Atlas_options options;
       options.threads = threads;
       options.resolution = 64;
-      check_end_at_stage<V>(stage, options, scene, [&](const SMP::Atlas_options& visited) {
-        return SMP::Report(SMP::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts, visited));
+      check_end_at_stage<V>(stage, options, scene, [&](const TA::Atlas_options& visited) {
+        return SMP::Report(TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts, visited));
       });
     }
 }
@@ -244,12 +245,12 @@ BOOST_AUTO_TEST_CASE(slow_solvers)
   Scene scene(seam_surfaces::sphere(1).mesh<Mesh>());
   const auto slow = CGAL::parameters::sparse_linear_solver(Slow_traits());
   for(const SMP::Report& report :
-      {SMP::Report(SMP::select_seams(scene.mesh, scene.seams, limited<SMP::Seam_options>(short_time), slow)),
-       SMP::Report(SMP::select_cones(scene.mesh, 4, cones(short_time), slow)),
+      {SMP::Report(TA::select_seams(scene.mesh, scene.seams, limited<TA::Seam_options>(short_time), slow)),
+       SMP::Report(TA::select_cones(scene.mesh, 4, cones(short_time), slow)),
        SMP::Report(
-           SMP::flatten_with_cones(scene.mesh, 4, scene.seams, scene.corner_uv, cones(short_time), slow)),
-       SMP::Report(SMP::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts,
-                                   limited<SMP::Atlas_options>(short_time), slow))}) {
+           TA::flatten_with_cones(scene.mesh, 4, scene.seams, scene.corner_uv, cones(short_time), slow)),
+       SMP::Report(TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts,
+                                  limited<TA::Atlas_options>(short_time), slow))}) {
     BOOST_TEST(report.status == SMP::Diagnosis::TIMED_OUT);
     BOOST_TEST((scene.state() == scene.before));
   }

@@ -11,7 +11,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 
 #include <iostream>
 #include <string>
@@ -22,7 +22,7 @@ namespace flatten_mesh {
 
 // Tells on standard error what is being done: in a progress bar if that is a terminal, or with `--verbose` in a line
 // for every stage when it is over.
-class Atlas_progress : public SMP::Atlas_visitor
+class Atlas_progress : public TA::Atlas_visitor
 {
 public:
   explicit Atlas_progress(const Command_line& command)

@@ -13,7 +13,7 @@
 #include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Skipped_part.h"
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 
 namespace flatten_mesh {
 
-using Report_on_atlas = SMP::Mesh_report<Mesh, SMP::Atlas_report>;
+using Report_on_atlas = SMP::Mesh_report<Mesh, TA::Atlas_report>;
 
 // The data of the reports on an atlas, for people and for programs
 struct Atlas_record
@@ -92,7 +92,7 @@ inline Exit_status exit_status(const Atlas_record& record)
 // The stages, with the time of each
 inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Atlas_record& record)
 {
-  const SMP::Atlas_report::Seconds& seconds = record.report.seconds;
+  const TA::Atlas_report::Seconds& seconds = record.report.seconds;
   std::vector<std::pair<std::string, double>> stages = {{"read", record.read_seconds + seconds.read}};
   if(record.simplify_seconds > 0) {
     stages.emplace_back("simplify", record.simplify_seconds);

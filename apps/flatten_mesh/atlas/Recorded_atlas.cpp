@@ -91,7 +91,7 @@ void look_at_polygons_without_area(const Command_line& command, Atlas_input& inp
 void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_record& record)
 {
   record.skipped.insert(record.skipped.end(), input.set_aside.begin(), input.set_aside.end());
-  for(const SMP::Atlas_report::Skipped& part : record.report.skipped) {
+  for(const TA::Atlas_report::Skipped& part : record.report.skipped) {
     const Face first(static_cast<Mesh::size_type>(part.first_face));
     record.skipped.push_back({face_in_file(input, first), count_faces(input, atlas, first),
                               to_string(part.status), part.message, model_of_face(input, first.idx())});
@@ -104,16 +104,16 @@ void list_skipped_parts(const Atlas_input& input, const Atlas& atlas, Atlas_reco
 void measure_charts(Atlas_record& record)
 {
   double area = 0;
-  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+  for(const TA::Atlas_report::Chart& chart : record.report.charts) {
     area += chart.area;
   }
-  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+  for(const TA::Atlas_report::Chart& chart : record.report.charts) {
     record.share_of_area.push_back(chart.area / area);
   }
 }
 
 void place_charts(const Command_line& command, const Mesh& mesh, const Atlas& atlas,
-                  const SMP::Atlas_report& report)
+                  const TA::Atlas_report& report)
 {
   const Atlas_options& options = command.atlas;
   if(!options.is_in_world_units()) {
@@ -175,7 +175,7 @@ void look_at_stretch(const Atlas_record& record, Notes& notes)
 {
   std::size_t missed = 0;
   double worst = 1;
-  for(const SMP::Atlas_report::Chart& chart : record.report.charts) {
+  for(const TA::Atlas_report::Chart& chart : record.report.charts) {
     missed += !chart.bound_reached;
     worst = (std::max)(worst, chart.scale_stretch);
   }
@@ -224,7 +224,7 @@ void list_models(const Atlas_input& input, const Atlas& atlas, Atlas_record& rec
 }
 
 void make_charts(const Command_line& command, Atlas_input& input, const Atlas& atlas, Atlas_record& record,
-                 SMP::Atlas_visitor& visitor)
+                 TA::Atlas_visitor& visitor)
 {
   if(input.mesh.is_empty()) {
     record.report.status = SMP::Diagnosis::NOTHING_FLATTENED;
@@ -241,7 +241,7 @@ void make_charts(const Command_line& command, Atlas_input& input, const Atlas& a
 } // namespace
 
 Recorded_atlas make_recorded_atlas(const Command_line& command, Atlas_input& input, Notes& notes,
-                                   SMP::Atlas_visitor& visitor)
+                                   TA::Atlas_visitor& visitor)
 {
   Recorded_atlas made{empty_atlas(input.mesh), record_of(command, input)};
   make_charts(command, input, made.atlas, made.record, visitor);

@@ -12,7 +12,7 @@
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/Atlas_record.h"
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 
 namespace flatten_mesh {
 
@@ -25,7 +25,7 @@ struct Recorded_atlas
 
 // Makes the atlas that a command describes, of an input that was read. Nothing is written but notes.
 Recorded_atlas make_recorded_atlas(const Command_line& command, Atlas_input& input, Notes& notes,
-                                   SMP::Atlas_visitor& visitor);
+                                   TA::Atlas_visitor& visitor);
 
 } // namespace flatten_mesh
 

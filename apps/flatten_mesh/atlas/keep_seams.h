@@ -15,7 +15,7 @@
 #include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <limits>
 #include <string>
@@ -53,7 +53,7 @@ inline void keep_seams_of_materials(Atlas_input& input, const Edge_marks& seams)
 
 inline void keep_seams_of_file(const std::string& file, Atlas_input& input, const Edge_marks& seams)
 {
-  const auto report = SMP::read_seam_selection(file, input.mesh, seams);
+  const auto report = TA::read_seam_selection(file, input.mesh, seams);
   if(!report) {
     throw Input_error(report.message + "; vertices count from 0 in this file");
   }

@@ -22,8 +22,8 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -37,20 +37,20 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline SMP::Atlas_options::Purpose purpose_of(const std::string& name)
+inline TA::Atlas_options::Purpose purpose_of(const std::string& name)
 {
   return name == "texture"
-             ? SMP::Atlas_options::TEXTURE
-             : (name == "conformal" ? SMP::Atlas_options::CONFORMAL : SMP::Atlas_options::FEW_CHARTS);
+             ? TA::Atlas_options::TEXTURE
+             : (name == "conformal" ? TA::Atlas_options::CONFORMAL : TA::Atlas_options::FEW_CHARTS);
 }
 
 } // namespace internal
 
 // Those of the purpose, unless the command says otherwise
-inline SMP::Atlas_options options_of_atlas(const Command_line& command)
+inline TA::Atlas_options options_of_atlas(const Command_line& command)
 {
   const Atlas_options& atlas = command.atlas;
-  SMP::Atlas_options options(internal::purpose_of(atlas.purpose));
+  TA::Atlas_options options(internal::purpose_of(atlas.purpose));
   const auto choose = [](bool& option, const std::string& word) {
     option = word.empty() ? option : word == "on";
   };
@@ -62,7 +62,7 @@ inline SMP::Atlas_options options_of_atlas(const Command_line& command)
   }
   options.seam_price = atlas.seam_price.value_or(options.seam_price);
   if(atlas.repacks) {
-    options.given_charts = atlas.repairs_charts ? SMP::Atlas_options::REPAIR : SMP::Atlas_options::KEEP;
+    options.given_charts = atlas.repairs_charts ? TA::Atlas_options::REPAIR : TA::Atlas_options::KEEP;
   }
   if(atlas.keeps_all_charts()) {
     options.stretch_bound = 2;
@@ -89,7 +89,7 @@ namespace internal {
 
 // No seam divides a polygon of the input. Edges are prepared.
 inline Report_on_atlas call_make_atlas(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                       const Seam_way& way, SMP::Atlas_visitor& visitor)
+                                       const Seam_way& way, TA::Atlas_visitor& visitor)
 {
   namespace np = CGAL::parameters;
   const Edge_marks is_diagonal = diagonals(mesh);
@@ -97,10 +97,10 @@ inline Report_on_atlas call_make_atlas(const Command_line& command, Mesh& mesh, 
       boost::make_function_property_map<Edge>([is_diagonal](const Edge e) { return !is_diagonal[e]; });
   auto polygon = mesh.add_property_map<Face, std::size_t>().first;
   CGAL::Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
-  SMP::Atlas_options options = options_of_atlas(command);
+  TA::Atlas_options options = options_of_atlas(command);
   options.visitor = &visitor;
   const auto make = [&](const auto& parameters) -> Report_on_atlas {
-    return SMP::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
+    return TA::make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
   };
   Report_on_atlas report;
   if(has_weights(way)) {
@@ -123,7 +123,7 @@ inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, dou
 
 // The same, with symmetric seams if they are asked for and possible
 inline Report_on_atlas make_charts(const Command_line& command, Mesh& mesh, const Atlas& atlas, Seam_way& way,
-                                   SMP::Atlas_visitor& visitor)
+                                   TA::Atlas_visitor& visitor)
 {
   if(!command.atlas.is_symmetric) {
     return call_make_atlas(command, mesh, atlas, way, visitor);
@@ -168,7 +168,7 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
 
 // The elements of the report are those of the whole mesh.
 inline Report_on_atlas make_atlas_of_component(const Command_line& command, Mesh& mesh, const Atlas& atlas,
-                                               Seam_way& way, SMP::Atlas_visitor& visitor)
+                                               Seam_way& way, TA::Atlas_visitor& visitor)
 {
   Separate_component component = separate_component(mesh, static_cast<std::size_t>(command.component));
   Mesh& part = component.part.mesh;
@@ -190,7 +190,7 @@ inline Report_on_atlas make_atlas_of_component(const Command_line& command, Mesh
       atlas.chart[mesh.face(origin)] = atlas_of_part.chart[part.face(h)];
     }
   }
-  for(SMP::Atlas_report::Skipped& skipped : report.skipped) {
+  for(TA::Atlas_report::Skipped& skipped : report.skipped) {
     skipped.first_face = component.faces[skipped.first_face].idx();
   }
   for(Face& f : report.offending_faces) {
@@ -247,7 +247,7 @@ inline Seam_way prepare_joined_models(Atlas_input& input, const Atlas& atlas)
 }
 
 inline Report_on_atlas make_atlas_of_model(const Command_line& command, Atlas_input& input,
-                                           const Atlas& atlas, Seam_way& way, SMP::Atlas_visitor& visitor)
+                                           const Atlas& atlas, Seam_way& way, TA::Atlas_visitor& visitor)
 {
   keep_seams(command.atlas, input, atlas.seams);
   Mirrored_charts mirrored;
@@ -270,7 +270,7 @@ inline Report_on_atlas make_atlas_of_model(const Command_line& command, Atlas_in
 
 // Makes charts of the mesh or of the component that is asked for, and says where seams run.
 inline Report_on_atlas make_atlas_of_input(const Command_line& command, Atlas_input& input,
-                                           const Atlas& atlas, Seam_way& way, SMP::Atlas_visitor& visitor)
+                                           const Atlas& atlas, Seam_way& way, TA::Atlas_visitor& visitor)
 {
   if(!input.joined.empty()) {
     way = internal::prepare_joined_models(input, atlas);

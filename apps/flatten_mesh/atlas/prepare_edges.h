@@ -11,8 +11,8 @@
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/seam_weights.h>
-#include <CGAL/Surface_mesh_parameterization/select_crease_seams.h>
+#include <CGAL/Texture_atlas/seam_weights.h>
+#include <CGAL/Texture_atlas/select_crease_seams.h>
 
 #include <algorithm>
 #include <optional>
@@ -22,17 +22,17 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline SMP::Crease_report examine_creases(Mesh& mesh)
+inline TA::Crease_report examine_creases(Mesh& mesh)
 {
   auto marks = mesh.add_property_map<Edge, bool>().first;
-  const auto report = SMP::select_crease_seams(mesh, marks, SMP::Crease_options(),
-                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
+  const auto report = TA::select_crease_seams(mesh, marks, TA::Crease_options(),
+                                              CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
   mesh.remove_property_map(marks);
   return report;
 }
 
 // Whether maps without stretch are worth seams along creases, as those of boxes and cylinders are.
-inline bool unfolds_well(const SMP::Crease_report& report)
+inline bool unfolds_well(const TA::Crease_report& report)
 {
   const double longest_seams = 3; // on surfaces that are hardly flat anywhere
   return report && report.is_developable && report.seam_length > 0 &&
@@ -49,10 +49,10 @@ inline bool has_seams(const Mesh& mesh, const Edge_marks& is_seam)
 inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam)
 {
   const bool are_given = has_seams(mesh, is_seam);
-  SMP::Crease_options options;
+  TA::Crease_options options;
   options.angle = angle;
-  const auto report = SMP::select_crease_seams(mesh, is_seam, options,
-                                               CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
+  const auto report = TA::select_crease_seams(mesh, is_seam, options,
+                                              CGAL::parameters::edge_is_constrained_map(diagonals(mesh)));
   if(!report) {
     throw Input_error("cannot lay seams along creases: " + report.message);
   }
@@ -74,10 +74,10 @@ inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edg
   if(way.name == "auto") {
     way.name = "length";
     if(options.purpose == "texture") {
-      const SMP::Crease_report report = examine_creases(mesh);
+      const TA::Crease_report report = examine_creases(mesh);
       way.is_hard_surface = report && report.is_hard_surface();
       if(unfolds_well(report) && !has_seams(mesh, is_seam)) {
-        return lay_seams_along_creases(SMP::Crease_options().angle, mesh, is_seam);
+        return lay_seams_along_creases(TA::Crease_options().angle, mesh, is_seam);
       }
       way.name = *way.is_hard_surface ? "near-creases" : way.name;
     }
@@ -90,8 +90,8 @@ inline void weigh_edges(const std::string& way, const Mesh& mesh,
                         const Mesh::Property_map<Edge, double>& weight)
 {
   const double cheapest = way == "near-creases" ? 0.475 : 0.3;
-  const auto report = way == "hidden" ? SMP::compute_visibility_weights(mesh, weight)
-                                      : SMP::compute_crease_weights(mesh, weight, cheapest);
+  const auto report = way == "hidden" ? TA::compute_visibility_weights(mesh, weight)
+                                      : TA::compute_crease_weights(mesh, weight, cheapest);
   if(!report) {
     throw Input_error("cannot weigh edges for --seams " + way + ": " + report.message);
   }

@@ -22,7 +22,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline std::string chart_json(const SMP::Atlas_report::Chart& chart, const double share)
+inline std::string chart_json(const TA::Atlas_report::Chart& chart, const double share)
 {
   Json_object json;
   json.add("part", json_number(chart.part));
@@ -78,7 +78,7 @@ inline std::string symmetry_json(const Symmetry& symmetry)
 
 inline std::string atlas_json(const Atlas_record& record)
 {
-  const SMP::Atlas_report& report = record.report;
+  const TA::Atlas_report& report = record.report;
   Json_object seams, json;
   const Seam_way& way = record.seam_way;
   seams.add("way", json_text(way.name));

@@ -30,10 +30,10 @@ namespace flatten_mesh {
 namespace internal {
 
 // How many charts were made in which way
-inline std::string methods_text(const SMP::Atlas_report& report)
+inline std::string methods_text(const TA::Atlas_report& report)
 {
-  std::map<SMP::Atlas_report::Method, std::size_t> counts;
-  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+  std::map<TA::Atlas_report::Method, std::size_t> counts;
+  for(const TA::Atlas_report::Chart& chart : report.charts) {
     ++counts[chart.method];
   }
   std::string text;
@@ -45,16 +45,16 @@ inline std::string methods_text(const SMP::Atlas_report& report)
 }
 
 // How many charts were made otherwise than the options say, to be good
-inline std::string strategies_text(const SMP::Atlas_report& report)
+inline std::string strategies_text(const TA::Atlas_report& report)
 {
-  std::map<SMP::Atlas_report::Strategy, std::size_t> counts;
-  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+  std::map<TA::Atlas_report::Strategy, std::size_t> counts;
+  for(const TA::Atlas_report::Chart& chart : report.charts) {
     ++counts[chart.strategy];
   }
   std::string text;
   for(const auto& [strategy, what] :
-      {std::pair(SMP::Atlas_report::LARGER_AREA_WEIGHT, " with a larger area weight"),
-       std::pair(SMP::Atlas_report::MORE_CHARTS, " of divided parts")}) {
+      {std::pair(TA::Atlas_report::LARGER_AREA_WEIGHT, " with a larger area weight"),
+       std::pair(TA::Atlas_report::MORE_CHARTS, " of divided parts")}) {
     if(counts[strategy] > 0) {
       text += "; " + std::to_string(counts[strategy]) + what;
     }
@@ -63,19 +63,19 @@ inline std::string strategies_text(const SMP::Atlas_report& report)
 }
 
 // The largest ratio of the lengths of both sides of an edge on a seam; not a number without seams
-inline double seam_jump(const SMP::Atlas_report::Chart& chart)
+inline double seam_jump(const TA::Atlas_report::Chart& chart)
 {
-  return chart.seam_lengths == SMP::Atlas_report::NO_SEAMS ? std::numeric_limits<double>::quiet_NaN()
-                                                           : std::exp(chart.largest_seam_jump);
+  return chart.seam_lengths == TA::Atlas_report::NO_SEAMS ? std::numeric_limits<double>::quiet_NaN()
+                                                          : std::exp(chart.largest_seam_jump);
 }
 
 // How much the scale jumps at seams within charts, if there are some
-inline Report_rows seam_jump_rows(const SMP::Atlas_report& report)
+inline Report_rows seam_jump_rows(const TA::Atlas_report& report)
 {
   std::size_t with_seams = 0, equal = 0;
   double jump = 0;
-  for(const SMP::Atlas_report::Chart& chart : report.charts) {
-    with_seams += chart.seam_lengths != SMP::Atlas_report::NO_SEAMS;
+  for(const TA::Atlas_report::Chart& chart : report.charts) {
+    with_seams += chart.seam_lengths != TA::Atlas_report::NO_SEAMS;
     equal += chart.has_equal_seams;
     jump = (std::max)(jump, chart.largest_seam_jump);
   }
@@ -105,9 +105,9 @@ inline std::string way_text(const Seam_way& way)
 
 inline Report_rows chart_rows(const Atlas_record& record)
 {
-  const SMP::Atlas_report& report = record.report;
+  const TA::Atlas_report& report = record.report;
   double worst = 1;
-  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+  for(const TA::Atlas_report::Chart& chart : report.charts) {
     worst = (std::max)(worst, chart.scale_stretch);
   }
   Report_rows rows = {
@@ -147,7 +147,7 @@ inline Report_rows chart_rows(const Atlas_record& record)
 inline std::string largest_charts_text(const Atlas_record& record)
 {
   const std::size_t most = 10;
-  const std::vector<SMP::Atlas_report::Chart>& charts = record.report.charts;
+  const std::vector<TA::Atlas_report::Chart>& charts = record.report.charts;
   if(charts.size() < 2) {
     return "";
   }

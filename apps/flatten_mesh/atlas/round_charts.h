@@ -13,7 +13,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/round_to_floats.h>
+#include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,7 +45,7 @@ inline void round_charts(const Mesh& mesh, const Atlas& atlas, const std::size_t
   for(const auto& [vertex, i] : numbers) {
     uv[static_cast<std::size_t>(i)] = {vertex.second.x(), vertex.second.y()};
   }
-  ABF::Float_rounder rounder(corners, grid, uv);
+  TA::internal::Float_rounder rounder(corners, grid, uv);
   for(const std::vector<ABF::Border_edge>& border : borders) {
     rounder.keep_gaps(border);
   }

@@ -12,7 +12,7 @@
 #include "flatten_mesh/model/check_polygons.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/far_points.h>
+#include <CGAL/Texture_atlas/internal/atlas/far_points.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 
 #include <algorithm>
@@ -28,11 +28,11 @@ namespace flatten_mesh {
 
 namespace internal {
 
-using CGAL::Surface_mesh_parameterization::internal::ABF::far_point_text;
+using CGAL::Texture_atlas::internal::far_point_text;
 
 inline std::vector<bool> far_points(const Polygon_soup& soup)
 {
-  using CGAL::Surface_mesh_parameterization::internal::ABF::Far_points;
+  using CGAL::Texture_atlas::internal::Far_points;
   const auto point = [&soup](const std::size_t v) {
     return Far_points::Point{soup.points[v].x(), soup.points[v].y(), soup.points[v].z()};
   };

@@ -13,7 +13,7 @@
 #include "flatten_mesh/model/build_mesh.h"
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/symmetrize_seams.h>
+#include <CGAL/Texture_atlas/symmetrize_seams.h>
 
 #include <cstddef>
 #include <vector>
@@ -43,7 +43,7 @@ public:
   {
     CGAL::Real_timer timer;
     timer.start();
-    m_symmetry.plane = SMP::find_mirror_plane(m_mesh);
+    m_symmetry.plane = TA::find_mirror_plane(m_mesh);
     m_symmetry.has_symmetric_surface = m_symmetry.plane && m_symmetry.plane.deviation <= largest_deviation;
     const Marks given = marks_of(atlas);
     m_usual = make(atlas, true, false);
@@ -119,14 +119,14 @@ private:
       weights[e] = m_weights[i++];
     }
     if(favors_plane) {
-      SMP::favor_mirror_plane(m_mesh, m_symmetry.plane, weights);
+      TA::favor_mirror_plane(m_mesh, m_symmetry.plane, weights);
     }
     return m_make(atlas, cuts_charts);
   }
 
   double asymmetry_of(const Atlas& atlas) const
   {
-    return m_symmetry.plane ? SMP::measure_symmetry(m_mesh, atlas.seams, m_symmetry.plane).asymmetry : 0;
+    return m_symmetry.plane ? TA::measure_symmetry(m_mesh, atlas.seams, m_symmetry.plane).asymmetry : 0;
   }
 
   // With the seams of either side. If these are not too long, more cuts are tried.
@@ -147,8 +147,8 @@ private:
 
   void symmetrize(const bool is_upper_side) const
   {
-    SMP::symmetrize_seams(m_mesh, m_attempt.seams, m_symmetry.plane, is_upper_side,
-                          CGAL::parameters::edge_is_constrained_map(diagonals(m_mesh)));
+    TA::symmetrize_seams(m_mesh, m_attempt.seams, m_symmetry.plane, is_upper_side,
+                         CGAL::parameters::edge_is_constrained_map(diagonals(m_mesh)));
   }
 
   // Takes the attempt if it is the best so far. Returns whether it has symmetric seams that are not too long.

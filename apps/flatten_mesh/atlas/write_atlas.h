@@ -44,7 +44,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/seam_selection.h>
+#include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <algorithm>
 #include <array>
@@ -60,13 +60,13 @@ namespace flatten_mesh {
 inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 {
   std::ostringstream text;
-  SMP::write_seam_selection(text, mesh, atlas.seams);
+  TA::write_seam_selection(text, mesh, atlas.seams);
   return text.str();
 }
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
 inline std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
-                                            const Atlas& atlas, const SMP::Atlas_report& report,
+                                            const Atlas& atlas, const TA::Atlas_report& report,
                                             const Float_grid& grid)
 {
   if(command.output.empty() || file_format(command.output) == "glb" || !report.has_atlas()) {
@@ -95,7 +95,7 @@ struct Written_model
 };
 
 inline std::vector<Written_model> models_to_write(const Command_line& command, Atlas_input& input,
-                                                  const Atlas& atlas, const SMP::Atlas_report& report)
+                                                  const Atlas& atlas, const TA::Atlas_report& report)
 {
   std::vector<Written_model> models;
   const Float_grid grid = grid_of_outputs(command);
@@ -111,7 +111,7 @@ inline std::vector<Written_model> models_to_write(const Command_line& command, A
   return models;
 }
 
-inline void tell_changed_polygons(const std::vector<Written_model>& models, const SMP::Atlas_report& report,
+inline void tell_changed_polygons(const std::vector<Written_model>& models, const TA::Atlas_report& report,
                                   Notes& notes)
 {
   std::vector<bool> is_divided;
@@ -174,7 +174,7 @@ inline void write_surface(const Written_model& written, const Baked_surface& bak
 
 // In the plane of the pictures, where texels are squares
 inline std::vector<CGAL::Bbox_2> pages_of(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
-                                          const SMP::Atlas_report& report)
+                                          const TA::Atlas_report& report)
 {
   if(options.is_in_world_units() && report.number_of_pages <= 1) {
     return {box_of(mesh, atlas)};

@@ -10,7 +10,7 @@
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
+#include <CGAL/Texture_atlas/Baked_textures.h>
 
 #include <cstddef>
 #include <string>
@@ -24,7 +24,7 @@ struct Baking_record
   std::size_t triangles = 0; // of the fine surface
   bool has_colors = false;
   double least_displacement = 0, greatest_displacement = 0;
-  CGAL::Surface_mesh_parameterization::Baking_report report;
+  CGAL::Texture_atlas::Baking_report report;
   double seconds = 0;
 
   double share(const std::size_t texels) const

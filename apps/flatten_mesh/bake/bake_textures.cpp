@@ -10,7 +10,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/bake_surface.h>
+#include <CGAL/Texture_atlas/bake_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,17 +133,17 @@ Baked_surface bake_textures(const Command_line& command, Atlas_input& input, con
   timer.start();
   const Fine_surface fine = read_fine_surface(command.atlas.bake_from, notes);
   Baked_surface baked;
-  baked.frames = mesh.add_property_map<Halfedge, SMP::Tangent_frame>("h:flatten_mesh_frame").first;
-  SMP::Baking_options options;
+  baked.frames = mesh.add_property_map<Halfedge, TA::Tangent_frame>("h:flatten_mesh_frame").first;
+  TA::Baking_options options;
   options.resolution = command.atlas.resolution;
   options.height = command.atlas.height;
   options.gutter = command.atlas.gutter;
   options.threads = command.options.threads;
   const auto charts = np::face_patch_map(atlas.chart);
   baked.textures = fine.has_colors
-                       ? SMP::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts,
-                                           np::vertex_color_map(fine.colors))
-                       : SMP::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts);
+                       ? TA::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts,
+                                          np::vertex_color_map(fine.colors))
+                       : TA::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts);
   if(!baked.textures) {
     throw Input_error("cannot bake '" + command.atlas.bake_from + "': " + baked.textures.message);
   }

@@ -12,15 +12,15 @@
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/bake/Baking_record.h"
 
-#include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
+#include <CGAL/Texture_atlas/Baked_textures.h>
 
 namespace flatten_mesh {
 
-using Frame_map = Mesh::Property_map<Halfedge, SMP::Tangent_frame>;
+using Frame_map = Mesh::Property_map<Halfedge, TA::Tangent_frame>;
 
 struct Baked_surface
 {
-  SMP::Baked_textures textures;
+  TA::Baked_textures textures;
   Frame_map frames; // at the target of each halfedge of a face with a chart
   Baking_record record;
 };

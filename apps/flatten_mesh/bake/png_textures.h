@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/pictures/png_of_pixels.h"
 
-#include <CGAL/Surface_mesh_parameterization/Baked_textures.h>
+#include <CGAL/Texture_atlas/Baked_textures.h>
 
 #include <cstdint>
 #include <string>
@@ -16,20 +16,20 @@
 namespace flatten_mesh {
 
 // Red, green and blue are x, y and z, with 8 bits: 0 is -1, and 255 is 1.
-inline std::string normals_png(const CGAL::Surface_mesh_parameterization::Baked_textures& textures)
+inline std::string normals_png(const CGAL::Texture_atlas::Baked_textures& textures)
 {
   return png_of_pixels(textures.resolution, textures.height, PNG_FORMAT_RGB,
                        textures.normal_pixels<std::uint8_t>().data());
 }
 
 // Grey with 16 bits, from the least displacement to the greatest
-inline std::string displacements_png(const CGAL::Surface_mesh_parameterization::Baked_textures& textures)
+inline std::string displacements_png(const CGAL::Texture_atlas::Baked_textures& textures)
 {
   return png_of_pixels(textures.resolution, textures.height, PNG_FORMAT_LINEAR_Y,
                        textures.displacement_pixels<std::uint16_t>().data());
 }
 
-inline std::string colors_png(const CGAL::Surface_mesh_parameterization::Baked_textures& textures)
+inline std::string colors_png(const CGAL::Texture_atlas::Baked_textures& textures)
 {
   return png_of_pixels(textures.resolution, textures.height, PNG_FORMAT_RGB,
                        textures.color_pixels<std::uint8_t>().data());

@@ -44,7 +44,7 @@ inline void replace_normals(const Mesh& mesh, const Corner_origins& origins, con
     if(corner == no_index || !texture.has_uv(corner)) {
       continue;
     }
-    const SMP::Tangent_frame& frame = baked.frames[h];
+    const TA::Tangent_frame& frame = baked.frames[h];
     Index& normal = number[mesh.target(h).idx()];
     if(normal == no_index) {
       normal = static_cast<Index>(model.normals.size());

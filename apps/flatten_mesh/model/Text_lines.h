@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_TEXT_LINES_H
 #define FLATTEN_MESH_TEXT_LINES_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/text_lines.h>
+#include <CGAL/Texture_atlas/internal/files/text_lines.h>
 
 namespace flatten_mesh {
 
-using CGAL::Surface_mesh_parameterization::internal::ABF::Text_lines;
+using CGAL::Texture_atlas::internal::Text_lines;
 
 } // namespace flatten_mesh
 

@@ -11,7 +11,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/convex_polygon.h>
+#include <CGAL/Texture_atlas/internal/polygons/convex_polygon.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +29,7 @@ inline bool has_good_fans(const std::vector<Kernel::Point_2>& polygon, const Flo
   std::vector<ABF::Exact_point_2> points;
   for(const Kernel::Point_2& p : polygon)
     points.emplace_back(p.x(), p.y());
-  return points.size() == 3 || ABF::is_strictly_convex(points, grid);
+  return points.size() == 3 || TA::internal::is_strictly_convex(points, grid);
 }
 
 // Of each polygon of a model: whether it has coordinates, and a fan that must not be drawn

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_TEXT_NUMBERS_H
 #define FLATTEN_MESH_TEXT_NUMBERS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/files/text_numbers.h>
+#include <CGAL/Texture_atlas/internal/files/text_numbers.h>
 
 #include <charconv>
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace flatten_mesh {
 
-using CGAL::Surface_mesh_parameterization::internal::ABF::read_finite_number;
-using CGAL::Surface_mesh_parameterization::internal::ABF::read_number;
+using CGAL::Texture_atlas::internal::read_finite_number;
+using CGAL::Texture_atlas::internal::read_number;
 
 // Whether a word is a count, or the number of an element from 0.
 inline bool read_count(const std::string_view word, std::size_t& count)

@@ -14,9 +14,9 @@
 #include "flatten_mesh/pictures/png_of_pixels.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/packing.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/packing/visit_texels.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
+#include <CGAL/Texture_atlas/internal/packing/packing.h>
+#include <CGAL/Texture_atlas/internal/packing/visit_texels.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
@@ -42,12 +42,14 @@ public:
   {}
 
   // The corners are in texels.
-  void draw(const std::array<SMP::internal::ABF::Planar_point, 3>& corners, const int chart)
+  void draw(const std::array<CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point, 3>& corners,
+            const int chart)
   {
     const auto [red, green, blue] = light_color_of_chart(chart);
     const std::array<unsigned char, 4> color = {red, green, blue, 255};
-    SMP::internal::ABF::visit_texels(
-        corners, SMP::internal::ABF::rounding_tolerance, [&](const int y, const int first, const int last) {
+    CGAL::Texture_atlas::internal::visit_texels(
+        corners, CGAL::Texture_atlas::internal::rounding_tolerance,
+        [&](const int y, const int first, const int last) {
           for(int x = (std::max)(first, 0); y >= 0 && y < m_height && x <= last && x < m_width; ++x) {
             std::copy(color.begin(), color.end(), m_pixels.begin() + place(x, y));
           }
@@ -83,7 +85,7 @@ inline std::string name_of_page(const Command_line& command, const std::size_t p
 
 // Writes an image of each page, in which texels have the colours of their charts.
 inline void write_chart_images(const Command_line& command, const Mesh& mesh, const Atlas& atlas,
-                               const SMP::Atlas_report& report, Output_files& files)
+                               const TA::Atlas_report& report, Output_files& files)
 {
   if(report.number_of_pages > 1 &&
      command.chart_image.find(internal::udim_placeholder) == std::string::npos) {
@@ -98,16 +100,19 @@ inline void write_chart_images(const Command_line& command, const Mesh& mesh, co
       faces_of_pages[static_cast<std::size_t>(report.charts[chart].page)].push_back(f);
     }
   }
-  const SMP::internal::ABF::Planar_point size(command.atlas.resolution, command.atlas.height);
+  const CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point size(command.atlas.resolution,
+                                                                              command.atlas.height);
   for(std::size_t i = 0; i < faces_of_pages.size(); ++i) {
-    const auto page = SMP::internal::ABF::corner_of_page(static_cast<int>(i));
+    const auto page = CGAL::Texture_atlas::internal::corner_of_page(static_cast<int>(i));
     internal::Chart_image image(command.atlas.resolution, command.atlas.height);
     for(const Face f : faces_of_pages[i]) {
-      std::array<SMP::internal::ABF::Planar_point, 3> corners;
+      std::array<CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point, 3> corners;
       Halfedge h = mesh.halfedge(f);
       for(auto& corner : corners) {
-        corner =
-            (SMP::internal::ABF::Planar_point(atlas.uv[h].x(), atlas.uv[h].y()) - page).cwiseProduct(size);
+        corner = (CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point(atlas.uv[h].x(),
+                                                                                   atlas.uv[h].y()) -
+                  page)
+                     .cwiseProduct(size);
         h = mesh.next(h);
       }
       image.draw(corners, atlas.chart[f]);

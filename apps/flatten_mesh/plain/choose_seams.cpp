@@ -9,8 +9,8 @@
 #include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -23,7 +23,7 @@ namespace flatten_mesh {
 
 namespace {
 
-void check_cones(const SMP::Cone_selection<Mesh>& selection, const Seamed_component& component)
+void check_cones(const TA::Cone_selection<Mesh>& selection, const Seamed_component& component)
 {
   if(selection) {
     return;
@@ -41,18 +41,18 @@ void check_cones(const SMP::Cone_selection<Mesh>& selection, const Seamed_compon
 }
 
 // Marks short seams through the cones that make the surface a disk.
-SMP::Seam_report cut_through_cones(Seamed_component& component)
+TA::Seam_report cut_through_cones(Seamed_component& component)
 {
   std::set<Vertex> cones;
   for(const auto& cone : *component.cones) {
     cones.insert(cone.first);
   }
-  return SMP::cut_to_disks(component.part.mesh, component.seams,
-                           CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(cones))
-                               .edge_is_constrained_map(component.forbidden));
+  return TA::cut_to_disks(component.part.mesh, component.seams,
+                          CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(cones))
+                              .edge_is_constrained_map(component.forbidden));
 }
 
-void check_report(const SMP::Seam_report& report)
+void check_report(const TA::Seam_report& report)
 {
   if(report) {
     return;
@@ -71,9 +71,9 @@ Cone_record choose_cones(const Command_line& command, Seamed_component& componen
   Cone_record record;
   record.wanted = static_cast<std::size_t>(command.cones);
   record.multiple = command.cone_angle_multiple / 180 * CGAL_PI;
-  SMP::Cone_options options;
+  TA::Cone_options options;
   options.angle_multiple = record.multiple;
-  const auto selection = SMP::select_cones(component.part.mesh, record.wanted, options);
+  const auto selection = TA::select_cones(component.part.mesh, record.wanted, options);
   check_cones(selection, component);
   record.predicted_stretch = selection.predicted_stretch;
   component.cones.emplace();
@@ -99,15 +99,15 @@ void choose_seams(const Command_line& command, Mesh& input, Seamed_component& co
   if(component.cones) {
     check_report(cut_through_cones(component));
   } else if(command.cut == "auto") {
-    SMP::Seam_options options;
+    TA::Seam_options options;
     options.stretch_bound = command.stretch_bound;
-    const SMP::Seam_report report = SMP::select_seams(mesh, component.seams, options, forbidden);
+    const TA::Seam_report report = TA::select_seams(mesh, component.seams, options, forbidden);
     check_report(report);
     record.stretch_bound = command.stretch_bound;
     record.terminals = report.number_of_terminals;
     record.predicted_stretch = report.predicted_stretch;
   } else if(command.cut == "topology") {
-    check_report(SMP::cut_to_disks(mesh, component.seams, forbidden));
+    check_report(TA::cut_to_disks(mesh, component.seams, forbidden));
   } else {
     read_seams(command.cut, input, component);
   }

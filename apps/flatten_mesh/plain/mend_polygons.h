@@ -9,7 +9,7 @@
 #include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/plain/Run_record.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/make_polygons_convex.h>
+#include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
 
 #include <cstddef>
 #include <vector>
@@ -18,13 +18,12 @@ namespace flatten_mesh {
 
 namespace internal {
 
-namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
-
 // The triangles of a chart. Its vertices have the numbers that they have in the mesh.
 template <class Is_diagonal>
-ABF::Divided_polygons divided_polygons(const Mesh& mesh, const Chart& chart, const Is_diagonal& is_diagonal)
+TA::internal::Divided_polygons divided_polygons(const Mesh& mesh, const Chart& chart,
+                                                const Is_diagonal& is_diagonal)
 {
-  ABF::Divided_polygons table;
+  TA::internal::Divided_polygons table;
   std::vector<int> corner(mesh.number_of_halfedges(), -1); // that faces each halfedge
   for(const Face f : chart.faces) {
     for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
@@ -52,14 +51,17 @@ ABF::Divided_polygons divided_polygons(const Mesh& mesh, const Chart& chart, con
 // that is true. The measures have to be taken again.
 template <class Is_diagonal>
 std::size_t mend_polygons(const Mesh& mesh, const Chart& chart, const Is_diagonal& is_diagonal,
-                          const internal::ABF::Float_grid& grid, const UV_map& uv)
+                          const CGAL::Surface_mesh_parameterization::internal::ABF::Float_grid& grid,
+                          const UV_map& uv)
 {
-  std::vector<internal::ABF::Chart::Point_2> points(mesh.number_of_vertices());
+  std::vector<CGAL::Surface_mesh_parameterization::internal::ABF::Chart::Point_2> points(
+      mesh.number_of_vertices());
   for(const Vertex v : chart.vertices) {
     points[v.idx()] = {uv[v].x(), uv[v].y()};
   }
-  const internal::ABF::Divided_polygons table = internal::divided_polygons(mesh, chart, is_diagonal);
-  const std::size_t count = internal::ABF::Polygon_mender(table, grid, points).run();
+  const CGAL::Texture_atlas::internal::Divided_polygons table =
+      internal::divided_polygons(mesh, chart, is_diagonal);
+  const std::size_t count = CGAL::Texture_atlas::internal::Polygon_mender(table, grid, points).run();
   for(const Vertex v : chart.vertices) {
     uv[v] = Kernel::Point_2(points[v.idx()].x(), points[v.idx()].y());
   }

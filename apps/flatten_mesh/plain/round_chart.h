@@ -12,7 +12,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/polygons/round_to_floats.h>
+#include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 
 #include <string>
 #include <vector>
@@ -38,7 +38,7 @@ inline void round_chart(const Command_line& command, Mesh& mesh, const Chart& ch
       }
     }
   }
-  ABF::Float_rounder rounder(corners, grid_of_outputs(command), uv);
+  TA::internal::Float_rounder rounder(corners, grid_of_outputs(command), uv);
   rounder.keep_gaps(border);
   const std::vector<int> bad = rounder.run();
   for(const Vertex v : chart.vertices) {

@@ -9,7 +9,7 @@
 #include "flatten_mesh/plain/seam_chains.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -76,8 +76,8 @@ Split_chart split_chart(const Mesh& mesh, const Chart& chart, const Flattening& 
       [&](const Vertex v) { return flattening.uv[alone.origins[v.idx()]]; });
   const auto forbidden = boost::make_function_property_map<Edge>(
       [&](const Edge e) { return is_forbidden(alone.edge_origins[e.idx()]); });
-  const SMP::Overlap_split_report report =
-      SMP::split_overlaps(alone.mesh, uv, seams, piece, CGAL::parameters::edge_is_constrained_map(forbidden));
+  const TA::Overlap_split_report report =
+      TA::split_overlaps(alone.mesh, uv, seams, piece, CGAL::parameters::edge_is_constrained_map(forbidden));
   if(!report) {
     throw Seams_failed("cannot split overlaps: " + report.message);
   }

@@ -37,7 +37,7 @@ inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_r
   contents.box = box_around(pages);
   contents.pages = pages.size();
   for(std::size_t i = 0; i < record.report.charts.size(); ++i) {
-    const SMP::Atlas_report::Chart& chart = record.report.charts[i];
+    const TA::Atlas_report::Chart& chart = record.report.charts[i];
     contents.charts.push_back({chart.number_of_faces, record.share_of_area[i], to_string(chart.method),
                                chart.l2_stretch, chart.scale_stretch, internal::seam_jump(chart)});
   }

@@ -10,9 +10,9 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/make_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/overlapping_faces.h>
+#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/overlapping_faces.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
@@ -26,6 +26,7 @@ namespace ABF_benchmark {
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef CGAL::Epick Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef Mesh::Halfedge_index Halfedge;
@@ -62,7 +63,7 @@ public:
       : m_uv(mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", {0, 0}).first),
         m_copy(t.mesh.number_of_halfedges())
   {
-    const auto cut = SMP::make_seam_mesh(t.mesh, t.is_seam).mesh;
+    const auto cut = TA::make_seam_mesh(t.mesh, t.is_seam).mesh;
     for(const Face f : t.mesh.faces()) {
       if(t.chart[f] < 0)
         continue;
@@ -85,7 +86,7 @@ public:
   std::size_t number_of_overlapping_faces() const
   {
     std::vector<Face> found;
-    SMP::overlapping_faces(mesh, m_uv, std::back_inserter(found));
+    TA::overlapping_faces(mesh, m_uv, std::back_inserter(found));
     return found.size();
   }
 
@@ -144,7 +145,7 @@ std::size_t number_of_shared_texels(const Textured_mesh& t, int resolution)
   return shared;
 }
 
-void add_report(const SMP::Atlas_report& report, Measurement& m)
+void add_report(const TA::Atlas_report& report, Measurement& m)
 {
   m.add("parts", report.number_of_parts);
   m.add("skipped", report.skipped.size());
@@ -159,7 +160,7 @@ void add_report(const SMP::Atlas_report& report, Measurement& m)
   std::vector<std::size_t> made_by(4, 0);
   std::size_t missed = 0;
   double contact = 0, scale_stretch = 1;
-  for(const SMP::Atlas_report::Chart& chart : report.charts) {
+  for(const TA::Atlas_report::Chart& chart : report.charts) {
     ++made_by[chart.method];
     missed += !chart.bound_reached;
     contact = (std::max)(contact, chart.contact);
@@ -168,10 +169,10 @@ void add_report(const SMP::Atlas_report& report, Measurement& m)
   m.add("contact", contact);
   m.add("scale_stretch", scale_stretch);
   m.add("missed", missed);
-  m.add("direct", made_by[SMP::Atlas_report::ABF_PLUS_PLUS]);
-  m.add("hierarchical", made_by[SMP::Atlas_report::HIERARCHICAL]);
-  m.add("injective", made_by[SMP::Atlas_report::INJECTIVE]);
-  m.add("separated", made_by[SMP::Atlas_report::SEPARATED]);
+  m.add("direct", made_by[TA::Atlas_report::ABF_PLUS_PLUS]);
+  m.add("hierarchical", made_by[TA::Atlas_report::HIERARCHICAL]);
+  m.add("injective", made_by[TA::Atlas_report::INJECTIVE]);
+  m.add("separated", made_by[TA::Atlas_report::SEPARATED]);
   m.add("texel_density", report.texel_density);
   m.add("low_texel_density", report.low_texel_density);
   m.add("read", report.seconds.read);
@@ -182,11 +183,11 @@ void add_report(const SMP::Atlas_report& report, Measurement& m)
   m.add("write", report.seconds.write);
 }
 
-SMP::Atlas_options::Purpose purpose_of(const std::string& name)
+TA::Atlas_options::Purpose purpose_of(const std::string& name)
 {
-  for(const auto& [purpose, known] : {std::pair(SMP::Atlas_options::FEW_CHARTS, "few-charts"),
-                                      {SMP::Atlas_options::CONFORMAL, "conformal"},
-                                      {SMP::Atlas_options::TEXTURE, "texture"}})
+  for(const auto& [purpose, known] : {std::pair(TA::Atlas_options::FEW_CHARTS, "few-charts"),
+                                      {TA::Atlas_options::CONFORMAL, "conformal"},
+                                      {TA::Atlas_options::TEXTURE, "texture"}})
     if(name == known)
       return purpose;
   throw std::runtime_error("unknown purpose '" + name + "'");
@@ -200,11 +201,11 @@ void atlas(const std::string& file, const Atlas_choice& choice, Measurement& m)
   Textured_mesh t;
   read(file, t.mesh);
   m.add("triangles", t.mesh.number_of_faces());
-  SMP::Atlas_options options(purpose_of(choice.purpose));
+  TA::Atlas_options options(purpose_of(choice.purpose));
   if(choice.bound > 0)
     options.stretch_bound = choice.bound;
   const Gauge gauge;
-  const SMP::Atlas_report report = SMP::make_atlas(t.mesh, t.is_seam, t.uv, t.chart, options);
+  const TA::Atlas_report report = TA::make_atlas(t.mesh, t.is_seam, t.uv, t.chart, options);
   gauge.add_to(m);
   m.add("diagnosis", to_string(report.status));
   if(!report.has_atlas())

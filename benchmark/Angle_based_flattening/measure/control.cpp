@@ -9,11 +9,11 @@
 #include "flatten_mesh/plain/choose_corners.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/select_cones.h>
+#include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 
 #include <algorithm>
@@ -28,6 +28,7 @@ namespace ABF_benchmark {
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef SMP::Vertex_angles<Mesh> Angles;
 typedef SMP::ABF_plus_plus_options Options;
@@ -113,7 +114,7 @@ void print(const std::vector<Way>& ways, Measurement& m)
   }
 }
 
-Way with_cones(const std::string& name, const SMP::Cone_selection<Mesh>& selection)
+Way with_cones(const std::string& name, const TA::Cone_selection<Mesh>& selection)
 {
   if(!selection)
     throw std::runtime_error(selection.message);
@@ -134,35 +135,35 @@ void cones(const std::string& file, const Control_choice& choice, Measurement& m
   Mesh mesh;
   read_mesh(file, mesh);
   m.add("triangles", mesh.number_of_faces());
-  SMP::Cone_selection<Mesh> selection;
-  m.add("cone_seconds", seconds_of([&] { selection = SMP::select_cones(mesh, choice.cones); }));
+  TA::Cone_selection<Mesh> selection;
+  m.add("cone_seconds", seconds_of([&] { selection = TA::select_cones(mesh, choice.cones); }));
   Options cut_first;
   cut_first.equal_seam_lengths = false;
   std::vector<Way> ways = {{"cut first", cut_first, {}}, {"equal", Options(), {}}};
   ways.push_back(with_cones("rigid", selection));
-  SMP::Cone_options least, quarters;
-  least.angles = SMP::Cone_angles::LEAST_SQUARES;
+  TA::Cone_options least, quarters;
+  least.angles = TA::Cone_angles::LEAST_SQUARES;
   quarters.angle_multiple = CGAL_PI / 2;
-  const auto least_squares = SMP::select_cones(mesh, choice.cones, least);
+  const auto least_squares = TA::select_cones(mesh, choice.cones, least);
   if(least_squares.status != SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS) // few cones can need a negative angle
     ways.push_back(with_cones("least squares", least_squares));
   if(is_sphere(mesh))
-    ways.push_back(with_cones("quarters", SMP::select_cones(mesh, choice.cones, quarters)));
+    ways.push_back(with_cones("quarters", TA::select_cones(mesh, choice.cones, quarters)));
   m.add("cones", selection.cones.size());
 
   const auto seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  SMP::Seam_report seam_report;
+  TA::Seam_report seam_report;
   const std::set<Mesh::Vertex_index> terminals = selection.vertices();
   m.add("seam_seconds", seconds_of([&] {
-          seam_report = SMP::cut_to_disks(
+          seam_report = TA::cut_to_disks(
               mesh, seams,
               CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals)));
         }));
   if(!seam_report)
     return m.fail(seam_report.message);
   m.add("seam", seam_report.relative_seam_length);
-  auto cut = SMP::make_seam_mesh(mesh, seams).mesh;
-  const auto border = SMP::border_halfedge(cut);
+  auto cut = TA::make_seam_mesh(mesh, seams).mesh;
+  const auto border = TA::border_halfedge(cut);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, abf::Chart::Point_2>("h:uv", {0, 0}).first;
   for(int i = 0; i < choice.repeat; ++i)
     for(Way& way : ways)

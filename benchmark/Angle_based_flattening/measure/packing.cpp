@@ -8,12 +8,12 @@
 #include "subcommands.h"
 
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/split_overlaps.h>
+#include <CGAL/Texture_atlas/split_overlaps.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -33,6 +33,7 @@ namespace ABF_benchmark {
 namespace {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef Mesh::Face_index Face;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Edge_index Edge;
@@ -62,15 +63,15 @@ std::vector<int> regions(const Mesh& mesh, const int number)
 
 // Cuts the surface to disks: that many, or as few as flatten well if the number is 0.
 template <class Seam_map>
-SMP::Seam_report cut(const Mesh& mesh, const Seam_map& seams, const int number)
+TA::Seam_report cut(const Mesh& mesh, const Seam_map& seams, const int number)
 {
   if(number == 0)
-    return SMP::is_disk_cut(mesh, seams) ? SMP::Seam_report() : SMP::select_seams(mesh, seams);
+    return TA::is_disk_cut(mesh, seams) ? TA::Seam_report() : TA::select_seams(mesh, seams);
   const std::vector<int> region = regions(mesh, number);
   for(const Edge e : mesh.edges())
     if(!mesh.is_border(e) && region[mesh.face(mesh.halfedge(e, 0))] != region[mesh.face(mesh.halfedge(e, 1))])
       seams[e] = true;
-  return SMP::cut_to_disks(mesh, seams);
+  return TA::cut_to_disks(mesh, seams);
 }
 
 double triangle_area(const Mesh& mesh, const Face f)
@@ -115,12 +116,12 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   Mesh whole;
   read_mesh(file, whole);
   const auto seams = whole.add_property_map<Edge, bool>("e:seam", false).first;
-  const SMP::Seam_report cut_report = cut(whole, seams, choice.regions);
+  const TA::Seam_report cut_report = cut(whole, seams, choice.regions);
   if(!cut_report)
     return m.fail(cut_report.message);
 
   Mesh mesh;
-  CGAL::copy_face_graph(SMP::make_seam_mesh(whole, seams).mesh, mesh);
+  CGAL::copy_face_graph(TA::make_seam_mesh(whole, seams).mesh, mesh);
   const auto uv_of_vertices =
       mesh.add_property_map<Mesh::Vertex_index, abf::Chart::Point_2>("v:uv", {0, 0}).first;
   std::vector<Halfedge> borders;
@@ -132,7 +133,7 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   }
   const auto cuts = mesh.add_property_map<Edge, bool>("e:cut", false).first;
   const auto chart = mesh.add_property_map<Face, int>("f:chart", 0).first;
-  const SMP::Overlap_split_report split = SMP::split_overlaps(mesh, uv_of_vertices, cuts, chart);
+  const TA::Overlap_split_report split = TA::split_overlaps(mesh, uv_of_vertices, cuts, chart);
   if(!split)
     return m.fail(split.message);
   const auto uv = mesh.add_property_map<Halfedge, abf::Chart::Point_2>("h:uv", {0, 0}).first;
@@ -150,12 +151,12 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
                       .scale();
         }));
   m.add("rectangle_share", area * scale * scale / choice.resolution / choice.resolution);
-  SMP::Packing_report report;
-  SMP::Packing_options options;
+  TA::Packing_report report;
+  TA::Packing_options options;
   options.resolution = choice.resolution;
   options.gutter = choice.gutter;
   options.texels_per_unit = choice.resolution * std::sqrt(choice.pages / area);
-  m.add("seconds", seconds_of([&] { report = SMP::pack_charts(mesh, chart, uv, options); }));
+  m.add("seconds", seconds_of([&] { report = TA::pack_charts(mesh, chart, uv, options); }));
   if(!report)
     return m.fail(report.message);
   m.add("triangles", mesh.number_of_faces());

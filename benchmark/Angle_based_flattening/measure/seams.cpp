@@ -8,9 +8,9 @@
 #include "terminal_choices.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Surface_mesh_parameterization/is_disk_cut.h>
-#include <CGAL/Surface_mesh_parameterization/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/is_disk_cut.h>
+#include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/property_map.h>
 
@@ -23,7 +23,7 @@ namespace ABF_benchmark {
 
 namespace {
 
-namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 void read_connected_mesh(const std::string& file, Mesh& mesh)
 {
@@ -38,9 +38,9 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
                          const Seam_choice_options& options)
 {
   if(choice == "cones") {
-    SMP::Seam_options seam_options;
+    TA::Seam_options seam_options;
     seam_options.stretch_bound = options.bound;
-    const SMP::Seam_report report = SMP::select_seams(mesh, seams, seam_options);
+    const TA::Seam_report report = TA::select_seams(mesh, seams, seam_options);
     check(report);
     return report.number_of_terminals;
   }
@@ -51,7 +51,7 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
     std::set<Mesh::Vertex_index> terminals;
     while(terminals.size() < number)
       terminals.insert(Mesh::Vertex_index(static_cast<unsigned>(random() % mesh.number_of_vertices())));
-    check(SMP::cut_to_disks(
+    check(TA::cut_to_disks(
         mesh, seams,
         CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals))));
     return terminals.size();
@@ -67,11 +67,11 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
 }
 
 // With no terminals to be added, `select_seams()` adds nothing to a disk, but says what it predicts.
-SMP::Seam_report predict(const Mesh& mesh, Seam_map seams)
+TA::Seam_report predict(const Mesh& mesh, Seam_map seams)
 {
-  SMP::Seam_options options;
+  TA::Seam_options options;
   options.maximum_number_of_terminals = 0;
-  const SMP::Seam_report report = SMP::select_seams(mesh, seams, options);
+  const TA::Seam_report report = TA::select_seams(mesh, seams, options);
   check(report);
   return report;
 }
@@ -88,16 +88,16 @@ void seams(const std::string& choice, const std::string& file, const Seam_choice
   m.add("triangles", mesh.number_of_faces());
   m.add("choice_seconds", seconds_of([&] { terminals = choose_seams(mesh, is_seam, choice, options); }));
   m.add("terminals", terminals);
-  if(const auto cut = SMP::is_disk_cut(mesh, is_seam); !cut)
+  if(const auto cut = TA::is_disk_cut(mesh, is_seam); !cut)
     return m.fail("the seams leave no disk: " + cut.message);
   if(choice == "random")
     return;
-  const SMP::Seam_report report = predict(mesh, is_seam);
+  const TA::Seam_report report = predict(mesh, is_seam);
   m.add("seam", report.relative_seam_length);
   m.add("predicted", report.predicted_stretch);
 
   Surface surface;
-  const auto opened = SMP::make_seam_mesh(mesh, is_seam).mesh;
+  const auto opened = TA::make_seam_mesh(mesh, is_seam).mesh;
   CGAL::copy_face_graph(opened, surface.mesh);
   surface.border = CGAL::Polygon_mesh_processing::longest_border(surface.mesh).first;
   surface.uv = surface.mesh.add_property_map<Mesh::Vertex_index, abf::Chart::Point_2>("v:uv", {0, 0}).first;

@@ -8,7 +8,7 @@
 
 #include "read_mesh.h"
 
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 #include <CGAL/number_utils.h>
 
@@ -26,7 +26,7 @@ namespace ABF_benchmark {
 
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Seam_map;
 
-inline void check(const CGAL::Surface_mesh_parameterization::Seam_report& report)
+inline void check(const CGAL::Texture_atlas::Seam_report& report)
 {
   if(!report)
     throw std::runtime_error(report.message);
@@ -49,7 +49,7 @@ public:
   // Each terminal is the vertex farthest from the seams.
   void add_farthest_points(const int terminals)
   {
-    check(CGAL::Surface_mesh_parameterization::cut_to_disks(m_mesh, m_seams));
+    check(CGAL::Texture_atlas::cut_to_disks(m_mesh, m_seams));
     add_terminals(is_sphere() ? terminals - 2 : terminals, [&](const Mesh::Vertex_index v) {
       return m_distances[v] < unreached ? m_distances[v] : 0;
     });
@@ -70,7 +70,7 @@ public:
       find_distances({Mesh::Vertex_index(static_cast<unsigned>(highest - defects.begin()))}, m_lengths);
       add_path_to(best_vertex(rank));
     } else
-      check(CGAL::Surface_mesh_parameterization::cut_to_disks(m_mesh, m_seams));
+      check(CGAL::Texture_atlas::cut_to_disks(m_mesh, m_seams));
     add_terminals(is_sphere() ? terminals - 2 : terminals, rank);
   }
 
@@ -91,7 +91,7 @@ private:
       find_distances_from_seams();
       add_path_to(best_vertex(rank));
     }
-    check(CGAL::Surface_mesh_parameterization::shorten_seams(m_mesh, m_seams));
+    check(CGAL::Texture_atlas::shorten_seams(m_mesh, m_seams));
   }
 
   // Paths avoid the ends of others: these remain ends, which shortening keeps.

@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/seams/measure_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

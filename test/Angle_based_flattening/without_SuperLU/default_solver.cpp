@@ -16,10 +16,10 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 CGAL::Surface_mesh_parameterization::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
 #else
-#include <CGAL/Surface_mesh_parameterization/select_seams.h>
+#include <CGAL/Texture_atlas/select_seams.h>
 
 void seams(const Mesh& mesh, Mesh::Property_map<Mesh::Edge_index, bool> seams)
 {
-  CGAL::Surface_mesh_parameterization::select_seams(mesh, seams);
+  CGAL::Texture_atlas::select_seams(mesh, seams);
 }
 #endif

@@ -21,6 +21,7 @@
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> Simplicial;
 typedef SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Simplicial> Coarse;
 typedef SMP::LSCM_parameterizer_3<SMP::Hierarchical_coarse_mesh> Conformal;
@@ -36,7 +37,7 @@ void make_atlas(Mesh& mesh, Mesh::Property_map<Mesh::Edge_index, bool> seams,
                 Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv)
 {
   const auto np = CGAL::parameters::sparse_linear_solver(Simplicial());
-  SMP::select_seams(mesh, seams, SMP::Seam_options(), np);
-  SMP::flatten_with_cones(mesh, 8, seams, uv, SMP::Cone_options(), np);
-  SMP::make_atlas(mesh, uv, SMP::Atlas_options(), np);
+  TA::select_seams(mesh, seams, TA::Seam_options(), np);
+  TA::flatten_with_cones(mesh, 8, seams, uv, TA::Cone_options(), np);
+  TA::make_atlas(mesh, uv, TA::Atlas_options(), np);
 }

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
@@ -21,19 +20,6 @@
 #include <CGAL/Real_timer.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-inline const char* name_of(Flattening_visitor::Stage stage)
-{
-  constexpr const char* names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
-                                   "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
-  return names[stage];
-}
-
-inline const char* name_of(Atlas_visitor::Stage stage)
-{
-  constexpr const char* names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
-  return names[stage];
-}
 
 // Runs `f`, and returns what ended it, if anything did.
 template <typename Function>
@@ -57,8 +43,8 @@ template <typename Visitor>
 class Visited_stage
 {
 public:
-  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, double& seconds)
-      : m_stage(name_of(stage)), m_seconds(seconds)
+  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, const char* name, double& seconds)
+      : m_stage(name), m_seconds(seconds)
   {
     if(visitor != nullptr && !visitor->start(stage))
       throw Cancelled();
@@ -77,7 +63,17 @@ private:
   Real_timer m_timer;
 };
 
-typedef Visited_stage<Flattening_visitor> Stage;
+class Stage : public Visited_stage<Flattening_visitor>
+{
+public:
+  Stage(Flattening_visitor* visitor, Flattening_visitor::Stage stage, double& seconds)
+      : Visited_stage(visitor, stage, names[stage], seconds)
+  {}
+
+private:
+  static constexpr const char* names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
+                                          "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
+};
 
 inline void visit_step(Flattening_visitor* visitor, const ABF_plus_plus_step& step)
 {

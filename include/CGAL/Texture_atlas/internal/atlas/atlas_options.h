@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The options of an atlas, and what follows from them for the direct and the hierarchical method.
+// All stages of `atlas/` that flatten or measure charts take their options from here.
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ATLAS_OPTIONS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ATLAS_OPTIONS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
+#include <CGAL/Texture_atlas/internal/packing/pack.h>
+#include <CGAL/Texture_atlas/internal/packing/packing.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Texture_atlas/internal/seams/find_seams.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+
+#include <limits>
+#include <string>
+
+namespace CGAL::Texture_atlas::internal {
+
+// The options of `make_atlas()`, and settings that it changes for some parts.
+struct Atlas_settings : Atlas_options
+{
+  Atlas_settings(const Atlas_options& options) : Atlas_options(options) {}
+
+  double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
+  bool is_isometric = false;   // injective maps preserve areas, because conformal maps were bad
+  bool keeps_distance = false; // all maps are injective, with some clearance between parts of their borders
+};
+
+// The weight of areas for maps that are as isometric as possible
+inline constexpr double isometric_weight = 1;
+
+// Charts of more triangles are flattened hierarchically.
+inline constexpr int largest_direct_chart = 20000;
+
+inline Flattening_options flattening_options(const Atlas_settings& options)
+{
+  Flattening_options result;
+  result.area_weight = options.area_weight;
+  result.threads = options.threads;
+  return result;
+}
+
+inline ABF_plus_plus_options direct_options(const Atlas_settings& options)
+{
+  ABF_plus_plus_options result;
+  static_cast<Flattening_options&>(result) = flattening_options(options);
+  return result;
+}
+
+inline Hierarchical_options hierarchical_options(const Atlas_settings& options, bool injective)
+{
+  Hierarchical_options result;
+  static_cast<Flattening_options&>(result) = flattening_options(options);
+  result.injective = injective;
+  if(!injective) { // they come close to the energy of the direct method
+    result.angle_sweeps = 20;
+    result.energy_tolerance = 0.01;
+  }
+  return result;
+}
+
+inline std::string wrong_price(const Atlas_options& options)
+{
+  return options.seam_price >= 0
+             ? std::string()
+             : "the seam price is " + std::to_string(options.seam_price) + ", and must be at least 0";
+}
+
+inline std::string wrong_option(const Atlas_settings& options)
+{
+  const Seam_options& seams = options;
+  const Packing_options& packing = options;
+  for(const std::string& wrong :
+      {wrong_option(seams), wrong_option(flattening_options(options)),
+       options.pack_into_square ? wrong_option(packing) : std::string(), wrong_price(options)})
+    if(!wrong.empty())
+      return wrong;
+  return "";
+}
+
+} // namespace CGAL::Texture_atlas::internal
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ATLAS_OPTIONS_H

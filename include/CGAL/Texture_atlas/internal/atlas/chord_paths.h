@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Paths across pieces of maps, along chords between places on their borders. `cut_along_chords.h` cuts along them.
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORD_PATHS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORD_PATHS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Texture_atlas/internal/atlas/border_of_piece.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Texture_atlas::internal {
+
+// Finds paths that are at most half as long again as their chords.
+class Chord_paths
+{
+  typedef Chart::Point_2 Point_2;
+
+public:
+  // `graph` is the chart, opened along seams, and `cost` is that of the edge that each corner faces.
+  Chord_paths(const Sector_graph& graph, const std::vector<Point_2>& uv, const std::vector<double>& cost)
+      : m_graph(graph), m_uv(uv), m_cost(cost)
+  {
+    for(std::size_t c = 0; c < cost.size(); ++c)
+      m_length.push_back(std::isinf(cost[c]) ? forbidden : edge_length(graph.surface(), static_cast<int>(c)));
+    if(m_length == cost)
+      m_length.clear();
+  }
+
+  // The places on two borders that edges inside the piece join. In a strip, there may be no other paths.
+  std::vector<std::pair<std::size_t, std::size_t>> edges_between(const Border_of_piece& a,
+                                                                 const Border_of_piece& b) const
+  {
+    std::vector<std::size_t> place(static_cast<std::size_t>(m_graph.number_of_nodes()), b.size());
+    for(std::size_t j = 0; j < b.size(); ++j)
+      place[m_graph.source_node(b.corner(j))] = j;
+    std::vector<std::pair<std::size_t, std::size_t>> result;
+    for(std::size_t i = 0; i < a.size(); ++i)
+      for(auto [edge, end] = out_edges(m_graph.source_node(a.corner(i)), m_graph); edge != end; ++edge)
+        if(const std::size_t j = place[m_graph.target_node(*edge)]; j < b.size())
+          result.emplace_back(i, j);
+    return result;
+  }
+
+  // The cheapest path between the ends of a chord, or else the shortest one; empty if both are much longer than the
+  // chord
+  std::vector<int> path_along(const Border_of_piece& a, std::size_t from, const Border_of_piece& b,
+                              std::size_t to) const
+  {
+    const int source = m_graph.source_node(a.corner(from)), target = m_graph.source_node(b.corner(to));
+    const double longest = most_detour * distance(a.point(from), b.point(to));
+    std::vector<int> path = path_between(source, target, m_cost);
+    if(length_in_plane(path) > longest && !m_length.empty())
+      path = path_between(source, target, m_length);
+    if(length_in_plane(path) > longest)
+      path.clear();
+    return path;
+  }
+
+  // Whether a chord is inside of a piece
+  static bool is_within(const std::vector<Border_of_piece>& borders, const Point_2& p, const Point_2& q)
+  {
+    const Point_2 middle = CGAL::midpoint(p, q);
+    return borders.front().encloses(middle) &&
+           std::none_of(borders.begin(), borders.end(), [&](const auto& border) {
+             return border.crosses(p, q) || (border.area() < 0 && border.encloses(middle));
+           });
+  }
+
+private:
+  std::vector<int> path_between(int source, int target, const std::vector<double>& cost) const
+  {
+    std::vector<char> is_allowed(static_cast<std::size_t>(m_graph.number_of_nodes()));
+    for(int x = 0; x < m_graph.number_of_nodes(); ++x)
+      is_allowed[x] = x == target || (m_graph.is_node(x) && !m_graph.is_on_border(x));
+    Shortest_paths paths(m_graph, cost);
+    paths.restrict_to(std::move(is_allowed));
+    return paths.find({source}, forbidden, [&](int x) { return x == target; }) < 0 ? std::vector<int>()
+                                                                                   : paths.path(target);
+  }
+
+  double length_in_plane(const std::vector<int>& path) const
+  {
+    return std::accumulate(path.begin(), path.end(), 0., [&](double sum, int c) {
+      return sum + distance(m_uv[m_graph.surface().edge_source(c)], m_uv[m_graph.surface().edge_target(c)]);
+    });
+  }
+
+  static constexpr double most_detour = 1.5;
+
+  const Sector_graph& m_graph;
+  const std::vector<Point_2>& m_uv;
+  const std::vector<double>& m_cost;
+  std::vector<double> m_length; // of the same edges; infinite where the cost is; empty if it is the same
+};
+
+} // namespace CGAL::Texture_atlas::internal
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORD_PATHS_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The components of a mesh, opened along seams, and which of them are no triangulated surfaces in space.
+// `mesh_in_atlas.h` leaves these out, and reports them.
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MESH_COMPONENTS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MESH_COMPONENTS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Texture_atlas/internal/atlas/far_points.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Texture_atlas::internal {
+
+template <typename TriangleMesh, typename VertexPointMap>
+class Mesh_components
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+
+  struct Component
+  {
+    std::size_t first_face = 0; // its position in the sequence of faces
+    std::size_t number_of_faces = 0;
+    Diagnosis status = Diagnosis::NOTHING_WRONG; // or what is wrong with one of its faces
+    std::string message;
+    face_descriptor face = Graph_traits::null_face(); // that is wrong
+  };
+
+public:
+  Mesh_components(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
+
+  // Opened along the edges with `is_cut(e)`, and around wrong faces, which condemn no others
+  template <typename IsCut>
+  void find(const IsCut& is_cut)
+  {
+    m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    m_defect = get(CGAL::dynamic_face_property_t<Diagnosis>(), m_mesh);
+    std::vector<Far_points::Point> corners;
+    for(face_descriptor f : faces(m_mesh))
+      for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        corners.push_back(point(target(h, m_mesh)));
+    m_far_points = Far_points(std::move(corners));
+    for(face_descriptor f : faces(m_mesh))
+      put(m_defect, f, defect(f));
+    const auto is_open = [&](edge_descriptor e) { return is_cut(e) || is_at_defect(e); };
+    m_components.resize(Polygon_mesh_processing::connected_components(
+        m_mesh, m_component,
+        parameters::edge_is_constrained_map(boost::make_function_property_map<edge_descriptor>(is_open))));
+    std::size_t rank = 0;
+    for(face_descriptor f : faces(m_mesh)) {
+      put(m_rank, f, rank);
+      Component& component = m_components[get(m_component, f)];
+      if(component.number_of_faces++ == 0) {
+        component.first_face = rank;
+        inspect(f, component);
+      }
+      if(component.status == Diagnosis::NO_AREA)
+        m_without_area.push_back(f);
+      ++rank;
+    }
+  }
+
+  // Whether the faces of an edge differ in what is wrong with them
+  bool is_at_defect(edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, m_mesh);
+    return !CGAL::is_border(e, m_mesh) &&
+           get(m_defect, face(h, m_mesh)) != get(m_defect, face(opposite(h, m_mesh), m_mesh));
+  }
+
+  bool has_defects() const { return std::any_of(m_components.begin(), m_components.end(), is_wrong); }
+
+  // Whether one of the two faces of an edge is wrong
+  bool is_beside_defect(edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, m_mesh);
+    return get(m_defect, face(h, m_mesh)) != Diagnosis::NOTHING_WRONG ||
+           get(m_defect, face(opposite(h, m_mesh), m_mesh)) != Diagnosis::NOTHING_WRONG;
+  }
+
+  const std::vector<face_descriptor>& faces_without_area() const { return m_without_area; }
+
+  std::size_t number() const { return m_components.size(); }
+
+  bool are_all_bad() const { return std::all_of(m_components.begin(), m_components.end(), is_wrong); }
+  bool is_bad(face_descriptor f) const { return is_wrong(m_components[get(m_component, f)]); }
+
+  std::vector<Component> bad_components() const
+  {
+    std::vector<Component> bad;
+    std::copy_if(m_components.begin(), m_components.end(), std::back_inserter(bad), is_wrong);
+    return bad;
+  }
+
+  // The position in the sequence of faces
+  std::size_t rank(face_descriptor f) const { return get(m_rank, f); }
+
+private:
+  static bool is_wrong(const Component& component) { return component.status != Diagnosis::NOTHING_WRONG; }
+
+  void inspect(face_descriptor f, Component& component) const
+  {
+    component.status = get(m_defect, f);
+    if(is_wrong(component)) {
+      component.message = message(f, component.status);
+      component.face = f;
+    }
+  }
+
+  Far_points::Point point(vertex_descriptor v) const
+  {
+    const auto& p = get(m_points, v);
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
+  Diagnosis defect(face_descriptor f) const
+  {
+    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
+      return Diagnosis::NOT_TRIANGULATED;
+    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const Far_points::Point p = point(target(h, m_mesh));
+      if(!Far_points::is_finite(p))
+        return Diagnosis::NON_FINITE_POINT;
+      if(m_far_points.contain(p))
+        return Diagnosis::FAR_POINT;
+    }
+    return has_no_area(f) ? Diagnosis::NO_AREA : Diagnosis::NOTHING_WRONG;
+  }
+
+  // Whether the corners of a triangle are exactly on one line
+  bool has_no_area(face_descriptor f) const
+  {
+    Exact_predicates_inexact_constructions_kernel::Point_3 points[3];
+    halfedge_descriptor h = halfedge(f, m_mesh);
+    for(auto& corner : points) {
+      const auto [x, y, z] = point(target(h, m_mesh));
+      corner = {x, y, z};
+      h = next(h, m_mesh);
+    }
+    return CGAL::collinear(points[0], points[1], points[2]);
+  }
+
+  std::string message(face_descriptor f, Diagnosis diagnosis) const
+  {
+    const auto [x, y, z] = point(target(halfedge(f, m_mesh), m_mesh));
+    std::ostringstream text;
+    text << "face " << get(m_rank, f) << " at (" << x << ", " << y << ", " << z << ") "
+         << (diagnosis == Diagnosis::NOT_TRIANGULATED
+                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
+             : diagnosis == Diagnosis::NO_AREA   ? "has no area, and no neighbor with a chart"
+             : diagnosis == Diagnosis::FAR_POINT ? std::string("has a vertex that is ") + far_point_text
+                                                 : "has a vertex whose coordinates are not all finite");
+    return text.str();
+  }
+
+  const TriangleMesh& m_mesh;
+  VertexPointMap m_points;
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
+      m_component,
+      m_rank; // of each face
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Diagnosis>>::const_type m_defect;
+  Far_points m_far_points;
+  std::vector<face_descriptor> m_without_area;
+  std::vector<Component> m_components;
+};
+
+} // namespace CGAL::Texture_atlas::internal
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MESH_COMPONENTS_H

@@ -1,0 +1,310 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Cuts a connected surface to disks and flattens them. Adds seams, or weight for areas, until the map stretches little
+// enough. `divided_part_atlas.h` calls it for the whole surface, and for each of its regions. Maps come from
+// `flatten_atlas_chart.h`.
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_BUILDER_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_BUILDER_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Texture_atlas/internal/atlas/add_terminals.h>
+#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
+#include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
+#include <CGAL/Texture_atlas/internal/atlas/flatten_atlas_chart.h>
+#include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
+#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/flat_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Texture_atlas/internal/overlaps/dual_patch.h>
+#include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
+#include <CGAL/Texture_atlas/internal/seams/find_seams.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Texture_atlas::internal {
+
+// Whether a part has no charts because a computation failed, rather than because it cannot be cut to a disk
+inline bool is_failure_of_computation(Diagnosis diagnosis)
+{
+  switch(diagnosis) {
+  case Diagnosis::LINEAR_SYSTEM_FAILED:
+  case Diagnosis::NO_CONVERGENCE:
+  case Diagnosis::FLIPPED_TRIANGLES:
+  case Diagnosis::OVERLAPPING:
+  case Diagnosis::SCALE_TOO_LARGE:
+  case Diagnosis::PRECISION_EXCEEDED:
+    return true;
+  default:
+    return false;
+  }
+}
+
+// Cuts a connected surface open and flattens it, with more seams as long as the map stretches too much. If there is no
+// map, or the chart is not good, areas get a larger weight.
+class Part_atlas_builder
+{
+public:
+  // `cost` is that of the edge that each corner of the surface faces.
+  Part_atlas_builder(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
+                     const Linear_solvers& solvers, const Part_progress& progress)
+      : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
+        m_flattener(options, solvers, &m_progress)
+  {}
+
+  Part_atlas run()
+  {
+    if(has_no_area())
+      return failure(Diagnosis::NO_AREA, "the part of the surface with the vertex at " +
+                                             position_text(m_surface, 0) + " has no area");
+    if(take_flat_surface())
+      return result();
+    m_progress.set_stage(0, 0.1);
+    Seams seams = find_seams(m_surface, m_cost, m_options, m_solvers);
+    if(seams.status != Seams::DONE)
+      return failure(seams.status);
+    m_best.is_seam = std::move(seams.is_seam);
+    m_terminals = seams.terminals.size();
+    m_progress.set_stage(0.1, 0.5);
+    flatten(m_best);
+    keep_areas();
+    if(!m_best.map.is_valid())
+      return failure(m_best.map.status, m_best.map.message);
+    m_progress.set_stage(0.5, 0.9);
+    if(!m_best.map.is_isometric)
+      add_seams();
+    avoid_stretch();
+    m_progress.set_stage(0.9, 1);
+    return m_best.map.overlaps ? separated() : result();
+  }
+
+private:
+  struct Attempt
+  {
+    std::vector<char> is_seam; // of each corner of the surface: whether the edge that it faces is a seam
+    Dual_patch patch;          // the surface, opened there
+    Chart_map map;
+    Map_stretch stretch;
+  };
+
+  bool has_no_area() const
+  {
+    for(int t = 0; t < m_surface.number_of_triangles(); ++t)
+      if(surface_area(m_surface, t) > 0)
+        return false;
+    return true;
+  }
+
+  // A flat surface keeps its holes: as it lies in its plane, it is a map of its own. Returns whether it is flat, has
+  // holes, and does not overlap itself.
+  bool take_flat_surface()
+  {
+    if(m_surface.number_of_holes() == 0 || m_options.keeps_distance)
+      return false;
+    std::vector<int> all(m_surface.number_of_triangles());
+    std::iota(all.begin(), all.end(), 0);
+    const Flat_layout layout(m_surface, all);
+    if(!layout.is_flat())
+      return false;
+    m_best.is_seam.assign(m_surface.vertex.size(), false);
+    m_best.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), m_best.is_seam);
+    const Chart& chart = m_best.patch.chart;
+    for(const Chart::Point_3& p : chart.points)
+      m_best.map.uv.push_back(layout(p));
+    scale_to_surface_area(chart, m_best.map.uv);
+    std::vector<Border_edge> border;
+    for(const std::vector<int>& cycle : chart.borders)
+      for(int c : cycle)
+        border.push_back({chart.edge_source(c), chart.edge_target(c)});
+    const std::vector<Exact_point_2> uv = exact_points(m_best.map.uv);
+    if(flipped_triangles(chart.vertex, uv).empty() && bounds_region(border, uv))
+      return true;
+    m_best = Attempt();
+    return false;
+  }
+
+  void flatten(Attempt& attempt) const
+  {
+    std::vector<int> all(m_surface.number_of_triangles());
+    std::iota(all.begin(), all.end(), 0);
+    attempt.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), attempt.is_seam);
+    const Chart& chart = attempt.patch.chart;
+    if(const Chart_defect defect = diagnose(chart, false)) {
+      attempt.map = Chart_map();
+      attempt.map.status = defect.status;
+      attempt.map.message = defect.message;
+      return;
+    }
+    take(m_flattener.run(chart), attempt);
+  }
+
+  static void take(Chart_map map, Attempt& attempt)
+  {
+    attempt.map = std::move(map);
+    if(attempt.map.is_valid())
+      attempt.stretch = map_stretch(attempt.patch.chart, attempt.map.uv);
+  }
+
+  // If no other map is good, areas count as much as angles. Pieces of maps of ABF++ keep their angles.
+  void keep_areas()
+  {
+    const bool has_map = m_best.map.is_valid();
+    if(m_options.separate_overlaps || m_flattener.keeps_areas() || m_best.map.is_isometric ||
+       m_best.map.is_hopeless ||
+       (has_map ? !m_best.stretch.is_mendable(m_options.stretch_bound)
+                : !is_failure_of_computation(m_best.map.status)))
+      return;
+    Chart_map map = m_flattener.isometric_map(m_best.patch.chart);
+    map.overlapping = m_best.map.overlapping;
+    if(map.is_valid() && (!has_map || map_stretch(m_best.patch.chart, map.uv).l2 < m_best.stretch.l2))
+      take(std::move(map), m_best);
+  }
+
+  bool misses_bound(double stretch) const { return stretch > stretch_tolerance * m_options.stretch_bound; }
+
+  void add_seams()
+  {
+    const int max_rounds = 5;
+    int weak_rounds = 0;
+    for(int round = 0; misses_bound(m_best.stretch.scale) && weak_rounds < 2 && round < max_rounds; ++round) {
+      const double before = m_best.stretch.scale;
+      add_seams_in_round(std::size_t(3) << round);
+      m_rounds += m_best.stretch.scale < before;
+      weak_rounds = m_best.stretch.scale > (1 - least_gain) * before ? weak_rounds + 1 : 0;
+    }
+  }
+
+  void add_seams_in_round(std::size_t count)
+  {
+    const double before = m_best.stretch.scale;
+    for(Stretch_criterion criterion : {Stretch_criterion::LOG_SCALE, Stretch_criterion::AREA})
+      if(m_best.stretch.scale > (1 - least_gain) * before)
+        improve(criterion, count);
+  }
+
+  // Takes the map with more seams if it stretches less.
+  void improve(Stretch_criterion criterion, std::size_t count)
+  {
+    const std::size_t most = static_cast<std::size_t>(m_options.maximum_number_of_terminals);
+    count = (std::min)(count, most - (std::min)(most, m_terminals));
+    Terminal_adder adder(m_surface, m_cost, m_best.is_seam);
+    const int added = adder.add(
+        vertex_scales(m_best.patch.chart, m_best.map.uv, m_best.patch.origin, m_surface.number_of_vertices()),
+        criterion, count);
+    if(added == 0)
+      return;
+    Attempt next;
+    next.is_seam = adder.seams();
+    flatten(next);
+    if(!next.map.is_valid() || next.stretch.scale >= m_best.stretch.scale)
+      return;
+    m_best = std::move(next);
+    m_terminals += static_cast<std::size_t>(added);
+  }
+
+  // In an injective map, branches that get stuck between others shrink. If the map of ABF++ shrinks nothing, it is
+  // separated instead.
+  void avoid_stretch()
+  {
+    const double bound = m_options.stretch_bound;
+    const auto is_wanted = [&](const Map_stretch& stretch) {
+      return !stretch.is_mendable(bound) && (m_best.map.is_isometric || !misses_bound(stretch.scale));
+    };
+    if(m_best.map.method != Atlas_report::INJECTIVE || is_wanted(m_best.stretch))
+      return;
+    Chart_map map = m_best.map.overlapping ? *m_best.map.overlapping
+                                           : m_flattener.abf_plus_plus(m_best.patch.chart, true);
+    if(!map.is_valid() || !is_wanted(map_stretch(m_best.patch.chart, map.uv)))
+      return;
+    m_injective = std::move(m_best.map);
+    m_best.map = std::move(map);
+  }
+
+  Part_atlas result()
+  {
+    Part_atlas atlas;
+    atlas.piece.assign(m_surface.number_of_triangles(), 0);
+    atlas.chart = std::move(m_best.patch.chart);
+    atlas.uv = std::move(m_best.map.uv);
+    atlas.pieces = {{m_best.map.method,
+                     m_best.map.is_isometric ? Atlas_report::LARGER_AREA_WEIGHT : Atlas_report::USUAL,
+                     m_best.map.seam_lengths, m_best.map.overlap_is_predicted, m_best.map.contact, m_rounds}};
+    atlas.number_of_terminals = m_terminals;
+    return atlas;
+  }
+
+  // Cuts the map into pieces that do not overlap themselves.
+  Part_atlas separated()
+  {
+    const Chart& chart = m_best.patch.chart;
+    const Separation separation = separate_overlaps(chart, m_cost, exact_points(m_best.map.uv));
+    if(separation.status != Separation::DONE && m_injective.is_valid()) {
+      m_best.map = std::move(m_injective);
+      return result();
+    }
+    if(separation.status != Separation::DONE)
+      return failure(Diagnosis::OVERLAPPING, "the map of the part of the surface with the vertex at " +
+                                                 position_text(m_surface, 0) +
+                                                 " overlaps itself, and could not be separated");
+    Part_atlas atlas = result();
+    if(separation.number_of_pieces > 1) {
+      atlas.pieces.front().method = Atlas_report::SEPARATED;
+      open_along(separation.is_seam, m_cost, atlas);
+    }
+    return atlas;
+  }
+
+  static Part_atlas failure(Diagnosis diagnosis, const std::string& message)
+  {
+    Part_atlas atlas;
+    atlas.status = diagnosis;
+    atlas.message = message;
+    return atlas;
+  }
+
+  Part_atlas failure(Seams::Status status) const
+  {
+    const std::string where = "the part of the surface with the vertex at " + position_text(m_surface, 0);
+    return status == Seams::NO_CUT
+               ? failure(Diagnosis::NO_CUT_ALLOWED,
+                         where + " cannot be cut to a disk along the edges that may become seams")
+               : failure(Diagnosis::LINEAR_SYSTEM_FAILED,
+                         "the linear system that predicts the scale could not be solved for " + where);
+  }
+
+  static constexpr double least_gain = 0.02;
+
+  const Chart& m_surface;
+  const std::vector<double>& m_cost;
+  const Atlas_settings& m_options;
+  const Linear_solvers& m_solvers;
+  Part_progress m_progress;
+  Atlas_chart_flattener m_flattener;
+  Attempt m_best;
+  Chart_map m_injective; // of `m_best`, if it stretches too much
+  std::size_t m_terminals = 0;
+  int m_rounds = 0;
+};
+
+} // namespace CGAL::Texture_atlas::internal
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Texture_atlas/internal/seams/find_seams_impl.h>
+#endif
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_BUILDER_H

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A simplified copy of a large surface, and shortest paths that carry seams of the copy over to the surface.
+// `find_seams_impl.h` selects seams on the copy, where each prediction of the scale costs far less.
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_COARSE_SEAMS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_COARSE_SEAMS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Texture_atlas::internal {
+
+// A coarse copy of a surface, on which seams are selected faster
+class Coarse_copy
+{
+public:
+  Coarse_copy(const Chart& surface, const std::vector<double>& cost, int vertices)
+      : m_surface(surface), m_cost(cost)
+  {
+    Chart copy = surface;
+    Coarsening coarsening(copy);
+    coarsening.coarsen(vertices, Hierarchical_options().extreme_angle);
+    Coarse_chart coarse = coarsening.coarse_chart();
+    m_coarse = std::move(coarse.chart);
+    m_fine_vertex = coarsening.original(coarse.vertices);
+    find_regions(coarse.vertices, coarsening);
+  }
+
+  const Chart& chart() const { return m_coarse; }
+  int fine_vertex(int v) const { return m_fine_vertex[v]; }
+
+  // Of the edge that each corner of the copy faces: its length times what a unit of length costs around its ends
+  std::vector<double> cost() const
+  {
+    std::vector<double> sum(m_surface.points.size(), 0.), length(m_surface.points.size(), 0.);
+    for(int c = 0; c < m_surface.number_of_corners(); ++c)
+      if(m_cost[c] < forbidden)
+        for(int v : {m_surface.edge_source(c), m_surface.edge_target(c)}) {
+          sum[v] += m_cost[c];
+          length[v] += edge_length(m_surface, c);
+        }
+    const auto unit_cost = [&](int v) {
+      const int fine = m_fine_vertex[v];
+      return length[fine] > 0 ? sum[fine] / length[fine] : 1;
+    };
+    std::vector<double> result;
+    for(int c = 0; c < m_coarse.number_of_corners(); ++c)
+      result.push_back(edge_length(m_coarse, c) *
+                       (unit_cost(m_coarse.edge_source(c)) + unit_cost(m_coarse.edge_target(c))) / 2);
+    return result;
+  }
+
+  // Draws paths of the copy, given by their edges, on the surface: each becomes the shortest path between its ends that
+  // stays near it, or the shortest anywhere where edges that must not become seams bar all of these. Returns whether
+  // all stay near.
+  bool draw(const std::vector<std::vector<int>>& paths, Sector_graph& surface) const
+  {
+    std::vector<int> node(m_surface.points.size()), seams;
+    for(int c = 0; c < m_surface.number_of_corners(); ++c)
+      node[m_surface.vertex[c]] = surface.node(c);
+    bool all_are_near = true;
+    for(const std::vector<int>& path : paths) {
+      if(m_coarse.edge_source(path.front()) != m_coarse.edge_target(path.back())) {
+        all_are_near &= find_fine_path(path, node, {}, surface, seams);
+      } else {
+        const auto middle = path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2);
+        std::vector<int> half;
+        all_are_near &= find_fine_path({path.begin(), middle}, node, {}, surface, half);
+        all_are_near &= find_fine_path({middle, path.end()}, node, half, surface, seams);
+        seams.insert(seams.end(), half.begin(), half.end());
+      }
+    }
+    for(int c : seams)
+      if(!surface.is_seam(c))
+        surface.set_seam(c, true);
+    return all_are_near;
+  }
+
+private:
+  // The vertices of the surface that were merged into each vertex of the copy
+  void find_regions(const std::vector<int>& remaining, Coarsening& coarsening)
+  {
+    std::vector<int> region(coarsening.mesh().chart().points.size(), -1);
+    for(std::size_t i = 0; i < remaining.size(); ++i)
+      region[remaining[i]] = static_cast<int>(i);
+    while(coarsening.number_of_levels() > 0)
+      coarsening.undo_level(region);
+    m_members.resize(m_fine_vertex.size());
+    for(std::size_t v = 0; v < region.size(); ++v)
+      m_members[region[v]].push_back(static_cast<int>(v));
+  }
+
+  // Appends the edges of the fine path of a path that is not closed. It does not cross the inside of another one,
+  // `avoided`. Returns whether it stays near.
+  bool find_fine_path(const std::vector<int>& path, const std::vector<int>& node,
+                      const std::vector<int>& avoided, const Sector_graph& surface,
+                      std::vector<int>& edges) const
+  {
+    const int from = node[m_fine_vertex[m_coarse.edge_source(path.front())]],
+              to = node[m_fine_vertex[m_coarse.edge_target(path.back())]];
+    std::vector<char> is_allowed = nodes_near(path, node);
+    for(bool is_near : {true, false}) {
+      for(int c : avoided)
+        for(int x : {surface.source_node(c), surface.target_node(c)})
+          is_allowed[x] = x == from || x == to;
+      Shortest_paths fine(surface, m_cost);
+      fine.restrict_to(is_allowed);
+      if(fine.find({from}, forbidden, [&](int x) { return x == to; }) >= 0) {
+        const std::vector<int> found = fine.path(to);
+        edges.insert(edges.end(), found.begin(), found.end());
+        return is_near;
+      }
+      is_allowed.assign(is_allowed.size(), true);
+    }
+    return false;
+  }
+
+  // Those of the regions of the path's vertices, and of all their neighbours
+  std::vector<char> nodes_near(const std::vector<int>& path, const std::vector<int>& node) const
+  {
+    std::vector<char> is_near(m_coarse.points.size(), false);
+    for(int edge : path)
+      for(int end : {next_corner(edge), previous_corner(edge)})
+        for(int c : corners_around(m_coarse, end))
+          is_near[m_coarse.vertex[next_corner(c)]] = is_near[m_coarse.vertex[previous_corner(c)]] = true;
+    std::vector<char> result(m_surface.points.size(), false);
+    for(std::size_t i = 0; i < is_near.size(); ++i)
+      if(is_near[i])
+        for(int v : m_members[i])
+          result[node[v]] = true;
+    return result;
+  }
+
+  const Chart& m_surface;
+  const std::vector<double>& m_cost;
+  Chart m_coarse;
+  std::vector<int> m_fine_vertex;
+  std::vector<std::vector<int>> m_members;
+};
+
+} // namespace CGAL::Texture_atlas::internal
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_COARSE_SEAMS_H
