@@ -7,6 +7,13 @@
 # which can be built alone, as in CGAL.
 include_guard(DIRECTORY)
 get_filename_component(ABF_PACKAGE_DIR ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+# In a checkout of CGAL, atlases are a package of their own.
+set(ABF_PACKAGES ${ABF_PACKAGE_DIR})
+if(NOT EXISTS ${ABF_PACKAGE_DIR}/include/CGAL/Surface_mesh_parameterization)
+  list(APPEND ABF_PACKAGES ${ABF_PACKAGE_DIR}/../Angle_based_flattening)
+endif()
+set(include_dirs ${ABF_PACKAGES})
+list(TRANSFORM include_dirs APPEND /include)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 
 # What the headers stand on. CGAL goes first: it brings the module that finds Eigen its way.
@@ -29,7 +36,7 @@ add_library(CGAL::Angle_based_flattening_headers ALIAS CGAL_Angle_based_flatteni
 set_target_properties(CGAL_Angle_based_flattening_headers PROPERTIES EXPORT_NAME Angle_based_flattening_headers)
 target_compile_features(CGAL_Angle_based_flattening_headers INTERFACE cxx_std_17)
 target_include_directories(CGAL_Angle_based_flattening_headers INTERFACE
-  $<BUILD_INTERFACE:${ABF_PACKAGE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  "$<BUILD_INTERFACE:${include_dirs}>" $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(CGAL_Angle_based_flattening_headers INTERFACE
   CGAL::CGAL CGAL::Eigen3_support $<BUILD_INTERFACE:CGAL::SuperLU_support>)
 if(TARGET CGAL::TBB_support) # the installed package looks for both itself
@@ -87,15 +94,12 @@ endfunction()
 
 # The numerics and the default solver, compiled once: most of our programs link with it, so that none of them has to
 # compile them again.
-add_library(CGAL_Angle_based_flattening STATIC EXCLUDE_FROM_ALL
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_atlas.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_charts.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_creases.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_direct.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_hierarchical.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_seams.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_symmetry.cpp
-  ${ABF_PACKAGE_DIR}/src/Angle_based_flattening/angle_based_flattening_texture.cpp)
+set(sources)
+foreach(package ${ABF_PACKAGES})
+  file(GLOB more CONFIGURE_DEPENDS ${package}/src/*/*.cpp)
+  list(APPEND sources ${more})
+endforeach()
+add_library(CGAL_Angle_based_flattening STATIC EXCLUDE_FROM_ALL ${sources})
 add_library(CGAL::Angle_based_flattening ALIAS CGAL_Angle_based_flattening)
 set_target_properties(CGAL_Angle_based_flattening PROPERTIES EXPORT_NAME Angle_based_flattening)
 target_link_libraries(CGAL_Angle_based_flattening PUBLIC CGAL::Angle_based_flattening_headers)
@@ -128,4 +132,27 @@ endfunction()
 # For those that would run too long then
 function(abf_optimize_a_little target)
   target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
+endfunction()
+
+# Makes a short example, and a test of what it prints. Examples have the compiled library, but for one that shows the
+# headers alone. Sanitized builds have none, because the sanitizers see all of it in the tests.
+function(abf_add_example name output)
+  abf_is_wanted(${name} wanted)
+  if(ABF_SANITIZE OR NOT wanted)
+    return()
+  endif()
+  add_executable(${name} ${name}.cpp)
+  if(name STREQUAL "abf_plus_plus_polyhedron")
+    target_link_libraries(${name} PRIVATE CGAL::Angle_based_flattening_headers ${ARGN})
+    target_compile_options(${name} PRIVATE ${ABF_QUICK_OPTIONS})
+  else()
+    target_link_libraries(${name} PRIVATE CGAL::Angle_based_flattening ${ARGN})
+    if(name STREQUAL "compare_parameterizers")
+      abf_optimize_a_little(${name})
+    else()
+      abf_compile_quickly(${name})
+    endif()
+  endif()
+  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 PASS_REGULAR_EXPRESSION "${output}")
 endfunction()

@@ -26,7 +26,7 @@ def main():
         return
     with tempfile.TemporaryDirectory() as folder:
         clone = tutorial.Clone(folder, ROOT, program.resolve())
-        page = (ROOT / "doc/Angle_based_flattening/tutorial.txt").read_text()
+        page = (ROOT / "doc/guides/tutorial.txt").read_text()
         for words in [content for kind, content in tutorial.steps(page) if kind == "command"][:4]:
             status, _, errors = clone.run(words)
             if status != 0:

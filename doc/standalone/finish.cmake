@@ -63,13 +63,14 @@ foreach(place RANGE ${last})
 endforeach()
 
 # Names in the navigation are short: without the namespaces, the folder, and the template parameters.
-set(references group__PkgAngleBasedFlatteningRef group__PkgSolverInterfaceLS)
+set(references group__PkgAngleBasedFlatteningRef group__PkgTextureAtlasRef group__PkgSolverInterfaceLS)
 foreach(tree ${references} examples modules)
   file(READ ${HTML}/${tree}.js text)
   string(REGEX REPLACE "\\[ \"(CGAL::Surface_mesh_parameterization::|CGAL::Texture_atlas::|CGAL::|Angle_based_flattening/)" "[ \"" text "${text}")
   string(REGEX REPLACE "\\[ \"[A-Za-z_]+::([a-z_]+\", \"group__)" "[ \"\\1" text "${text}")
   string(REGEX REPLACE "\\[ \"([A-Za-z0-9_]+)< [^\"]*>\"" "[ \"\\1\"" text "${text}")
   string(REPLACE "\"Angle-Based Flattening Reference\"" "\"Flattening\"" text "${text}")
+  string(REPLACE "\"Texture Atlas Reference\"" "\"Atlases\"" text "${text}")
   file(WRITE ${HTML}/${tree}.js "${text}")
 endforeach()
 

@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
-#include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -24,10 +23,3 @@ template std::vector<std::pair<int, int>> touching_edges(const std::vector<Borde
                                                          const std::vector<Exact_point_2>&);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
-
-namespace CGAL::Texture_atlas::internal {
-
-template Separation separate_overlaps(const Chart&, const std::vector<double>&,
-                                      const std::vector<Exact_point_2>&);
-
-} // namespace CGAL::Texture_atlas::internal

@@ -133,14 +133,14 @@ class Gallery(unittest.TestCase):
         self.assertIn("no faces", run.stderr)
 
     def test_readme_tells_the_figures_of_its_picture(self):
-        rows = rows_of_tables((source / "doc" / "Angle_based_flattening" / "gallery.txt").read_text())
+        rows = rows_of_tables((source / "doc" / "guides" / "gallery.txt").read_text())
         contents = json.loads((source / "doc" / "standalone" / "gallery.json").read_text())
         changes = [float(rows[mesh["file"]]["angle change"].removesuffix("&deg;")) for mesh in contents["row"]]
         readme = " ".join((source / "README.md").read_text().split())
         self.assertIn(f"Angles change by {min(changes):.1f} to {max(changes):.1f} degrees", readme)
 
     def test_pictures_of_pages_exist(self):
-        manual = source / "doc" / "Angle_based_flattening"
+        manual = source / "doc" / "guides"
         contents = json.loads((source / "doc" / "standalone" / "gallery.json").read_text())
         meshes = [mesh["file"] for section in contents["sections"] for mesh in section["meshes"]]
         for page, doc in ((self.page, self.folder), ((manual / "gallery.txt").read_text(), manual)):

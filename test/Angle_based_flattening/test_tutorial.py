@@ -20,7 +20,7 @@ ROOT = Path(sys.argv.pop(1)).resolve()
 sys.path.insert(0, str(ROOT / "doc/standalone"))
 import tutorial  # noqa: E402
 
-MANUAL = ROOT / "doc/Angle_based_flattening"
+MANUAL = ROOT / "doc"
 Model = namedtuple("Model", "triangles coordinates")
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
@@ -219,7 +219,7 @@ class Commands(unittest.TestCase):
             self.assertTrue(scene["images"])
 
     def test_tutorial(self):
-        page = (MANUAL / "tutorial.txt").read_text()
+        page = (MANUAL / "guides/tutorial.txt").read_text()
         steps = tutorial.steps(page)
         self.assertGreaterEqual(sum(kind == "command" for kind, _ in steps), 4)
         printed = ""
@@ -238,7 +238,7 @@ class Commands(unittest.TestCase):
         text = subprocess.run([FLATTEN_MESH, "--help"], check=True, capture_output=True, text=True).stdout
         options = re.split(r"\n  (?:-\w \[ )?--", text)[1:]
         defaults = {re.match(r"[\w-]+", option)[0]: re.search(r"\(=([^)]+)\)", option) for option in options}
-        rows = option_rows((MANUAL / "program.txt").read_text())
+        rows = option_rows((MANUAL / "guides/program.txt").read_text())
         checked = set()
         for names, effect in rows:
             found = re.findall(r"\(([\d.]+)\)", effect)
@@ -259,7 +259,7 @@ class Commands(unittest.TestCase):
 
     def test_readme(self):
         """The commands of README.md and of the page on the program, with meshes of the package in place of the reader's."""
-        pages = {page: commands_of(page) for page in (ROOT / "README.md", MANUAL / "program.txt")}
+        pages = {page: commands_of(page) for page in (ROOT / "README.md", MANUAL / "guides/program.txt")}
         for page, commands in pages.items():
             self.assertGreaterEqual(len(commands), 2, page.name)
         commands = [words for page in pages.values() for words in page]
@@ -349,7 +349,7 @@ class Options(unittest.TestCase):
         """Each option that README.md or the manual names for the program is in its help."""
         text = subprocess.run([FLATTEN_MESH, "--help"], capture_output=True, text=True, check=True).stdout
         known = set(re.findall(r"--[a-z][a-z-]*", text))
-        for file in [ROOT / "README.md", *MANUAL.glob("*.txt")]:
+        for file in [ROOT / "README.md", *MANUAL.glob("*/*.txt")]:
             # Lines about programs with options of their own
             others = r"^.*(?:--target|\.py|cmake|cpack|\bpip\b|\bvenv\b|scripts/(?!flatten)).*$"
             text = re.sub(others, "", file.read_text(), flags=re.M)

@@ -18,7 +18,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// Options of `select_seams()`.
 struct Seam_options
@@ -33,7 +33,7 @@ struct Seam_options
   double time_limit = std::numeric_limits<double>::infinity();
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// Options of `pack_charts()`.
 struct Packing_options
@@ -70,7 +70,7 @@ struct Packing_options
 
 class Atlas_visitor;
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// Options of `make_atlas()`, where `Seam_options::stretch_bound` bounds the stretch of each chart.
 ///

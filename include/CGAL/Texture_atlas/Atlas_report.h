@@ -22,7 +22,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `pack_charts()`.
 struct Packing_report : Report
@@ -54,7 +54,7 @@ struct Packing_report : Report
   std::size_t number_of_attempts = 0; ///< The number of scales that were tried.
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `make_atlas()` and `make_common_atlas()`.
 struct Atlas_report : Report
@@ -210,7 +210,7 @@ struct Atlas_report : Report
   }
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns the name of a method, such as `"injective"`.
 ///
@@ -232,7 +232,7 @@ inline std::string to_string(Atlas_report::Method method)
   return "unknown";
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns a name, such as `"MORE_CHARTS"`.
 ///
@@ -250,7 +250,7 @@ inline std::string to_string(Atlas_report::Strategy strategy)
   return "unknown";
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns a name, such as `"EQUAL_LENGTHS"`.
 ///

@@ -16,7 +16,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// Base class of visitors that follow `make_atlas()`, and may cancel it (`Atlas_options::visitor`).
 ///

@@ -29,7 +29,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The options of `bake_surface()`.
 struct Baking_options
@@ -56,7 +56,7 @@ struct Baking_options
   int number_of_rows() const { return height.value_or(resolution); }
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `bake_surface()`.
 struct Baking_report : Report
@@ -90,7 +90,7 @@ struct Baking_report : Report
   }
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The directions at a corner of a face that normals in tangent space refer to, as in glTF: the attributes `NORMAL` and
 /// `TANGENT`. A viewer needs these attributes to show a normal map exactly.
@@ -104,7 +104,7 @@ struct Tangent_frame
   double sign = 1;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The images that `bake_surface()` makes. They are stored row by row, as in picture files: the first row is that at
 /// \f$v = 1\f$, the last that at \f$v = 0\f$, and \f$u\f$ grows along each row. Row \f$i\f$ and column \f$j\f$ of a
@@ -183,7 +183,7 @@ private:
   }
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The textures that `bake_surface()` makes of two meshes, and what is wrong with these.
 ///

@@ -28,7 +28,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// How `select_cones()` finds the angles of the cones.
 enum class Cone_angles
@@ -40,7 +40,7 @@ enum class Cone_angles
   FREE
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The options of `select_cones()` and `flatten_with_cones()`.
 struct Cone_options
@@ -58,7 +58,7 @@ struct Cone_options
   ABF_plus_plus_options parameterizer;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `select_cones()`, without the cones.
 struct Cone_report : Report
@@ -67,7 +67,7 @@ struct Cone_report : Report
   double predicted_stretch = 1;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The cones that `select_cones()` chooses.
 ///
@@ -102,7 +102,7 @@ struct Cone_selection : Mesh_report<TriangleMesh, Cone_report>
   }
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// What `flatten_with_cones()` reports. If anything is wrong, `status`, `message` and the offending elements are those
 /// of the first part that failed.

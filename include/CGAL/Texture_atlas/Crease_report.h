@@ -21,7 +21,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// Options of `select_crease_seams()`.
 struct Crease_options
@@ -30,7 +30,7 @@ struct Crease_options
   double angle = 40 * CGAL_PI / 180;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `select_crease_seams()`.
 struct Crease_report : Report

@@ -23,7 +23,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `cut_to_disks()`, `select_seams()` and `shorten_seams()`.
 struct Seam_report : Report
@@ -40,7 +40,7 @@ struct Seam_report : Report
   bool bound_reached = true;    ///< whether the predicted stretch is at most the bound
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `read_seam_selection()` and `write_seam_selection()`. It converts to `true` on success, like the
 /// `bool` of \cgal's functions for files.
@@ -57,7 +57,7 @@ struct Seam_selection_report : Report
   std::size_t number_of_border_edges = 0;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// What `is_disk_cut()` finds. It converts to `true` if all parts are disks that can be flattened. Otherwise, `status`
 /// and `message` are about the first part that is not one. If a part has several defects, its status is the first of
@@ -109,7 +109,7 @@ struct Disk_cut_report : Mesh_report<TriangleMesh>
   std::size_t defective_part = 0;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `split_overlaps()`.
 struct Overlap_split_report : Report

@@ -19,7 +19,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `find_mirror_plane()`.
 struct Mirror_plane_report : Report
@@ -33,7 +33,7 @@ struct Mirror_plane_report : Report
   double deviation = 0;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The report of `symmetrize_seams()`.
 struct Symmetry_report : Report

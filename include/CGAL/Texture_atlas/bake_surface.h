@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 bakes the normals, the distance and the colours, if any, of a fine surface into textures of a simple surface. With the
 texture of normals, the simple surface is shaded like the fine one (Section 6.1 and Figure 9 of the paper
@@ -125,7 +125,7 @@ bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_me
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 bakes a fine surface into textures of a simple one as above, without returning the tangent frames.
 */

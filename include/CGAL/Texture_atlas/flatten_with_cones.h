@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 flattens a surface of any topology, cut open along short seams through cones, so that a rigid motion maps one side of
 each seam to the other.

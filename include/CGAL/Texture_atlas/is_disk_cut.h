@@ -23,7 +23,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns whether the seams cut the surface into topological disks that can be flattened, and if not, why and where.
 ///

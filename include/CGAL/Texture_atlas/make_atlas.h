@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 makes a texture atlas of any surface: cuts it open, flattens it, and packs the charts into the unit square, or, with
 `Packing_options::texels_per_unit`, into as many such pages as they take. Charts larger than a page are then cut in two.
@@ -123,7 +123,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 makes an atlas as above, without given seams. Neither seams nor chart numbers are returned.
 
@@ -145,7 +145,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 makes one texture atlas of several meshes, with the same texel density, as `make_atlas()` does of one.
 
@@ -182,7 +182,7 @@ Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 makes one atlas of several meshes as above, without given seams. Neither seams nor chart numbers are returned.
 

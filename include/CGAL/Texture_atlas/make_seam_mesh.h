@@ -38,7 +38,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// The seam mesh that `make_seam_mesh()` returns. Its copies share the marks of seams.
 ///
@@ -128,7 +128,7 @@ typename SeamMesh::halfedge_descriptor longest_border(const SeamMesh& mesh, cons
 } // namespace internal
 #endif // DOXYGEN_RUNNING
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// What `make_seam_mesh()` returns.
 ///
@@ -139,7 +139,7 @@ struct Seam_mesh_report : Mesh_report<TriangleMesh>
   Cut_mesh<TriangleMesh> mesh; ///< The seam mesh. It has no seams if anything is wrong.
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns the `Seam_mesh` of a surface with marked seams, which the parameterizers take as it is.
 ///
@@ -210,7 +210,7 @@ template <typename TriangleMesh, typename EdgeIsSeamMap>
 Seam_mesh_report<TriangleMesh> make_seam_mesh(const TriangleMesh&& mesh, EdgeIsSeamMap seams) = delete;
 #endif
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns a halfedge on the longest border of a seam mesh, for the parameterizers; the null halfedge if there is no
 /// border. The time is linear.
@@ -236,7 +236,7 @@ border_halfedge(const CGAL::Seam_mesh<TM, SEM, SVM>& seam_mesh,
   return internal::longest_border(seam_mesh, faces(seam_mesh), np);
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// returns a halfedge on the longest border of the part of `f`: the faces connected with `f` across edges that are not
 /// seams. It is the null halfedge if the part is closed.

@@ -42,7 +42,7 @@ FaceOutputIterator overlapping_faces(const Planar_map<TriangleMesh, UVMap>& map,
 } // namespace internal
 #endif
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// writes the faces of `mesh` that overlap other faces in the plane to `out`.
 ///
@@ -80,7 +80,7 @@ FaceOutputIterator overlapping_faces(const TriangleMesh& mesh, UVMap uvmap, Face
   return internal::overlapping_faces(internal::planar_map(mesh, uvmap), out);
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// writes the faces of the connected component of `h` that overlap other faces of this component, as above. `h` may be
 /// any halfedge.

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 turns, scales and moves charts so that they fill the unit square, as in a texture atlas. The map of each chart changes
 by a similarity, without reflection.

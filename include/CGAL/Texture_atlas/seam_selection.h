@@ -49,7 +49,7 @@ vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 } // namespace internal
 #endif
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// marks the edges of a selection file (`.selection.txt`) as seams.
 ///
@@ -113,7 +113,7 @@ read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap se
   return report;
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// marks the edges of the selection file `file_name` as seams, as above.
 template <typename TriangleMesh, typename EdgeIsSeamMap>
@@ -133,7 +133,7 @@ read_seam_selection(const std::string& file_name, const TriangleMesh& mesh, Edge
   return report;
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// writes the seams to a selection file, for `read_seam_selection()` and \cgal. The lines of vertices and faces are
 /// empty. Marked border edges are left out. The time is linear.
@@ -170,7 +170,7 @@ Seam_selection_report write_seam_selection(std::ostream& out, const TriangleMesh
   return out ? report : internal::failure(Diagnosis::CANNOT_WRITE, "writing failed");
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// writes the seams to the selection file `file_name`, as above. `Seam_mesh::add_seams()` and \cgal's demo expect that
 /// the name ends with `.selection.txt`.

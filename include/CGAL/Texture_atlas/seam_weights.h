@@ -67,7 +67,7 @@ Mesh_report<TriangleMesh> put_seam_weights(const TriangleMesh& mesh, EdgeWeightM
 } // namespace internal
 #endif
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// computes edge weights that draw seams to hidden places: into folds and cavities, and behind and below other parts.
 ///
@@ -108,7 +108,7 @@ Mesh_report<TriangleMesh> compute_visibility_weights(const TriangleMesh& mesh, E
       });
 }
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// computes edge weights that draw seams to creases.
 ///

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 chooses cones: vertices whose planar angles need not sum to \f$2\pi\f$, so that a map along few seams can have little
 stretch.

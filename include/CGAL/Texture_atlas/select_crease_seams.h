@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 divides a surface along its creases, as a hard surface is cut by hand: flat faces stay whole, a cylinder is cut around
 its rims, and the faces of a cube unfold to a cross.

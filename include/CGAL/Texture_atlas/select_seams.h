@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 cuts a surface of any topology to disks that can be flattened with little stretch.
 
@@ -111,7 +111,7 @@ Mesh_report<TriangleMesh, Seam_report> select_seams(const TriangleMesh& mesh, Ed
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 cuts a surface of any topology to disks along short seams, without regard to its shape.
 
@@ -181,7 +181,7 @@ Mesh_report<TriangleMesh, Seam_report> cut_to_disks(const TriangleMesh& mesh, Ed
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 shortens seams that leave disks. The shorter seams leave disks as well.
 

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Texture_atlas {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 splits charts whose maps overlap themselves into pieces whose maps are injective. Coordinates do not change.
 

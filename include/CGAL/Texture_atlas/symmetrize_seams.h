@@ -113,7 +113,7 @@ inline void measure_symmetry(const Edge_graph& graph, const std::vector<char>& i
 #endif
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 finds the plane in which a surface is most nearly symmetric.
 
@@ -149,7 +149,7 @@ find_mirror_plane(const TriangleMesh& mesh, const NamedParameters& np = paramete
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 makes seams symmetric with respect to a plane: those on one side are kept, and replace those on the other side. Call it
 with the seams of `make_atlas()`, and then `make_atlas()` again, which keeps them and adds more where charts need them.
@@ -212,7 +212,7 @@ symmetrize_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 measures how symmetric seams are with respect to a plane.
 
@@ -238,7 +238,7 @@ measure_symmetry(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 makes edges along a plane cheap, so that seams run there: multiplies their weights by 0.6. Where no edges are in the
 plane, those count that join the nearer ends of the edges which cross it.

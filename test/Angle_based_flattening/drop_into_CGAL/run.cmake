@@ -1,4 +1,5 @@
-# Drops the package into a checkout of CGAL, and then configures its examples and tests alone, and builds and runs an example.
+# Drops both packages into a checkout of CGAL, and then configures their examples and tests alone, and builds and runs an
+# example of each.
 # Called by ctest with SOURCE_DIR, BASH, CGAL_DIR and CGAL_INCLUDE_DIR of the CGAL that the checkout is made of, BUILD_DIR, GENERATOR,
 # COMPILER, CONFIG and its FLAGS.
 set(checkout ${BUILD_DIR}/CGAL_checkout)
@@ -17,12 +18,20 @@ file(GLOB modules ${CGAL_DIR}/*.cmake)
 file(COPY ${modules} DESTINATION ${installation}/cmake/modules)
 file(COPY ${modules} DESTINATION ${installation}/lib/cmake/CGAL)
 
+file(MAKE_DIRECTORY ${checkout}/Solver_interface/package_info/Solver_interface)
+
 run(${BASH} ${SOURCE_DIR}/scripts/drop-into-cgal ${checkout})
-foreach(part examples test)
-  run(${CMAKE_COMMAND} -S ${checkout}/Angle_based_flattening/${part}/Angle_based_flattening -B ${build}/${part} -G ${GENERATOR}
+foreach(part Angle_based_flattening/examples Angle_based_flattening/test Texture_atlas/examples)
+  get_filename_component(package ${part} DIRECTORY)
+  run(${CMAKE_COMMAND} -S ${checkout}/${part}/${package} -B ${build}/${part} -G ${GENERATOR}
     -D CGAL_DIR=${installation}/lib/cmake/CGAL
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_FLAGS_RELEASE=${FLAGS})
 endforeach()
-run(${CMAKE_COMMAND} --build ${build}/examples --config ${CONFIG} --target abf_plus_plus_polyhedron)
-run(${CMAKE_CTEST_COMMAND} --test-dir ${build}/examples --build-config ${CONFIG} --no-tests=error --output-on-failure
-  --tests-regex ^abf_plus_plus_polyhedron$)
+
+function(run_example package name)
+  run(${CMAKE_COMMAND} --build ${build}/${package}/examples --config ${CONFIG} --target ${name})
+  run(${CMAKE_CTEST_COMMAND} --test-dir ${build}/${package}/examples --build-config ${CONFIG} --no-tests=error
+    --output-on-failure --tests-regex ^${name}$)
+endfunction()
+run_example(Angle_based_flattening abf_plus_plus_polyhedron)
+run_example(Texture_atlas abf_plus_plus_seam_mesh)

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 FLATTEN_MESH = Path(os.environ["ABF_FLATTEN_MESH"]).resolve()
-SCRIPT = Path(__file__).resolve().parents[3] / "examples/Angle_based_flattening/flatten_many.slurm"
+SCRIPT = Path(__file__).resolve().parents[3] / "examples/flatten_mesh/flatten_many.slurm"
 QUICK = ["--for", "few-charts", "--resolution", "64", "--rotations", "1"]
 OUTPUTS = ["--output-folder", "out", "--output", "%.obj", "--json", "%.json"]
 DIFFERENT = ("seconds", "peak_memory_mb", "options")  # between two runs

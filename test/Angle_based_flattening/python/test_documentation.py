@@ -21,8 +21,8 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
-PAGE = ROOT / "doc/Angle_based_flattening/python.txt"
-EXAMPLES = ROOT / "examples/Angle_based_flattening/python"
+PAGE = ROOT / "doc/guides/python.txt"
+EXAMPLES = ROOT / "examples/python"
 
 
 def blocks(text):

@@ -38,7 +38,7 @@ namespace Texture_atlas {
 namespace IO {
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 writes a mesh with texture coordinates to a stream, in the OBJ format.
 
@@ -101,7 +101,7 @@ OBJ_report write_OBJ(std::ostream& out, const PolygonMesh& mesh, UVMap uv,
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 writes a mesh with texture coordinates to the file `fname`, as above.
 */
@@ -116,7 +116,7 @@ OBJ_report write_OBJ(const std::string& fname, const PolygonMesh& mesh, UVMap uv
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 writes a mesh with texture coordinates and one material for all faces, as above. The material is written to a file of
 the same name that ends with `.mtl`: `atlas.mtl` beside `atlas.obj`.
@@ -138,7 +138,7 @@ OBJ_report write_OBJ(const std::string& fname, const PolygonMesh& mesh, UVMap uv
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 writes a mesh with texture coordinates and several materials, as above.
 
@@ -162,7 +162,7 @@ OBJ_report write_OBJ(const std::string& fname, const PolygonMesh& mesh, UVMap uv
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 reads a mesh with texture coordinates from a stream, in the OBJ format.
 
@@ -225,7 +225,7 @@ OBJ_report read_OBJ(std::istream& in, PolygonMesh& mesh, UVMap uv,
 }
 
 /*!
-\ingroup PkgAngleBasedFlatteningRef
+\ingroup PkgTextureAtlasRef
 
 reads a mesh with texture coordinates from the file `fname`, as above. If the file cannot be opened, the status is
 `CANNOT_OPEN`.

@@ -21,7 +21,7 @@ namespace CGAL {
 
 namespace Texture_atlas {
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// A material in the files that `IO::write_OBJ()` writes: a colour and pictures. Names of picture files are written as
 /// they are: programs look for them from the folder of the OBJ file. An empty name means that there is no such picture.
@@ -43,7 +43,7 @@ struct OBJ_material
   double greatest_displacement = 1;
 };
 
-/// \ingroup PkgAngleBasedFlatteningRef
+/// \ingroup PkgTextureAtlasRef
 ///
 /// What `IO::read_OBJ()` and `IO::write_OBJ()` return. Like the `bool` of \cgal's functions for files, it converts to
 /// `true` on success.

@@ -1,7 +1,0 @@
-// Copyright (c) 2026 The Angle_based_flattening authors.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-#include <CGAL/Texture_atlas/internal/baking/bake_impl.h>
-#include <CGAL/Texture_atlas/internal/packing/pack_impl.h>
