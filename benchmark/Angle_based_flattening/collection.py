@@ -26,7 +26,7 @@ import isosurfaces  # noqa: E402
 import parametrize  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "test/Angle_based_flattening/python"))
+sys.path.append(str(ROOT / "test/python"))
 import meshes  # noqa: E402
 import program  # noqa: E402
 

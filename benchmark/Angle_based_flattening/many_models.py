@@ -18,7 +18,7 @@ import side_by_side
 from side_by_side import head, row
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "test/Angle_based_flattening/python"))
+sys.path.append(str(ROOT / "test/python"))
 import meshes  # noqa: E402
 import program  # noqa: E402
 

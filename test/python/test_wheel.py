@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[2]
 USES = """
 import pathlib, angle_based_flattening as abf
 folder = pathlib.Path(abf.__file__).parents[1]

@@ -20,7 +20,7 @@ import meshes
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "doc/guides/python.txt"
 EXAMPLES = ROOT / "examples/python"
 
