@@ -25,7 +25,7 @@
 #include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_preconditioner.h>
 #include <CGAL/Solver_interface/internal/SuperLU_sparse_matrix.h>
-#include <CGAL/Solver_traits_properties.h>
+#include <CGAL/Solver_traits_factory.h>
 #include <CGAL/SuperLU_options.h>
 
 #include <algorithm>
@@ -387,13 +387,22 @@ private:
 #endif
 
 template <class FT>
-struct Has_independent_copies<SuperLU_solver_traits<FT>> : std::true_type
-{};
+struct Solver_traits_factory<SuperLU_solver_traits<FT>>
+{
+  static constexpr bool keeps_matrix = false;
+  static SuperLU_solver_traits<FT> create(const SuperLU_solver_traits<FT>& traits) { return traits; }
+};
 
 #ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
 template <class FT>
-struct Has_independent_copies<internal::SuperLU_preconditioner<FT>> : std::true_type
-{};
+struct Solver_traits_factory<internal::SuperLU_preconditioner<FT>>
+{
+  static constexpr bool keeps_matrix = false;
+  static internal::SuperLU_preconditioner<FT> create(const internal::SuperLU_preconditioner<FT>& traits)
+  {
+    return traits;
+  }
+};
 
 template <>
 struct Low_precision_solver_traits<SuperLU_solver_traits<double>>
