@@ -42,9 +42,8 @@ void copy_settings_of_iteration(const From&, To&, long)
 
 The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative
 solution: fewer digits then suffice, which take half of the memory and less time. The counterpart of
-`SuperLU_solver_traits<double>` factors definite matrices as `SuperLU_solver_traits<float>` does with the same widths,
-with `SuperLU_options::PIVOTS` as its check, and with `SuperLU_options::keep_memory`. It is a type of its own, which
-compiles faster. Any other solver is its own counterpart.
+`SuperLU_solver_traits<double>` is `SuperLU_solver_traits<float>` with the same widths, with `SuperLU_options::PIVOTS`
+as its check, and with `SuperLU_options::keep_memory`. Any other solver is its own counterpart.
 
 This is a customization point: specialize it for a solver of your own, with the members below.
 
@@ -112,8 +111,9 @@ struct Solver_traits_factory
   static SolverTraits create(const SolverTraits& traits)
   {
     if constexpr(decltype(internal::wraps_eigen_solver(static_cast<const SolverTraits*>(nullptr)))::value) {
-      static_assert(std::is_default_constructible<SolverTraits>::value,
-                    "Copies of these traits share one solver of Eigen's: specialize CGAL::Solver_traits_factory.");
+      static_assert(
+          std::is_default_constructible<SolverTraits>::value,
+          "Copies of these traits share one solver of Eigen's: specialize CGAL::Solver_traits_factory.");
       SolverTraits given(traits), result; // `solver()` is not const
       internal::copy_settings_of_iteration(std::as_const(given.solver()), result.solver(), 0);
       return result;

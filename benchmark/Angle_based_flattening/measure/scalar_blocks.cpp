@@ -173,9 +173,8 @@ void run_round(const Scalar_blocks& blocks, Times& times)
   });
   times.solve = (std::min)(times.solve, all / static_cast<double>(solutions.size()));
   for(int k = 0; k < 2; ++k)
-    times.residual =
-        (std::max)(times.residual, relative_residual(blocks.matrix[k].eigen_object(), blocks.right_sides[0],
-                                                     solutions[0][k]));
+    times.residual = (std::max)(times.residual, relative_residual(blocks.matrix[k].eigen_object(),
+                                                                  blocks.right_sides[0], solutions[0][k]));
 }
 
 // What a run of the direct method takes of them: orders, three factorizations (both blocks and the layout), and as many

@@ -64,8 +64,7 @@ public:
   Injective_descent(const Chart& chart, const Objective& objective, double clearance,
                     const Linear_solvers& solvers)
       : m_chart(chart), m_objective(objective), m_clearance(clearance), m_solvers(solvers),
-        m_factors(solvers->low_precision()), m_hessian(chart),
-        m_barrier_weight(chart.points.size(), 0.)
+        m_factors(solvers->low_precision()), m_hessian(chart), m_barrier_weight(chart.points.size(), 0.)
   {
     std::vector<int> triangles(chart.points.size(), 0);
     for(int c = 0; c < chart.number_of_corners(); ++c)
@@ -279,7 +278,8 @@ private:
   const Objective& m_objective;
   double m_clearance;
   Linear_solvers m_solvers;
-  std::unique_ptr<Linear_solver> m_factors; // knows the pattern as long as no other parts of the border come near
+  std::unique_ptr<Linear_solver>
+      m_factors; // knows the pattern as long as no other parts of the border come near
   Planar_border m_border;
   Definite_hessian m_hessian;
   Block_matrix<2> m_damped;

@@ -37,23 +37,23 @@ inline bool solve_iteratively(const Block_matrix<1>& matrix, Linear_solver& solv
   const Iterative_accuracy rounding = {1e-15};
   std::array<bool, 2> solved;
   const auto solve = [&](int k) {
-    solved[k] = conjugate_gradients(matrix, right_hand_sides[k], solver, rounding, max_steps, solutions[k])
-                    .status == Iterative_solution::SOLVED;
+    solved[k] =
+        conjugate_gradients(matrix, right_hand_sides[k], solver, rounding, max_steps, solutions[k]).status ==
+        Iterative_solution::SOLVED;
   };
   parallel_for(2, solve, static_cast<int>(right_hand_sides[0].size()));
   return solved[0] && solved[1];
 }
 
-// Solves a definite system for two right-hand sides by a solver of low precision, which says afterwards whether that was
-// enough (`is_repeated()`). Returns `false` if the solver fails.
+// Solves a definite system for two right-hand sides by a solver of low precision, which says afterwards whether that
+// was enough (`is_repeated()`). Returns `false` if the solver fails.
 inline bool solve_definite(const Block_matrix<1>& matrix, Linear_solver& solver,
                            const Two_vectors& right_hand_sides, Two_vectors& solutions)
 {
   if(!solver.set_matrix(matrix))
     return false;
-  const bool done = solver.is_to_be_refined()
-                        ? solve_iteratively(matrix, solver, right_hand_sides, solutions)
-                        : solve_directly(solver, right_hand_sides, solutions);
+  const bool done = solver.is_to_be_refined() ? solve_iteratively(matrix, solver, right_hand_sides, solutions)
+                                              : solve_directly(solver, right_hand_sides, solutions);
   return done || (solver.repeat(matrix) && solve_directly(solver, right_hand_sides, solutions));
 }
 

@@ -20,6 +20,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <functional>
 #include <limits>
 #include <memory>
@@ -31,54 +33,36 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+template <typename Traits>
+using Factor_call = decltype(std::declval<Traits&>().factor(std::declval<typename Traits::Matrix>(),
+                                                            std::declval<typename Traits::NT&>()));
+template <typename Traits>
+using Analyze_pattern_call =
+    decltype(std::declval<Traits&>().analyze_pattern(std::declval<const typename Traits::Matrix&>()));
+template <typename Traits>
+using Const_solution_call = decltype(std::declval<const Traits&>().linear_solver(
+    std::declval<const typename Traits::Vector&>(), std::declval<typename Traits::Vector&>()));
+template <typename Traits>
+using Lacks_memory_call = decltype(std::declval<const Traits&>().lacks_memory());
+
 // Whether the traits model `SparseLinearAlgebraWithFactorTraits_d`.
-template <typename SolverTraits, typename = void>
-struct Has_factor : std::false_type
-{};
+template <typename Traits>
+using Has_factor = boost::is_detected<Factor_call, Traits>;
 
-template <typename SolverTraits>
-struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().factor(
-                                    std::declval<typename SolverTraits::Matrix>(),
-                                    std::declval<typename SolverTraits::NT&>()))>> : std::true_type
-{};
-
-// Whether they can be told a pattern before the first matrix with it, as `Eigen::SimplicialLDLT` and
-// `SuperLU_solver_traits` can.
-template <typename SolverTraits, typename = void>
-struct Has_analyze_pattern : std::false_type
-{};
-
-template <typename SolverTraits>
-struct Has_analyze_pattern<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().analyze_pattern(
-                                             std::declval<const typename SolverTraits::Matrix&>()))>>
-    : std::true_type
-{};
+// Whether they can be told a pattern before the first matrix with it, as `SuperLU_solver_traits` can.
+template <typename Traits>
+using Has_analyze_pattern = boost::is_detected<Analyze_pattern_call, Traits>;
 
 // Whether solving leaves them as they are. Otherwise one thread after the other solves.
-template <typename SolverTraits, typename = void>
-struct Has_const_solution : std::false_type
-{};
-
-template <typename SolverTraits>
-struct Has_const_solution<SolverTraits,
-                          std::void_t<decltype(std::declval<const SolverTraits&>().linear_solver(
-                              std::declval<const typename SolverTraits::Vector&>(),
-                              std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
-{};
+template <typename Traits>
+using Has_const_solution = boost::is_detected<Const_solution_call, Traits>;
 
 // Whether they tell that memory ran out, as `SuperLU_solver_traits` do. Others throw, or do not know.
-template <typename SolverTraits, typename = void>
-struct Has_lacks_memory : std::false_type
-{};
+template <typename Traits>
+using Has_lacks_memory = boost::is_detected<Lacks_memory_call, Traits>;
 
-template <typename SolverTraits>
-struct Has_lacks_memory<SolverTraits,
-                        std::void_t<decltype(std::declval<const SolverTraits&>().lacks_memory())>>
-    : std::true_type
-{};
-
-// A symmetric linear system, solved for one right-hand side after the other. Each solver has factors of its own. Several
-// threads may solve with them at once.
+// A symmetric linear system, solved for one right-hand side after the other. Each solver has factors of its own.
+// Several threads may solve with them at once.
 class Linear_solver
 {
 public:
@@ -314,7 +298,7 @@ private:
 
   SolverTraits m_traits;
   std::shared_ptr<Shared_traits> m_shared;
-  Full_precision m_full_precision;       // makes what factors matrices that these traits refuse, if there is more precision
+  Full_precision m_full_precision;       // for matrices that these traits refuse, if there is more precision
   std::unique_ptr<Linear_solver> m_full; // if it has factored the last one
   std::optional<typename Spare_matrices::Loan> m_matrix; // the traits may keep a pointer to it
   Spare_vectors m_vectors;

@@ -25,8 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Makes solvers of the caller's traits, and of their counterpart of lower precision, for numerics that know neither type.
-// Solvers of low precision factor what they refuse in full precision.
+// Makes solvers of the caller's traits, and of their counterpart of lower precision, for numerics that know neither
+// type. Solvers of low precision factor what they refuse in full precision.
 class Solver_source
 {
 public:
@@ -58,7 +58,8 @@ public:
   {
     if(!has_low_precision())
       return std::make_unique<Symmetric_system<Low>>(m_low);
-    return std::make_unique<Symmetric_system<Low>>(m_low, [full = m_full] { return full_precision_of(full); });
+    return std::make_unique<Symmetric_system<Low>>(m_low,
+                                                   [full = m_full] { return full_precision_of(full); });
   }
 
   bool keeps_factors() const override { return Has_factor<SolverTraits>::value; }

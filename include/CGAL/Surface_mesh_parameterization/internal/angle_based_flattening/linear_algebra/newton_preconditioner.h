@@ -27,9 +27,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones, completed near
-// some blocks. Of the matrix of Eq. 16, the unknowns are the multipliers of planarity and those of reconstruction: two
-// weakly coupled Laplacians. Each of the two has a quarter of the entries of the whole, and they are factored at once.
+// The inverse of a symmetric matrix of 2x2 blocks without what couples its even unknowns to its odd ones, completed
+// near some blocks. Of the matrix of Eq. 16, the unknowns are the multipliers of planarity and those of
+// reconstruction: two weakly coupled Laplacians. Each of the two has a quarter of the entries of the whole, and they
+// are factored at once.
 //
 // They precondition badly near vertices where both multipliers are strongly coupled, at slivers and steep cones, and
 // near the blocks of holes in the matrix Z' S Z of `Bound_matrix`: the scalar matrices have each hole as one node, and
@@ -141,9 +142,7 @@ private:
     take_diagonal(matrix, m_factored_diagonal);
     m_scale = Eigen::VectorXd::Ones(matrix.size());
     std::array<bool, 2> done;
-    const auto factor = [&](int k) {
-      done[k] = m_scalar_solver[k]->set_matrix(Diagonal_part<2>{matrix, k});
-    };
+    const auto factor = [&](int k) { done[k] = m_scalar_solver[k]->set_matrix(Diagonal_part<2>{matrix, k}); };
     if(matrix.columns_of_blocks() < many_blocks) {
       parallel_for(2, factor, matrix.columns_of_blocks());
     } else {
