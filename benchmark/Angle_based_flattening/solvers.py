@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares sparse direct solvers on the matrices of ABF++."""
+"""Compares sparse direct solvers on the matrices of ABF++, also in single precision."""
 
 import argparse
 
@@ -20,6 +20,12 @@ COLUMNS = [("order of the matrix", "unknowns", ".0f"),
 RATIOS = ["matrix", "triangles", "`Eigen::SuperLU` / ours, total", "ours / CHOLMOD, total",
           "ours / CHOLMOD, factor", "ours, second / first factorization", "ordering reused"]
 
+SINGLE = [("unknowns", "unknowns", ".0f"),
+          *((f"{name}: {solver}", f"{solver.lower()} {name}", "milliseconds")
+            for name in ("order", "factor", "solve", "run") for solver in ("SuperLU", "Eigen")),
+          ("run: Eigen / SuperLU", "ratio", ".2f"),
+          *((f"residual: {solver}", f"{solver.lower()} residual", ".1e") for solver in ("SuperLU", "Eigen"))]
+
 CAPTION = """Medians of {options.repeat} runs, each in a separate process on one thread \
 (`OPENBLAS_NUM_THREADS=1`). S is the matrix of the first Newton step. Its scalar block is that of the planarity \
 constraints. The right-hand side is that of the step. Times are in seconds. Again: a second factorization, with \
@@ -35,6 +41,14 @@ RATIOS_CAPTION = """
 Ours is `CGAL::SuperLU_solver_traits`; total is order + factor + solve. Targets: `Eigen::SuperLU` / ours at least \
 2 from 100,000 triangles on; ours / CHOLMOD at most 2.2 on the scalar block; a second factorization with the same \
 pattern reuses the ordering.
+
+"""
+SINGLE_CAPTION = """
+## Both scalar blocks in single precision
+
+The counterpart of lower precision of `CGAL::SuperLU_solver_traits`, and `Eigen::SimplicialLLT`, in turn in one process.
+Least processor times of {options.repeat} rounds, each for both blocks. Run: what the direct method takes of them, that
+is, orders, three factorizations and 30 solutions.
 
 """
 
@@ -64,6 +78,13 @@ def ratio_row(results: dict, matrix: str, triangles: int) -> list[str]:
             *(cell(number, ".2f") for number in ratios), cell(ours["ordering_reused"], "yes")]
 
 
+def measure_single(measure: run.Measure, options: argparse.Namespace, triangles: int) -> run.Measurement:
+    """SuperLU and Eigen, whose ratio is of one process"""
+    m = measure.one("scalar-blocks", measure.resized(options.mesh, triangles), "--repeat", options.repeat)
+    m["ratio"] = m["eigen run"] / m["superlu run"]
+    return m
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     run.add_mesh(parser, nargs="?")
@@ -86,6 +107,11 @@ def main() -> None:
                 if of == matrix:
                     solvers.add([SOLVERS[solver], m.get("triangles", size)], m)
         report.add(f"\n## {title}\n\n{solvers}")
+    single = Table(["triangles"], SINGLE)
+    for size in options.sizes:
+        m = measure_single(measure, options, size)
+        single.add([m.get("triangles", size)], m)
+    report.add(f"{SINGLE_CAPTION.format(options=options)}{single}")
     report.add(RATIOS_CAPTION + table(RATIOS, [ratio_row(measured, matrix, size) for matrix in MATRICES
                                                for size, measured in results.items()]))
 

@@ -8,7 +8,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Solver_traits_properties.h>
+#include <CGAL/Solver_traits_factory.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
@@ -17,7 +17,6 @@
 
 #include <iostream>
 #include <memory>
-#include <type_traits>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -80,12 +79,8 @@ private:
   std::shared_ptr<const Cholesky> m_cholesky;
 };
 
-// So two matrices can be factored at once, each by a copy...
-template <typename FT>
-struct CGAL::Has_independent_copies<Cholesky_traits<FT>> : std::true_type
-{};
-
-// ...and in single precision where the factors only precondition.
+// Copies own their factors, so that two of them can factor two matrices at once. Single precision is enough for factors
+// that only precondition.
 template <>
 struct CGAL::Low_precision_solver_traits<Cholesky_traits<double>>
 {

@@ -21,14 +21,12 @@
 #include <CGAL/Eigen_vector.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factorization.h>
-#include <CGAL/Solver_interface/internal/SuperLU_flag.h>
-#include <CGAL/Solver_interface/internal/SuperLU_input.h>
-#include <CGAL/Solver_interface/internal/SuperLU_preconditioner.h>
-#include <CGAL/Solver_interface/internal/SuperLU_sparse_matrix.h>
-#include <CGAL/Solver_traits_properties.h>
+#include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
+#include <CGAL/Solver_traits_factory.h>
 #include <CGAL/SuperLU_options.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -59,9 +57,10 @@ factorization reuses the ordering, also in a copy of this object. `analyze_patte
 \cgalModels{SparseLinearAlgebraTraits_d,SparseLinearAlgebraWithFactorTraits_d,
 NormalEquationSparseLinearAlgebraTraits_d}
 
-With `double`, the class replaces `Eigen_solver_traits` in the algorithms of \cgal: the parameterizers of surface meshes,
-`Surface_mesh_deformation`, `Heat_method_3::Surface_mesh_geodesic_distances_3`, `Polygon_mesh_processing::fair()`,
-`Poisson_reconstruction_function::compute_implicit_function()` and `Mean_curvature_flow_skeletonization`.
+With `double`, the class replaces `Eigen_solver_traits` in the algorithms of \cgal: the parameterizers of surface
+meshes, `Surface_mesh_deformation`, `Heat_method_3::Surface_mesh_geodesic_distances_3`,
+`Polygon_mesh_processing::fair()`, `Poisson_reconstruction_function::compute_implicit_function()` and
+`Mean_curvature_flow_skeletonization`.
 
 \tparam FT the number type, `double` or `float`
 
@@ -186,7 +185,10 @@ public:
         FT sign = 1;
         if(!internal::superlu_is_well_formed(a))
           return false;
-        analyze(a, internal::superlu_may_be_definite(a, sign));
+        if(internal::superlu_may_be_definite(a, sign))
+          analyze(a, true);
+        else
+          analyze(with_diagonal(a), false);
         return true;
       });
     } catch(const std::bad_alloc&) {
@@ -273,7 +275,7 @@ public:
 
   /// returns whether memory ran out in the last call of `factor()`, or in a call of `linear_solver()` after it, which
   /// then returned `false`.
-  bool lacks_memory() const { return m_lacks_memory.get(); }
+  bool lacks_memory() const { return m_lacks_memory.value; }
 
   /// returns whether the last call of `factor()` could use the ordering of an earlier one.
   bool ordering_reused() const { return m_ordering_reused; }
@@ -288,12 +290,12 @@ private:
     m_factorization.reset();
     m_transposed.reset();
     m_ordering_reused = false;
-    m_lacks_memory.set(false);
+    m_lacks_memory.value = false;
     try {
       if(factor())
         return true;
     } catch(const std::bad_alloc&) {
-      m_lacks_memory.set(true);
+      m_lacks_memory.value = true;
     }
     m_factorization.reset();
     m_transposed.reset();
@@ -314,6 +316,16 @@ private:
                                   : function(a);
   }
 
+  // SuperLU writes outside of its arrays if the rows and columns cannot be matched along stored entries. On the
+  // diagonal they can, also if the entries there are zero.
+  static Columns with_diagonal(const Columns& a)
+  {
+    Columns zero(a.rows(), a.cols());
+    zero.setIdentity();
+    zero.coeffs().setZero();
+    return a + zero;
+  }
+
   bool factor_columns(const Columns& a)
   {
     if(!internal::superlu_is_well_formed(a))
@@ -327,8 +339,8 @@ private:
     if(m_options.check == SuperLU_options::PIVOTS)
       return false;
     const int max_entries = 500000000; // COLAMD's workspace and the graph of A'A are indexed by int
-    return a.nonZeros() <= max_entries && internal::SuperLU_matching(a).is_perfect() &&
-           factor_columns(a, false, sign) == Factorization::FACTORED;
+    return a.nonZeros() <= max_entries &&
+           factor_columns(with_diagonal(a), false, sign) == Factorization::FACTORED;
   }
 
   typename Factorization::Result factor_columns(const Columns& a, bool symmetric, FT sign)
@@ -368,7 +380,7 @@ private:
       }
       return true;
     } catch(const std::bad_alloc&) {
-      m_lacks_memory.set(true);
+      m_lacks_memory.value = true;
       return false;
     }
   }
@@ -379,7 +391,20 @@ private:
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   std::shared_ptr<Spare_memory> m_memory;      // shared with copies
   bool m_ordering_reused = false;
-  internal::SuperLU_flag m_lacks_memory;
+
+  // Solving is a constant operation, which several threads may call.
+  struct Flag
+  {
+    Flag() = default;
+    Flag(const Flag& other) noexcept : value(other.value.load()) {}
+    Flag& operator=(const Flag& other) noexcept
+    {
+      value = other.value.load();
+      return *this;
+    }
+    mutable std::atomic<bool> value{false};
+  };
+  Flag m_lacks_memory;
 };
 
 #ifndef DOXYGEN_RUNNING
@@ -387,20 +412,25 @@ private:
 #endif
 
 template <class FT>
-struct Has_independent_copies<SuperLU_solver_traits<FT>> : std::true_type
-{};
+struct Solver_traits_factory<SuperLU_solver_traits<FT>>
+{
+  static constexpr bool keeps_matrix = false;
+  static SuperLU_solver_traits<FT> create(const SuperLU_solver_traits<FT>& traits) { return traits; }
+};
 
 #ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
-template <class FT>
-struct Has_independent_copies<internal::SuperLU_preconditioner<FT>> : std::true_type
-{};
-
 template <>
 struct Low_precision_solver_traits<SuperLU_solver_traits<double>>
 {
-  typedef internal::SuperLU_preconditioner<float> type;
+  typedef SuperLU_solver_traits<float> type;
 
-  static type create(const SuperLU_solver_traits<double>& traits) { return type(traits.options()); }
+  static type create(const SuperLU_solver_traits<double>& traits)
+  {
+    SuperLU_options options = traits.options();
+    options.check = SuperLU_options::PIVOTS;
+    options.keep_memory = true;
+    return type(options);
+  }
 };
 #endif
 

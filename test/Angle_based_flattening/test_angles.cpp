@@ -14,7 +14,7 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/definite_system.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -28,10 +28,6 @@ namespace test_angles {
 struct Double_solver : CGAL::SuperLU_solver_traits<>
 {};
 } // namespace test_angles
-
-template <>
-struct CGAL::Has_independent_copies<test_angles::Double_solver> : std::true_type
-{};
 
 BOOST_AUTO_TEST_SUITE(test_angles)
 
@@ -538,22 +534,19 @@ BOOST_AUTO_TEST_CASE(blocks_are_multiplied_and_taken_apart)
   blocks.multiply(x, y);
   BOOST_TEST((y - whole * x).cwiseAbs().maxCoeff() < 1e-10);
 
-  const Matrix parts = abf::eigen_matrix<double>(abf::Diagonal_parts<2>{blocks}),
-               second = abf::eigen_matrix<float>(abf::Diagonal_parts<2>{blocks, 1, 2}).cast<double>();
+  const Matrix first = abf::eigen_matrix<double>(abf::Diagonal_part<2>{blocks, 0}),
+               second = abf::eigen_matrix<float>(abf::Diagonal_part<2>{blocks, 1}).cast<double>();
   for(int i = 0; i < 50; ++i)
     for(int j = 0; j < 50; ++j) {
-      BOOST_TEST(whole(2 * i, 2 * j) == parts(i, j));
-      BOOST_TEST(whole(2 * i + 1, 2 * j + 1) == parts(50 + i, 50 + j));
-      BOOST_TEST(second(i, j) == parts(50 + i, 50 + j));
-      BOOST_TEST(parts(i, 50 + j) == 0);
+      BOOST_TEST(whole(2 * i, 2 * j) == first(i, j));
+      BOOST_TEST(whole(2 * i + 1, 2 * j + 1) == second(i, j));
     }
 }
 
 BOOST_AUTO_TEST_CASE(preconditioner_inverts_both_diagonal_blocks)
 {
-  abf::Block_preconditioner preconditioner{Double_solver()};
-  preconditioner.analyze_pattern(chain(40, 1, 0));
-  BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0.3)));
+  abf::Newton_preconditioner preconditioner(Double_solver(), 0, chain(40, 1, 0));
+  BOOST_REQUIRE(preconditioner.set_global_matrix(chain(40, 2.5, 0.3)));
   const Vector b = random_vector(80, 4);
   Vector x;
   BOOST_REQUIRE(preconditioner.solve(b, x));
@@ -599,9 +592,8 @@ BOOST_AUTO_TEST_CASE(solves_near_strongly_coupled_blocks)
   BOOST_TEST(std::count(is_near.begin(), is_near.end(), true) > 0);
   BOOST_TEST(4 * std::count(is_near.begin(), is_near.end(), true) <= matrix.columns_of_blocks());
 
-  abf::Block_preconditioner scalar{Solver()};
-  scalar.analyze_pattern(matrix);
-  BOOST_REQUIRE(scalar.set_matrix(matrix));
+  abf::Newton_preconditioner scalar(Solver(), 0, matrix);
+  BOOST_REQUIRE(scalar.set_global_matrix(matrix));
   Vector x;
   const abf::Iterative_accuracy accuracy{1e-8};
   const int without =
@@ -660,30 +652,24 @@ double relative_residual(const abf::Block_matrix<1>& matrix, const Vector& x, co
   return (product(matrix, x) - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-// The solver that `Solver` uses for preconditioners
-abf::Preconditioning_system preconditioning_system()
-{
-  return {Solver(), abf::Linear_solvers(Solver())->low_precision()};
-}
-
 #ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
 BOOST_AUTO_TEST_CASE(single_precision_serves_to_precondition)
 {
   const Vector b = random_vector(300, 5);
   Vector x;
-  auto system = preconditioning_system();
+  const auto system = abf::Linear_solvers(Solver())->low_precision();
   const auto regular = laplacian(300, 0.1);
   for(double scale : {1., 1e-60}) {
-    BOOST_REQUIRE(system.set_matrix(regular));
-    BOOST_REQUIRE(system.solve(scale * b, x));
-    BOOST_TEST(!system.is_repeated());
+    BOOST_REQUIRE(system->set_matrix(regular));
+    BOOST_REQUIRE(system->solve(scale * b, x));
+    BOOST_TEST(!system->is_repeated());
     BOOST_TEST(relative_residual(regular, x, scale * b) < 1e-4);
     BOOST_TEST(relative_residual(regular, x, scale * b) > 1e-12);
   }
   const auto singular_as_float = laplacian(300, 1e-9);
-  BOOST_REQUIRE(system.set_matrix(singular_as_float));
-  BOOST_REQUIRE(system.solve(b, x));
-  BOOST_TEST(system.is_repeated());
+  BOOST_REQUIRE(system->set_matrix(singular_as_float));
+  BOOST_REQUIRE(system->solve(b, x));
+  BOOST_TEST(system->is_repeated());
   BOOST_TEST(relative_residual(singular_as_float, x, b) < 1e-6);
 }
 
@@ -707,31 +693,27 @@ BOOST_AUTO_TEST_CASE(report_what_single_precision_is_not_enough_for)
 
 BOOST_AUTO_TEST_CASE(single_precision_is_refined_or_given_up)
 {
-  const auto definite_system = [] {
-    return abf::Definite_system(Solver(), abf::Linear_solvers(Solver())->low_precision());
-  };
+  const auto solver = abf::Linear_solvers(Solver())->low_precision();
   const abf::Two_vectors b = {random_vector(300, 5), random_vector(300, 6)};
   for(double identity : {0.1, 1e-9}) {
     const auto matrix = laplacian(300, identity);
     abf::Two_vectors x;
-    auto system = definite_system();
-    BOOST_REQUIRE(system.solve(matrix, b, x));
-    BOOST_TEST(system.is_repeated() == (identity != 0.1));
+    BOOST_REQUIRE(abf::solve_definite(matrix, *solver, b, x));
+    BOOST_TEST(solver->is_repeated() == (identity != 0.1));
     for(int k : {0, 1})
       BOOST_TEST(relative_residual(matrix, x[k], b[k]) < (identity == 0.1 ? 1e-14 : 1e-6));
   }
   abf::Two_vectors x;
   auto zero = laplacian(300, 1);
   std::fill(zero.block.begin(), zero.block.end(), abf::Block_matrix<1>::Block::zero());
-  BOOST_TEST(!definite_system().solve(zero, b, x));
+  BOOST_TEST(!abf::solve_definite(zero, *solver, b, x));
 }
 #endif
 
 BOOST_AUTO_TEST_CASE(solve_definite_systems_and_refuse_others)
 {
-  abf::Block_preconditioner preconditioner{Double_solver()};
-  preconditioner.analyze_pattern(chain(40, 2.5, 0));
-  BOOST_REQUIRE(preconditioner.set_matrix(chain(40, 2.5, 0)));
+  abf::Newton_preconditioner preconditioner(Double_solver(), 0, chain(40, 2.5, 0));
+  BOOST_REQUIRE(preconditioner.set_global_matrix(chain(40, 2.5, 0)));
   const Vector b = random_vector(80, 4);
   Vector x;
   const auto definite = chain(40, 2.5, 0.1), indefinite = chain(40, 2.5, 3);

@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(simplicial_LDLT)
       test_meshes::bump<Surface_mesh>(16));
 }
 
-// Copies of these traits share their factors: one object cannot precondition near holes and elsewhere.
+// Copies of these traits share their factors, but each matrix has a solver of its own.
 BOOST_AUTO_TEST_CASE(simplicial_LDLT_with_a_hole)
 {
   Surface_mesh mesh = test_meshes::bump<Surface_mesh>(16);

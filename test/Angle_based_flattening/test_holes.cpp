@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(layout_has_the_angles_that_were_found)
       abf::solve_angles(chart, beta, options, Solver(), abf::starting_angles(beta));
   BOOST_REQUIRE(solution.converged);
   const auto layout =
-      abf::exact_layout(chart, solution.alpha, Solver(), abf::Linear_solvers(Solver())->low_precision());
+      abf::exact_layout(chart, solution.alpha, *abf::Linear_solvers(Solver())->low_precision());
   BOOST_REQUIRE(layout.has_value());
   BOOST_TEST(layout->closure < 1e-11);
   for(int c = 0; c < chart.number_of_corners(); ++c)

@@ -41,6 +41,7 @@ int main(int argc, char* argv[])
       "measure cones FILE [--cones N] [--repeat N]\n"
       "measure rectangle FILE [--repeat N]\n"
       "measure solve SOLVER FILE full|block\n"
+      "measure scalar-blocks FILE [--repeat N]\n"
       "measure algorithm heat|fairing|deformation superlu|eigen FILE\n"
       "measure layouts FILE TOLERANCE\n"
       "measure sweep FILE direct|hierarchical [--first-run N]\n"
@@ -106,6 +107,8 @@ int main(int argc, char* argv[])
       rectangle(words[1], control_choice, m);
     } else if(is("solve", 3)) {
       solve(words[1], words[2], words[3], m);
+    } else if(is("scalar-blocks", 1)) {
+      scalar_blocks(words[1], control_choice.repeat, m);
     } else if(is("algorithm", 3)) {
       algorithm(words[1], words[2], words[3], m);
     } else if(is("layouts", 2)) {

@@ -93,6 +93,10 @@ void rectangle(const std::string& file, const Control_choice& choice, Measuremen
 // Runs a linear solver on the matrix of the first Newton step: `full`, or the `block` of planarity.
 void solve(const std::string& solver, const std::string& file, const std::string& matrix, Measurement& m);
 
+// Factors both scalar blocks of that matrix with SuperLU and with Eigen, in turn, in single precision, and solves with
+// them. Times are the least ones of several rounds.
+void scalar_blocks(const std::string& file, int repeat, Measurement& m);
+
 // Runs an algorithm of CGAL (`heat`, `fairing` or `deformation`) with `superlu`, or with `eigen`, its default solver.
 // Reports the largest and the mean distance: from a vertex, or by which vertices moved.
 void algorithm(const std::string& name, const std::string& solver, const std::string& file, Measurement& m);

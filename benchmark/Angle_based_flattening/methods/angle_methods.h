@@ -11,7 +11,7 @@
 #include "Lagrangian.h"
 #include "greedy_unfolding.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 
 #include <unsupported/Eigen/IterativeSolvers>
 

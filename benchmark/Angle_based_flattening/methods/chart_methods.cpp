@@ -55,8 +55,7 @@ void lay_out(const std::string& file, const double tolerance, Measurement& m)
   if(!Paper_ABF_plus_plus{tolerance}.solve_angles(chart, alpha, report))
     return m.fail("the angles were not found: " + report.failure);
   const auto least_squares = abf::Least_squares_layout(chart, alpha).solve(Solver());
-  const auto exact =
-      abf::exact_layout(chart, alpha, Solver(), abf::Linear_solvers(Solver())->low_precision());
+  const auto exact = abf::exact_layout(chart, alpha, *abf::Linear_solvers(Solver())->low_precision());
   if(!least_squares || !exact)
     return m.fail("the linear system of a layout was not solved");
 

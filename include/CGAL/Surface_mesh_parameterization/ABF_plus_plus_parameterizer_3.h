@@ -56,9 +56,9 @@ namespace Surface_mesh_parameterization {
 ///
 /// \tparam SolverTraits_ must be a model of `SparseLinearAlgebraTraits_d` with a field number type. If it models
 /// `SparseLinearAlgebraWithFactorTraits_d`, its factorizations are reused. The matrices are symmetric positive
-/// definite. Copies of the given object factor them. If the factors only precondition conjugate gradients, the
-/// counterpart of lower precision, `Low_precision_solver_traits<SolverTraits_>`, factors them. If
-/// `Has_independent_copies<SolverTraits_>` is true, two matrices are factored at once.<br>
+/// definite. Each is factored by a solver that `Solver_traits_factory<SolverTraits_>` makes of the given object. If the
+/// factors only precondition conjugate gradients, the counterpart of lower precision,
+/// `Low_precision_solver_traits<SolverTraits_>`, factors them.<br>
 ///         <b>%Default:</b> `CGAL::SuperLU_solver_traits<>`, which needs SuperLU
 ///
 /// Each copy of a parameterizer has a report of its own. Several copies can flatten several charts at once.

@@ -11,7 +11,7 @@
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ANALYSIS_H
 
 #include <CGAL/Solver_interface/internal/SuperLU_elimination_tree.h>
-#include <CGAL/Solver_interface/internal/SuperLU_input.h>
+#include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
 
 #include <Eigen/OrderingMethods>
 
@@ -105,13 +105,13 @@ private:
   void build_row_graph(const SuperLU_pattern& a, std::vector<int>& begin, std::vector<int>& neighbor) const
   {
     std::vector<int> first(m_n, -1);
-    for_each_entry(a, [&](int row, int column) {
+    a.for_each_entry([&](int row, int column) {
       if(first[row] < 0 || m_permutation[column] < m_permutation[first[row]])
         first[row] = column;
     });
 
     begin.assign(m_n + 1, 0);
-    for_each_entry(a, [&](int row, int column) {
+    a.for_each_entry([&](int row, int column) {
       if(column != first[row]) {
         ++begin[column + 1];
         ++begin[first[row] + 1];
@@ -122,29 +122,12 @@ private:
 
     neighbor.resize(begin[m_n]);
     std::vector<int> end(begin.begin(), begin.end() - 1);
-    for_each_entry(a, [&](int row, int column) {
+    a.for_each_entry([&](int row, int column) {
       if(column != first[row]) {
         neighbor[end[column]++] = first[row];
         neighbor[end[first[row]]++] = column;
       }
     });
-  }
-
-  template <class Function>
-  static void for_each_entry(const SuperLU_pattern& a, const Function& function)
-  {
-    for(int column = 0; column < a.size; ++column) {
-      for(int k = a.outer[column]; k < a.outer[column + 1]; ++k)
-        function(a.inner[k], column);
-    }
-  }
-
-  // The root of the relaxed subtree that begins with the leaf `j`
-  int relaxed_root(const SuperLU_elimination_tree& tree, int j) const
-  {
-    while(tree.parent(j) < m_n && tree.subtree_size(tree.parent(j)) <= m_relax)
-      j = tree.parent(j);
-    return j;
   }
 
   void put_relaxed_subtrees_first(const SuperLU_elimination_tree& tree, int max_supernode)
@@ -157,13 +140,16 @@ private:
         others.push_back(j);
         continue;
       }
-      const int root = relaxed_root(tree, j), width = root - j + 1;
+      int root = j; // of the relaxed subtree that begins with the leaf `j`
+      while(tree.parent(root) < m_n && tree.subtree_size(tree.parent(root)) <= m_relax)
+        root = tree.parent(root);
+      const int width = root - j + 1;
       const std::size_t height = width - 1 + tree.column_count(root);
       m_factor_size += width * height;
       m_subscripts += width == 1 ? height : 2 * height; // SuperLU keeps a copy to find later fill-in
-      for(; j < root; ++j)
-        in_order.push_back(j);
-      in_order.push_back(root);
+      for(int i = j; i <= root; ++i)
+        in_order.push_back(i);
+      j = root;
     }
     m_relaxed_subscripts = m_subscripts;
     count_other_supernodes(tree, others, max_supernode);

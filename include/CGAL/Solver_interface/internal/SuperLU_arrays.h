@@ -3,14 +3,16 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The arrays of SuperLU's factors, which one factorization after the other can fill. `SuperLU_factors.h` passes them to
-// SuperLU.
+// The arrays of SuperLU's factors, which one factorization after the other can fill, and substitution with the lower
+// factor alone. `SuperLU_factors.h` passes the arrays to SuperLU.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ARRAYS_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_ARRAYS_H
 
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_interface/internal/SuperLU_headers.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -65,7 +67,20 @@ private:
   std::size_t m_size = 0;
 };
 
-// The lower factor
+// Consecutive columns of L with the same pattern: a dense trapezoid, with the entries of U on its diagonal, and those
+// of the unit triangle of L below it.
+template <class FT>
+struct Supernode
+{
+  int first, columns, rows;
+  const int* below; // the numbers of the rows below the triangle
+  const FT* values;
+
+  const FT* column(int j) const { return values + std::ptrdiff_t(j) * rows; }
+};
+
+// The lower factor. If the matrix is symmetric and the pivots are on the diagonal, it is enough to solve: with the
+// pivots as D, the matrix is L D L'.
 template <class FT>
 struct SuperLU_lower_arrays
 {
@@ -107,6 +122,69 @@ struct SuperLU_lower_arrays
     row.set(growing.lsub, growing.nzlmax);
     value.set(static_cast<FT*>(growing.lusup), growing.nzlumax);
   }
+
+  int number_of_supernodes(int size) const { return supernode_of_column.data()[size - 1] + 1; }
+
+  Supernode<FT> supernode(int s) const
+  {
+    const int first = first_column.data()[s], columns = first_column.data()[s + 1] - first;
+    const int begin = row_begin.data()[first], end = row_begin.data()[first + 1];
+    return {first, columns, end - begin, row.data() + begin + columns,
+            value.data() + value_begin.data()[first]};
+  }
+
+  // The entry of U on the diagonal of a column
+  FT pivot(int column) const
+  {
+    const int first = first_column.data()[supernode_of_column.data()[column]];
+    return value.data()[value_begin.data()[column] + (column - first)];
+  }
+
+  // Replaces `x` by the solution with L D L', in the order of the pivots. There must be memory for as many numbers in
+  // `rows`. Most supernodes are too small for calls of the BLAS.
+  void solve(int size, FT* x, FT* rows) const
+  {
+    const int number = number_of_supernodes(size);
+    for(int s = 0; s < number; ++s)
+      forward(supernode(s), x, rows);
+    for(int s = number - 1; s >= 0; --s)
+      divide_and_go_backward(supernode(s), x, rows);
+  }
+
+private:
+  static void forward(const Supernode<FT>& node, FT* x, FT* sums)
+  {
+    FT* top = x + node.first;
+    if(std::all_of(top, top + node.columns,
+                   [](FT value) { return value == 0; })) // as most are of a unit vector
+      return;
+    const int below = node.rows - node.columns;
+    std::fill(sums, sums + below, FT(0));
+    for(int j = 0; j < node.columns; ++j) {
+      const FT* column = node.column(j);
+      const FT value = top[j];
+      for(int i = j + 1; i < node.columns; ++i)
+        top[i] -= column[i] * value;
+      for(int i = 0; i < below; ++i)
+        sums[i] += column[node.columns + i] * value;
+    }
+    for(int i = 0; i < below; ++i)
+      x[node.below[i]] -= sums[i];
+  }
+
+  static void divide_and_go_backward(const Supernode<FT>& node, FT* x, FT* values)
+  {
+    for(int j = 0; j < node.columns; ++j)
+      values[j] = x[node.first + j] / node.column(j)[j];
+    for(int i = node.columns; i < node.rows; ++i)
+      values[i] = x[node.below[i - node.columns]];
+    for(int j = node.columns - 1; j >= 0; --j) {
+      typedef Eigen::Map<const Eigen::Matrix<FT, Eigen::Dynamic, 1>> Column;
+      const int below = node.rows - j - 1;
+      values[j] -= Column(node.column(j) + j + 1, below).dot(Column(values + j + 1, below));
+    }
+    std::copy(values, values + node.columns, x + node.first);
+  }
 };
 
 // The upper factor, and what else only a factorization needs
@@ -122,17 +200,6 @@ struct SuperLU_upper_arrays
     begin.reserve(columns + 1);
     row.reserve(values);
     value.reserve(values);
-  }
-
-  // Sets where the columns of a matrix are, in another order.
-  void set_columns(const int* outer, const std::vector<int>& position)
-  {
-    column_begin.resize(position.size());
-    column_end.resize(position.size());
-    for(std::size_t j = 0; j < position.size(); ++j) {
-      column_begin[position[j]] = outer[j];
-      column_end[position[j]] = outer[j + 1];
-    }
   }
 
   superlu::NCformat pass(superlu::GlobalLU_t& growing) const

@@ -39,8 +39,6 @@ public:
     compute_column_counts(position);
   }
 
-  int size() const { return m_n; }
-
   // The parent of node j; `size()` if j is a root.
   int parent(int j) const { return m_parent[j]; }
 
@@ -83,26 +81,23 @@ private:
   void compute_subtree_sizes()
   {
     m_size_of_subtree.assign(m_n, 1);
-    for(int j = 0; j < m_n; ++j) {
+    for(int j = 0; j < m_n; ++j)
       if(m_parent[j] < m_n)
         m_size_of_subtree[m_parent[j]] += m_size_of_subtree[j];
-    }
   }
 
   // Numbers are assigned in descending order, parents before children.
   void postorder(std::vector<int>& position)
   {
-    std::vector<int> post(m_n), last(m_n + 1);
+    std::vector<int> post(m_n + 1), last(m_n + 1), parent(m_n), size(m_n);
+    post[m_n] = m_n;
     last[m_n] = m_n - 1;
     for(int j = m_n - 1; j >= 0; --j) {
-      post[j] = last[m_parent[j]];
-      last[m_parent[j]] -= m_size_of_subtree[j];
-      last[j] = post[j] - 1;
-    }
-
-    std::vector<int> parent(m_n), size(m_n);
-    for(int j = 0; j < m_n; ++j) {
-      parent[post[j]] = m_parent[j] == m_n ? m_n : post[m_parent[j]];
+      int& last_of_parent = last[m_parent[j]];
+      post[j] = last_of_parent;
+      last[j] = last_of_parent - 1;
+      last_of_parent -= m_size_of_subtree[j];
+      parent[post[j]] = post[m_parent[j]];
       size[post[j]] = m_size_of_subtree[j];
     }
     m_parent.swap(parent);
@@ -139,10 +134,9 @@ private:
       if(m_parent[j] < m_n)
         ancestor[j] = m_parent[j];
     }
-    for(int j = 0; j < m_n; ++j) {
+    for(int j = 0; j < m_n; ++j)
       if(m_parent[j] < m_n)
         m_count[m_parent[j]] += m_count[j];
-    }
   }
 
   static int root_of(int i, std::vector<int>& ancestor)

@@ -11,10 +11,8 @@
 
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
-#include <CGAL/Solver_interface/internal/SuperLU_input.h>
-#include <CGAL/Solver_interface/internal/SuperLU_pivots.h>
+#include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
 #include <CGAL/Solver_interface/internal/SuperLU_scaling.h>
-#include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
 #include <CGAL/SuperLU_options.h>
 
 #include <Eigen/Core>
@@ -25,7 +23,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace internal {
@@ -38,7 +35,7 @@ template <class FT>
 class SuperLU_factorization
 {
   typedef SuperLU_matrix<FT> Columns;
-  typedef std::vector<FT> Vector;
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
   typedef SuperLU_tolerances<FT> Tolerances;
 
 public:
@@ -66,18 +63,18 @@ public:
   // in symmetric mode.
   Result factor(const Columns& a, FT sign)
   {
-    if(m_options.check == SuperLU_options::PIVOTS)
-      return superlu_factor_by_pivots(m_factors, a, m_options, sign) ? FACTORED : NOT_DEFINITE;
-    return is_symmetric() ? factor_definite(a, sign) : factor_scaled(a);
+    if(!is_symmetric())
+      return factor_scaled(a);
+    return m_options.check == SuperLU_options::PIVOTS ? factor_by_pivots(a, sign) : factor_definite(a, sign);
   }
 
   // Replaces the columns of `b` by the solutions. Returns `false` if they are not finite or not accurate.
   bool solve(Block b) const
   {
-    m_scaling.scale_rows(b);
+    SuperLU_scaling::scale(b, m_scaling.row);
     if(!solve_scaled(b))
       return false;
-    m_scaling.scale_columns(b);
+    SuperLU_scaling::scale(b, m_scaling.column);
     return superlu_largest(b.data(), b.size()) < infinity;
   }
 
@@ -86,21 +83,29 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr int refinement_steps = 5;
 
+  // Keeps the lower factor of a matrix that its pivots tell to be definite.
+  Result factor_by_pivots(const Columns& a, FT sign)
+  {
+    // smaller pivots may be rounding errors, so their sign means nothing
+    if(!m_factors.factor(a, m_options) || !m_factors.pivots_have_sign(sign) ||
+       !(least_pivot_by_diagonal(a) > 16 * precision))
+      return NOT_DEFINITE;
+    m_factors.keep_lower_factor_only();
+    return FACTORED;
+  }
+
+  // A matrix that may differ from a singular one by rounding errors only has a small eigenvalue, and so a small pivot.
   Result factor_definite(const Columns& a, FT sign)
   {
     if(!m_factors.factor(a, m_options))
       return NOT_DEFINITE;
-    const bool definite = superlu_pivots_have_sign(m_factors, sign);
-    if constexpr(Tolerances::pivots_show_singularity) {
-      if(has_suspicious_pivot(a) && is_ill_conditioned(a))
-        return FAILED;
-    }
+    const bool definite = m_factors.pivots_have_sign(sign);
+    const bool is_suspicious =
+        !Tolerances::pivots_show_singularity || !(least_pivot_by_diagonal(a) > Tolerances::suspicious_pivot);
     if(definite)
       m_factors.keep_lower_factor_only();
-    if constexpr(!Tolerances::pivots_show_singularity) {
-      if(!(least_scaled_eigenvalue(a) > precision))
-        return FAILED;
-    }
+    if(is_suspicious && !(least_scaled_eigenvalue(a) > precision))
+      return FAILED;
     return definite && is_accurate(a) ? FACTORED : NOT_DEFINITE;
   }
 
@@ -108,46 +113,25 @@ private:
   {
     Columns scaled = a;
     m_scaling.equilibrate(scaled);
-    const FT significant = 64 * precision;
+    const auto one = [](int) { return FT(1); };
     const bool good = m_scaling.keeps_digits(a) && m_factors.factor(scaled, m_options) &&
-                      superlu_least_relative_pivot(m_factors, [](int) { return FT(1); }) > significant &&
+                      m_factors.least_relative_pivot(one) > 64 * precision &&
                       (Tolerances::pivots_show_singularity || !is_ill_conditioned(scaled)) &&
                       is_accurate(scaled);
     return good ? FACTORED : FAILED;
   }
 
-  // Whether a symmetric matrix may differ from a singular one by rounding errors only. A singular matrix has a pivot
-  // that consists of rounding errors, so the condition number is estimated only if a pivot is small.
-  bool has_suspicious_pivot(const Columns& a) const
+  FT least_pivot_by_diagonal(const Columns& a) const
   {
-    return !(superlu_least_relative_pivot(m_factors, a) > Tolerances::suspicious_pivot);
+    return m_factors.least_relative_pivot([&](int i) { return superlu_absolute_diagonal(a, i); });
   }
 
   bool is_ill_conditioned(const Columns& a) const
   {
     FT norm = 0;
-    for(int j = 0; j < a.cols(); ++j) {
-      FT sum = 0;
-      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
-        sum += std::abs(a.valuePtr()[k]);
-      norm = (std::max)(norm, sum);
-    }
+    for(int j = 0; j < a.cols(); ++j)
+      norm = (std::max)(norm, a.col(j).cwiseAbs().sum());
     return !(m_factors.reciprocal_condition(norm) > precision);
-  }
-
-  static double largest(const Vector& x)
-  {
-    return superlu_largest(x.data(), static_cast<std::ptrdiff_t>(x.size()));
-  }
-
-  // Squares must not leave the range of the numbers.
-  static FT norm(const Vector& x)
-  {
-    const double scale = largest(x);
-    double sum = 0;
-    for(FT value : x)
-      sum += (value / scale) * (value / scale);
-    return static_cast<FT>(scale > 0 && std::isfinite(scale) ? scale * std::sqrt(sum) : scale);
   }
 
   // The least absolute eigenvalue of the factored symmetric matrix, scaled to a unit diagonal; 0 if it is NaN.
@@ -157,16 +141,15 @@ private:
   {
     Vector root(size()), x = test_vector();
     for(int i = 0; i < size(); ++i)
-      x[i] *= root[i] = std::sqrt(superlu_absolute_diagonal(a, i));
-    FT growth = norm(x);
+      root[i] = std::sqrt(superlu_absolute_diagonal(a, i));
+    x.array() *= root.array();
+    FT growth = x.stableNorm();
     for(int step = 0; step < 3; ++step) {
-      for(int i = 0; i < size(); ++i)
-        x[i] = x[i] / growth * root[i];
+      x.array() = x.array() / growth * root.array();
       if(!solve_with_factors(x))
         return 0;
-      for(int i = 0; i < size(); ++i)
-        x[i] *= root[i];
-      growth = norm(x);
+      x.array() *= root.array();
+      growth = x.stableNorm();
       if(!std::isfinite(growth) || growth == 0)
         return 0;
     }
@@ -176,18 +159,14 @@ private:
   // Not constant, and not orthogonal to a constant vector, which Laplacians nearly map to zero
   Vector test_vector() const
   {
-    Vector x(size());
-    for(int i = 0; i < size(); ++i)
-      x[i] = static_cast<FT>(1. + (i % 7) / 7.);
-    return x;
+    return Vector::NullaryExpr(size(), [](Eigen::Index i) { return static_cast<FT>(1. + (i % 7) / 7.); });
   }
 
   // Solves one system to find out whether solutions need refinement. If they do, keeps the matrix.
   bool is_accurate(const Columns& a)
   {
-    Vector b(size(), FT(0)), x = test_vector();
-    add_product(a, FT(1), x, b);
-    x = b;
+    const Vector b = a * test_vector();
+    Vector x = b;
     if(!solve_with_factors(x))
       return false;
     if(residual(a, b, x) <= Tolerances::good_residual)
@@ -196,48 +175,29 @@ private:
     return refine(b, x);
   }
 
-  bool solve_with_factors(Vector& x) const
-  {
-    return m_factors.solve(Block(x.data(), static_cast<Eigen::Index>(x.size()), 1));
-  }
+  bool solve_with_factors(Vector& x) const { return m_factors.solve(Block(x.data(), x.size(), 1)); }
 
   bool solve_scaled(Block b) const
   {
     if(m_matrix == nullptr)
       return m_factors.solve(b);
-    const Vector right_sides(b.data(), b.data() + b.size());
-    if(!m_factors.solve(b))
-      return false;
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
-      FT* const begin = b.data() + k * size();
-      const auto right_side = right_sides.begin() + k * size();
-      Vector x(begin, begin + size());
-      if(!refine(Vector(right_side, right_side + size()), x))
+      const Vector right_side = b.col(k);
+      Vector x = right_side;
+      if(!solve_with_factors(x) || !refine(right_side, x))
         return false;
-      std::copy(x.begin(), x.end(), begin);
+      b.col(k) = x;
     }
     return true;
-  }
-
-  // Adds the product of the matrix and `factor * x` to `sum`.
-  static void add_product(const Columns& a, FT factor, const Vector& x, Vector& sum)
-  {
-    for(int j = 0; j < a.cols(); ++j)
-      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
-        sum[a.innerIndexPtr()[k]] += a.valuePtr()[k] * (factor * x[j]);
   }
 
   // The backward error of the solution in the maximum norm; infinity instead of NaN. For badly scaled matrices, the
   // product of norms exceeds the range of float.
   static double residual(const Columns& a, const Vector& b, const Vector& x)
   {
-    Vector defect(b.size(), FT(0)), row_sums(b.size(), FT(0));
-    add_product(a, FT(1), x, defect);
-    for(std::size_t i = 0; i < b.size(); ++i)
-      defect[i] -= b[i];
-    for(Eigen::Index k = 0; k < a.nonZeros(); ++k)
-      row_sums[a.innerIndexPtr()[k]] += std::abs(a.valuePtr()[k]);
-    const double error = largest(defect), scale = largest(row_sums) * largest(x) + largest(b);
+    const auto largest = [](const Vector& vector) { return superlu_largest(vector.data(), vector.size()); };
+    const double error = largest(a * x - b),
+                 scale = largest(a.cwiseAbs() * Vector::Ones(a.cols())) * largest(x) + largest(b);
     if(!std::isfinite(error) || !std::isfinite(scale))
       return infinity;
     return scale > 0 ? error / scale : 0.;
@@ -248,12 +208,10 @@ private:
     double error = residual(*m_matrix, b, x);
     for(int step = 0; step < refinement_steps && error > Tolerances::good_residual && std::isfinite(error);
         ++step) {
-      Vector candidate = b;
-      add_product(*m_matrix, FT(-1), x, candidate);
+      Vector candidate = b - *m_matrix * x;
       if(!solve_with_factors(candidate))
         return false;
-      for(std::size_t i = 0; i < x.size(); ++i)
-        candidate[i] += x[i];
+      candidate += x;
       const double candidate_error = residual(*m_matrix, b, candidate);
       if(!(candidate_error < error))
         break;

@@ -12,9 +12,8 @@
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_arrays.h>
-#include <CGAL/Solver_interface/internal/SuperLU_input.h>
 #include <CGAL/Solver_interface/internal/SuperLU_library.h>
-#include <CGAL/Solver_interface/internal/Supernodal_solution.h>
+#include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
 #include <CGAL/SuperLU_options.h>
 
 #include <Eigen/Core>
@@ -53,10 +52,8 @@ public:
                            std::shared_ptr<Spare_memory> memory = nullptr)
       : m_analysis(analysis), m_is_memory_kept(memory != nullptr && analysis->is_symmetric()),
         m_memory(m_is_memory_kept ? std::move(memory) : std::make_shared<Spare_memory>()),
-        m_lower_arrays(m_memory->lower), m_lower(), m_upper()
-  {
-    m_upper_arrays.emplace(m_memory->upper);
-  }
+        m_lower_arrays(m_memory->lower), m_upper_arrays(std::in_place, m_memory->upper), m_lower(), m_upper()
+  {}
 
   SuperLU_factors(const SuperLU_factors&) = delete;
   SuperLU_factors& operator=(const SuperLU_factors&) = delete;
@@ -95,33 +92,47 @@ public:
       m_lower_arrays->reserve(size(), m_analysis->subscripts() + 1, m_analysis->factor_size());
       upper.reserve(size(), m_analysis->factor_size());
     }
-    m_lower_arrays->row_permutation = m_analysis->permutation(); // pivots on the diagonal
-    upper.set_columns(a.outerIndexPtr(), m_analysis->permutation());
+    const std::vector<int>& position = m_analysis->permutation();
+    m_lower_arrays->row_permutation = position; // pivots on the diagonal
+    upper.column_begin.resize(size());
+    upper.column_end.resize(size());
+    for(int j = 0; j < size(); ++j) {
+      upper.column_begin[position[j]] = a.outerIndexPtr()[j];
+      upper.column_end[position[j]] = a.outerIndexPtr()[j + 1];
+    }
     upper.tree = m_analysis->elimination_tree(); // SuperLU renumbers it temporarily
     const SuperLU_memory memory(bytes - (is_symmetric() ? arrays : 0) + SuperLU_blas_buffer(bytes));
-    if(!memory.is_there())
-      throw std::bad_alloc();
     return call_superlu(a, entries, panel);
   }
 
-  // Whether the pivot of column `i` of the matrix was taken from the diagonal
-  bool is_pivot_diagonal(int i) const { return row_permutation()[i] == m_analysis->permutation()[i]; }
-
-  // The pivot of column `i` of the matrix: an entry of U on the diagonal, which is kept with the supernodes of L
-  FT pivot(int i) const
+  // Whether the matrix is definite, with pivots of this sign. The elimination tree of A + A' and diagonal pivots are
+  // correct only if all pivots are on the diagonal and have the same sign. Elimination is then stable.
+  bool pivots_have_sign(FT sign) const
   {
-    const int j = m_analysis->permutation()[i];
-    const superlu::SCformat& l = m_lower;
-    const int first = l.sup_to_col[l.col_to_sup[j]];
-    return static_cast<const FT*>(l.nzval)[l.nzval_colptr[j] + (j - first)];
+    for(int i = 0; i < size(); ++i)
+      if(m_lower_arrays->row_permutation[i] != m_analysis->permutation()[i] || !(sign * pivot(i) > 0))
+        return false;
+    return true;
+  }
+
+  // The least ratio of a pivot to the `scale` of its column in the matrix, or 0 if a ratio is NaN
+  template <class Scale>
+  FT least_relative_pivot(const Scale& scale) const
+  {
+    FT least = (std::numeric_limits<FT>::max)();
+    for(int i = 0; i < size(); ++i) {
+      const FT ratio = std::abs(pivot(i)) / scale(i);
+      if(!std::isfinite(ratio))
+        return 0;
+      least = (std::min)(least, ratio);
+    }
+    return least;
   }
 
   // An estimate of the reciprocal condition number in the 1-norm, for a matrix of 1-norm `norm`; 0 if unknown
   FT reciprocal_condition(FT norm) const
   {
     const SuperLU_memory memory(4. * size() * sizeof(FT));
-    if(!memory.is_there())
-      throw std::bad_alloc();
     char one_norm[] = "1";
     FT result = 0;
     int info = 0;
@@ -148,14 +159,6 @@ public:
   {
     if(m_upper_arrays)
       return solve_with_both_factors(b);
-    solve_with_lower_factor(b);
-    return true;
-  }
-
-  // The same after `keep_lower_factor_only()`
-  void solve_with_lower_factor(Block b) const
-  {
-    const Supernodal_solution<FT, SuperLU_factors> solution(*this);
     const std::vector<int>& order = m_analysis->permutation();
     const typename Spare_vectors::Loan vectors(m_memory->vectors);
     vectors->resize((std::max)(vectors->size(), 2 * static_cast<std::size_t>(size())));
@@ -164,28 +167,23 @@ public:
       FT* const column = b.data() + k * size();
       for(int i = 0; i < size(); ++i)
         permuted[order[i]] = column[i];
-      solution.solve(permuted, permuted + size());
+      m_lower_arrays->solve(size(), permuted, permuted + size());
       for(int i = 0; i < size(); ++i)
         column[i] = permuted[order[i]];
     }
+    return true;
   }
 
-  // The supernodes of L, with the pivots on their diagonals. (SuperLU's own solution reads both factors.)
-  int number_of_supernodes() const { return m_lower.nsuper + 1; }
-
-  Supernode<FT> supernode(int s) const
-  {
-    const superlu::SCformat& l = m_lower;
-    const int first = l.sup_to_col[s], columns = l.sup_to_col[s + 1] - first;
-    const auto row_begin = l.rowind_colptr[first];
-    return {first, columns, static_cast<int>(l.rowind_colptr[first + 1] - row_begin),
-            l.rowind + row_begin + columns, static_cast<const FT*>(l.nzval) + l.nzval_colptr[first]};
-  }
+  // The supernodes of L
+  int number_of_supernodes() const { return m_lower_arrays->number_of_supernodes(size()); }
+  Supernode<FT> supernode(int s) const { return m_lower_arrays->supernode(s); }
 
 private:
   typedef SuperLU_lower_arrays<FT> Lower_arrays;
   typedef SuperLU_upper_arrays<FT> Upper_arrays;
   typedef Spare_objects<std::vector<FT>> Spare_vectors;
+
+  FT pivot(int i) const { return m_lower_arrays->pivot(m_analysis->permutation()[i]); }
 
   // SuperLU has counters for panels and relaxed supernodes up to the larger of two of its parameters. Its work arrays
   // hold supernodes as wide as the larger of two others.
@@ -282,20 +280,14 @@ private:
       superlu::superlu_free(growing.expanders);
     if(info > n) // that is what SuperLU says if an allocation failed
       throw std::bad_alloc();
-    take_factors(lower, upper);
+    if(!is_symmetric()) { // SuperLU has allocated the stores
+      m_lower = *static_cast<superlu::SCformat*>(lower.Store);
+      m_upper = *static_cast<superlu::NCformat*>(upper.Store);
+      superlu::superlu_free(lower.Store);
+      superlu::superlu_free(upper.Store);
+    }
     m_nonzeros = static_cast<std::size_t>(m_lower.nnz) + m_upper.nnz - n;
     return info == 0;
-  }
-
-  // In symmetric mode, SuperLU has filled the stores; otherwise it has allocated them.
-  void take_factors(superlu::SuperMatrix& lower, superlu::SuperMatrix& upper)
-  {
-    if(is_symmetric())
-      return;
-    m_lower = *static_cast<superlu::SCformat*>(lower.Store);
-    m_upper = *static_cast<superlu::NCformat*>(upper.Store);
-    superlu::superlu_free(lower.Store);
-    superlu::superlu_free(upper.Store);
   }
 
   // SuperLU's interface is not const-correct
@@ -318,14 +310,10 @@ private:
 
   int* column_permutation() const { return const_cast<int*>(m_analysis->permutation().data()); }
 
-  const std::vector<int>& row_permutation() const { return m_lower_arrays->row_permutation; }
-
   bool solve_with_both_factors(Block b) const
   {
     const int n = size();
     const SuperLU_memory memory((static_cast<double>(b.cols()) + 2) * n * sizeof(FT));
-    if(!memory.is_there())
-      throw std::bad_alloc();
     superlu::DNformat store = {n, b.data()};
     superlu::SuperMatrix right_side = {
         superlu::SLU_DN, Functions::number_type, superlu::SLU_GE, n, static_cast<int>(b.cols()), &store};

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// SuperLU's functions by number type, and what calls of them need around: one thread of the BLAS, and memory that is
-// there. `SuperLU_factors.h` makes all its calls through it.
+// What has to be true before a function of SuperLU is called: one thread of OpenBLAS, and memory. `SuperLU_factors.h`
+// calls the functions of either number type.
 
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_LIBRARY_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_LIBRARY_H
@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <limits>
 #include <mutex>
+#include <new>
 
 namespace CGAL {
 namespace internal {
@@ -113,31 +114,28 @@ inline double SuperLU_blas_buffer(double bytes)
   return 1.5e8;
 }
 
-// Memory that a call of SuperLU is going to allocate. To find out whether it is available, it is allocated and freed,
-// together with the memory for other calls that have not returned yet. Several threads may call SuperLU at the same
-// time, and it is unknown how much they have already allocated.
+// Memory that a call of SuperLU is going to allocate while this object lives. To find out whether it is available, it
+// is allocated and freed, together with the memory for other calls that have not returned yet. Several threads may
+// call SuperLU at the same time, and it is unknown how much they have already allocated.
 class SuperLU_memory
 {
 public:
   explicit SuperLU_memory(double bytes) : m_bytes(std::ceil(bytes)) // sums of integers are exact
   {
     const std::lock_guard<std::mutex> lock(mutex());
-    m_is_there = can_allocate(promised() + m_bytes);
-    if(m_is_there)
-      promised() += m_bytes;
+    if(!can_allocate(promised() + m_bytes))
+      throw std::bad_alloc();
+    promised() += m_bytes;
   }
 
   ~SuperLU_memory()
   {
     const std::lock_guard<std::mutex> lock(mutex());
-    if(m_is_there)
-      promised() -= m_bytes;
+    promised() -= m_bytes;
   }
 
   SuperLU_memory(const SuperLU_memory&) = delete;
   SuperLU_memory& operator=(const SuperLU_memory&) = delete;
-
-  bool is_there() const { return m_is_there; }
 
 private:
   static bool can_allocate(double bytes)
@@ -163,7 +161,6 @@ private:
   }
 
   double m_bytes;
-  bool m_is_there;
 };
 
 } // namespace internal

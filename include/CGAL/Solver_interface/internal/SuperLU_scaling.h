@@ -9,8 +9,7 @@
 #ifndef CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H
 #define CGAL_SOLVER_INTERFACE_INTERNAL_SUPERLU_SCALING_H
 
-#include <CGAL/Solver_interface/internal/SuperLU_input.h>
-#include <CGAL/Solver_interface/internal/SuperLU_tolerances.h>
+#include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
 
 #include <Eigen/Core>
 
@@ -23,32 +22,39 @@
 namespace CGAL {
 namespace internal {
 
-// Scales of the rows and columns of a matrix. They are powers of two, so that scaling does not round.
-class SuperLU_scaling
+// Exponents of scales of the rows and columns of a matrix. The scales are powers of two, so that scaling does not
+// round.
+struct SuperLU_scaling
 {
-public:
-  // Brings the largest entries of all rows and columns close to one. Each pass of Ruiz's algorithm
-  // treats rows and columns alike and halves the range of the exponents of these entries.
+  std::vector<int> row, column; // empty if nothing is scaled
+
+  // Brings the largest entries of all rows and columns close to one. Each pass of Ruiz's algorithm treats rows and
+  // columns alike and halves the range of the exponents of these entries.
   template <class FT>
   void equilibrate(SuperLU_matrix<FT>& a)
   {
-    m_row.assign(a.rows(), 0);
-    m_column.assign(a.cols(), 0);
+    row.assign(a.rows(), 0);
+    column.assign(a.cols(), 0);
+    const SuperLU_pattern pattern(a);
     const int none = (std::numeric_limits<int>::min)();
-    for(int pass = 0; pass < 12; ++pass) {
-      std::vector<int> row(a.rows(), none), column(a.cols(), none);
-      for_each_entry(a, [&](int i, int j, FT& value) {
-        if(value != 0) {
-          const int exponent = std::ilogb(value);
-          row[i] = (std::max)(row[i], exponent);
-          column[j] = (std::max)(column[j], exponent);
+    bool is_scaled = true;
+    for(int pass = 0; pass < 12 && is_scaled; ++pass) {
+      std::vector<int> rows(a.rows(), none), columns(a.cols(), none);
+      FT* value = a.valuePtr();
+      pattern.for_each_entry([&](int i, int j) {
+        if(*value != 0) {
+          rows[i] = (std::max)(rows[i], std::ilogb(*value));
+          columns[j] = (std::max)(columns[j], std::ilogb(*value));
         }
+        ++value;
       });
-      const bool scales_rows = add_scales(row, none, m_row),
-                 scales_columns = add_scales(column, none, m_column);
-      if(!scales_rows && !scales_columns)
-        return;
-      for_each_entry(a, [&](int i, int j, FT& value) { value = std::ldexp(value, row[i] + column[j]); });
+      is_scaled = add_scales(rows, row);
+      is_scaled = add_scales(columns, column) || is_scaled;
+      value = a.valuePtr();
+      pattern.for_each_entry([&](int i, int j) {
+        *value = std::ldexp(*value, rows[i] + columns[j]);
+        ++value;
+      });
     }
   }
 
@@ -58,65 +64,38 @@ public:
   bool keeps_digits(const SuperLU_matrix<FT>& a) const
   {
     const FT least = SuperLU_tolerances<FT>::least_entry;
-    if(least == 0)
-      return true;
-    for(int j = 0; j < a.cols(); ++j) {
-      for(typename SuperLU_matrix<FT>::InnerIterator it(a, j); it; ++it) {
-        if(std::abs(it.value()) < least && std::ldexp(least, m_row[it.row()] + m_column[j]) > 1)
-          return false;
-      }
-    }
-    return true;
+    const FT* value = a.valuePtr();
+    bool result = true;
+    SuperLU_pattern(a).for_each_entry([&](int i, int j) {
+      const FT entry = std::abs(*value++);
+      result = result && (entry >= least || std::ldexp(least, row[i] + column[j]) <= 1);
+    });
+    return result;
   }
 
-  // Converts right-hand sides of the original system to those of the scaled system
+  // Converts right-hand sides of the original system to those of the scaled system by the exponents of the rows, and
+  // solutions of the scaled system to those of the original one by those of the columns.
   template <class Block>
-  void scale_rows(Block& b) const
+  static void scale(Block& b, const std::vector<int>& exponents)
   {
-    scale(b, m_row);
-  }
-
-  // Converts solutions of the scaled system to those of the original system
-  template <class Block>
-  void scale_columns(Block& x) const
-  {
-    scale(x, m_column);
+    if(!exponents.empty())
+      for(Eigen::Index k = 0; k < b.cols(); ++k)
+        for(Eigen::Index i = 0; i < b.rows(); ++i)
+          b(i, k) = std::ldexp(b(i, k), exponents[i]);
   }
 
 private:
   // Replaces exponents by those of scales, and adds them to `sums`. Returns whether there is one that is not zero.
-  static bool add_scales(std::vector<int>& exponents, int none, std::vector<int>& sums)
+  static bool add_scales(std::vector<int>& exponents, std::vector<int>& sums)
   {
     bool result = false;
     for(std::size_t i = 0; i < exponents.size(); ++i) {
-      exponents[i] = exponents[i] == none ? 0 : -exponents[i] / 2;
+      exponents[i] = exponents[i] == (std::numeric_limits<int>::min)() ? 0 : -exponents[i] / 2;
       sums[i] += exponents[i];
       result = result || exponents[i] != 0;
     }
     return result;
   }
-
-  template <class FT, class Function>
-  static void for_each_entry(SuperLU_matrix<FT>& a, const Function& function)
-  {
-    for(int j = 0; j < a.cols(); ++j) {
-      for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k)
-        function(a.innerIndexPtr()[k], j, a.valuePtr()[k]);
-    }
-  }
-
-  template <class Block>
-  static void scale(Block& b, const std::vector<int>& exponents)
-  {
-    if(exponents.empty()) // nothing was scaled
-      return;
-    for(Eigen::Index k = 0; k < b.cols(); ++k) {
-      for(Eigen::Index i = 0; i < b.rows(); ++i)
-        b(i, k) = std::ldexp(b(i, k), exponents[i]);
-    }
-  }
-
-  std::vector<int> m_row, m_column;
 };
 
 } // namespace internal

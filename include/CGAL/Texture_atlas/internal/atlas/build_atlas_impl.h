@@ -110,12 +110,7 @@ private:
     std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return work[i] > work[j]; });
     m_atlas.parts.resize(m_parts.size());
     const auto make = [&](int i) { make_part(i, Part_progress(progress, static_cast<std::size_t>(i))); };
-    const int n = static_cast<int>(order.size());
-    if(m_solvers->is_independent)
-      parallel_for(n, [&](int k) { make(order[k]); });
-    else
-      for(int k = 0; k < n; ++k)
-        make(order[k]);
+    parallel_for(static_cast<int>(order.size()), [&](int k) { make(order[k]); });
     if(m_options.pack_into_square && !keeps_charts() && std::isfinite(m_options.seam_price))
       Page_coverer(m_parts, m_weight, m_options, m_atlas.parts).run();
     if(m_options.isometric_charts)

@@ -188,12 +188,7 @@ private:
       regions[r] = make(
           r, Patch_cutter(m_surface, m_cost).cut_out(triangles[r], std::vector<char>(m_cost.size(), false)));
     };
-    const int n = static_cast<int>(regions.size());
-    if(m_solvers->is_independent)
-      parallel_for(n, make_region);
-    else
-      for(int r = 0; r < n; ++r)
-        make_region(r);
+    parallel_for(static_cast<int>(regions.size()), make_region);
     for(Part_atlas& region : regions)
       if(!region.succeeded())
         return std::move(region);

@@ -64,13 +64,7 @@ public:
     }
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Piece& p, const Piece& q) { return p.triangles.size() > q.triangles.size(); });
-    const auto map = [&](int k) { this->map(pieces[k]); };
-    const int n = static_cast<int>(pieces.size());
-    if(m_solvers->is_independent)
-      parallel_for(n, map);
-    else
-      for(int k = 0; k < n; ++k)
-        map(k);
+    parallel_for(static_cast<int>(pieces.size()), [&](int k) { map(pieces[k]); });
   }
 
 private:

@@ -17,8 +17,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/definite_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -76,8 +76,7 @@ public:
     for(int v = 0; v < m_surface.number_of_vertices(); ++v)
       if(unknown[v] >= 0)
         some[0][unknown[v]] = all[v];
-    Definite_system system(m_solvers, m_solvers->low_precision());
-    if(!system.solve(laplacian(unknown, unknowns).matrix(), some, solutions))
+    if(!solve_definite(laplacian(unknown, unknowns).matrix(), *m_solvers->low_precision(), some, solutions))
       return std::nullopt;
     for(int v = 0; v < m_surface.number_of_vertices(); ++v)
       if(unknown[v] >= 0)

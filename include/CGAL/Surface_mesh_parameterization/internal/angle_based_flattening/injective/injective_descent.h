@@ -20,9 +20,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -33,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -64,8 +64,7 @@ public:
   Injective_descent(const Chart& chart, const Objective& objective, double clearance,
                     const Linear_solvers& solvers)
       : m_chart(chart), m_objective(objective), m_clearance(clearance), m_solvers(solvers),
-        m_factors(solvers, solvers->low_precision()), m_hessian(chart),
-        m_barrier_weight(chart.points.size(), 0.)
+        m_factors(solvers->low_precision()), m_hessian(chart), m_barrier_weight(chart.points.size(), 0.)
   {
     std::vector<int> triangles(chart.points.size(), 0);
     for(int c = 0; c < chart.number_of_corners(); ++c)
@@ -209,12 +208,12 @@ private:
     const int max_steps = 50;
     m_right_hand_side = -m_hessian.gradient();
     damp(m_hessian.matrix(), 1e-6, m_damped);
-    bool done = m_solvers->keeps_factors && m_factors.set_matrix(m_damped);
+    bool done = m_solvers->keeps_factors() && m_factors->set_matrix(m_damped);
     damp(m_hessian.matrix(), 1e-8, m_damped);
     if(done) {
       m_direction = Eigen::VectorXd::Zero(m_right_hand_side.size());
       m_vectors.residual = m_right_hand_side;
-      done = conjugate_gradients(m_damped, m_right_hand_side, m_factors, accuracy, max_steps, m_vectors,
+      done = conjugate_gradients(m_damped, m_right_hand_side, *m_factors, accuracy, max_steps, m_vectors,
                                  m_direction)
                  .status == Iterative_solution::SOLVED;
     }
@@ -279,7 +278,8 @@ private:
   const Objective& m_objective;
   double m_clearance;
   Linear_solvers m_solvers;
-  Preconditioning_system m_factors; // It knows the pattern as long as no other parts of the border come near.
+  std::unique_ptr<Linear_solver>
+      m_factors; // knows the pattern as long as no other parts of the border come near
   Planar_border m_border;
   Definite_hessian m_hessian;
   Block_matrix<2> m_damped;

@@ -19,9 +19,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/prescribed_border.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/definite_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
@@ -217,8 +217,7 @@ inline Two_vectors boundary_right_hand_side(const Chart& chart, const std::vecto
 // At the vertices of a hole, its natural boundary values do not vanish, but their sum does: they are half the edges of
 // the hole, turned by a right angle.
 inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alpha,
-                             const Linear_solvers& solvers, std::unique_ptr<Linear_solver> scalar_solver,
-                             Layout& layout)
+                             Linear_solver& scalar_solver, Layout& layout)
 {
   const int n = chart.number_of_interior_vertices + chart.number_of_holes();
   if(n == 0)
@@ -229,10 +228,9 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
   const Two_vectors right_hand_sides = boundary_right_hand_side(chart, weights, unknown, n, layout.uv);
   std::vector<double>().swap(weights); // factorization needs the memory
   Two_vectors positions;
-  Definite_system system(solvers, std::move(scalar_solver));
-  if(!system.solve(laplacian.matrix(), right_hand_sides, positions))
+  if(!solve_definite(laplacian.matrix(), scalar_solver, right_hand_sides, positions))
     return false;
-  layout.is_repeated = system.is_repeated();
+  layout.is_repeated = scalar_solver.is_repeated();
   for(int w = 0; w < chart.number_of_vertices(); ++w)
     if(const int i = unknown[w]; i >= 0)
       layout.uv[w] = layout.uv[w] + Chart::Kernel::Vector_2(positions[0][i], positions[1][i]);
@@ -242,13 +240,12 @@ inline bool lay_out_interior(const Chart& chart, const std::vector<double>& alph
 // The layout of a chart whose angles fulfil the constraints. `scalar_solver` may know the pattern of the one-rings of
 // the interior vertices and the holes. Returns nothing if the linear solver fails.
 inline std::optional<Layout> exact_layout(const Chart& chart, const std::vector<double>& alpha,
-                                          const Linear_solvers& solvers,
-                                          std::unique_ptr<Linear_solver> scalar_solver)
+                                          Linear_solver& scalar_solver)
 {
   Layout layout;
   layout.uv.assign(chart.points.size(), Chart::Point_2(0, 0));
   lay_out_borders(chart, alpha, layout);
-  if(!lay_out_interior(chart, alpha, solvers, std::move(scalar_solver), layout))
+  if(!lay_out_interior(chart, alpha, scalar_solver, layout))
     return std::nullopt;
   return layout;
 }

@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/mixed_precision.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/definite_system.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +57,8 @@ inline std::optional<Scale_prediction> predict_scale(const Chart& chart, const L
     angles[c] = (std::min)((std::max)(surface_angle(chart, c), least_target_angle), pi - least_target_angle);
 
   Two_vectors sources = {-2 * curvatures(chart, angles, unknown, n), Eigen::VectorXd::Zero(n)}, solutions;
-  Definite_system system(solvers, solvers->low_precision());
-  if(!system.solve(cotangent_laplacian(chart, cotangents(angles), unknown, n).matrix(), sources, solutions))
+  const Triangle_assembly<1> laplacian = cotangent_laplacian(chart, cotangents(angles), unknown, n);
+  if(!solve_definite(laplacian.matrix(), *solvers->low_precision(), sources, solutions))
     return std::nullopt;
 
   const Eigen::VectorXd& u = solutions[0];

@@ -66,37 +66,18 @@ void take_diagonal(const Block_matrix<BlockSize>& matrix, Eigen::VectorXd& diago
           diagonal[BlockSize * j + k] = matrix.block[e](k, k);
 }
 
-// What solvers get of a matrix of blocks: the unknowns `first`, ..., `last - 1` of each block, without what couples
-// them to one another.
+// A matrix of the unknowns number `index` of all blocks, without what couples them to the others
 template <int BlockSize>
-struct Diagonal_parts
+struct Diagonal_part
 {
   const Block_matrix<BlockSize>& matrix;
-  int first = 0, last = BlockSize;
+  int index;
 };
 
-// Sets `matrix` to the parts, all unknowns of one part before those of the next
-template <typename NT, int BlockSize>
-void set_eigen_matrix(const Diagonal_parts<BlockSize>& parts, Eigen::SparseMatrix<NT>& matrix)
-{
-  const Block_matrix<BlockSize>& blocks = parts.matrix;
-  const int n = blocks.columns_of_blocks(), entries = blocks.begin[n], number = parts.last - parts.first;
-  matrix.resize(number * n, number * n);
-  matrix.resizeNonZeros(static_cast<std::size_t>(number) * entries);
-  for(int part = 0; part < number; ++part) {
-    const int k = parts.first + part, shift = part * entries;
-    for(int j = 0; j <= n; ++j)
-      matrix.outerIndexPtr()[part * n + j] = shift + blocks.begin[j];
-    for(int e = 0; e < entries; ++e) {
-      matrix.innerIndexPtr()[shift + e] = part * n + blocks.row[e];
-      matrix.valuePtr()[shift + e] = static_cast<NT>(blocks.block[e](k, k));
-    }
-  }
-}
-
-// Sets `matrix` to a definite one with an entry for each block: what can be analyzed before there are values
-template <typename NT, int BlockSize>
-void set_pattern_of_blocks(const Block_matrix<BlockSize>& blocks, Eigen::SparseMatrix<NT>& matrix)
+// Sets `matrix` to one with an entry for each block, which `value_of_entry` gives.
+template <typename NT, int BlockSize, typename Value>
+void set_scalar_matrix(const Block_matrix<BlockSize>& blocks, const Value& value_of_entry,
+                       Eigen::SparseMatrix<NT>& matrix)
 {
   const int n = blocks.columns_of_blocks();
   matrix.resize(n, n);
@@ -105,7 +86,22 @@ void set_pattern_of_blocks(const Block_matrix<BlockSize>& blocks, Eigen::SparseM
   std::copy(blocks.row.begin(), blocks.row.end(), matrix.innerIndexPtr());
   for(int j = 0; j < n; ++j)
     for(int e = blocks.begin[j]; e < blocks.begin[j + 1]; ++e)
-      matrix.valuePtr()[e] = NT(blocks.row[e] == j);
+      matrix.valuePtr()[e] = static_cast<NT>(value_of_entry(e, j));
+}
+
+template <typename NT, int BlockSize>
+void set_eigen_matrix(const Diagonal_part<BlockSize>& part, Eigen::SparseMatrix<NT>& matrix)
+{
+  set_scalar_matrix(
+      part.matrix, [&](int e, int) { return part.matrix.block[e](part.index, part.index); }, matrix);
+}
+
+// Sets `matrix` to a definite one of the same pattern: what can be analyzed before there are values
+template <typename NT, int BlockSize>
+void set_pattern_of_blocks(const Block_matrix<BlockSize>& blocks, Eigen::SparseMatrix<NT>& matrix)
+{
+  set_scalar_matrix(
+      blocks, [&](int e, int j) { return blocks.row[e] == j; }, matrix);
 }
 
 // Sets `matrix` to one that is there already.

@@ -12,9 +12,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -49,7 +49,7 @@ public:
 
   Grounded_laplacian(Block_matrix<1> laplacian, const Linear_solvers& solvers)
       : m_laplacian(std::move(laplacian)), m_matrix(m_laplacian), m_solver(solvers->full_precision()),
-        m_keeps_factors(solvers->keeps_factors)
+        m_keeps_factors(solvers->keeps_factors())
   {}
 
   // Some vertices must be grounded. Returns `false` if the linear solver fails.

@@ -12,21 +12,21 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Solver_traits_properties.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
+#include <CGAL/Solver_traits_factory.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 
 #ifdef CGAL_SUPERLU_ENABLED
 #include <CGAL/SuperLU_solver_traits.h>
 #endif
 
-#include <limits>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The caller's solver traits, and their counterpart of lower precision, behind an interface: the numerics know neither
-// type.
+// Makes solvers of the caller's traits, and of their counterpart of lower precision, for numerics that know neither
+// type. Solvers of low precision factor what they refuse in full precision.
 class Solver_source
 {
 public:
@@ -34,11 +34,8 @@ public:
   virtual std::unique_ptr<Linear_solver> full_precision() const = 0;
   virtual std::unique_ptr<Linear_solver> low_precision() const = 0;
 
-  bool keeps_factors = false;     // otherwise it cannot precondition
-  bool has_low_precision = false; // the counterpart is another type
-  bool is_independent = false;    // two matrices may be factored at the same time
-  bool is_to_be_refined = false;  // the counterpart has fewer digits than `double`
-  bool may_be_shared = false;     // several threads may solve with the counterpart's factors
+  virtual bool keeps_factors() const = 0;     // otherwise they cannot precondition
+  virtual bool has_low_precision() const = 0; // the counterpart is another type
 };
 
 template <typename SolverTraits>
@@ -46,33 +43,36 @@ class Solver_source_of : public Solver_source
 {
   typedef Low_precision_solver_traits<SolverTraits> Low_precision;
   typedef typename Low_precision::type Low;
+  typedef Analyzed_traits<SolverTraits> Full_traits;
+  typedef Analyzed_traits<Low> Low_traits;
 
 public:
   explicit Solver_source_of(const SolverTraits& traits)
-      : m_full(std::make_shared<Analyzed_traits<SolverTraits>>(traits)),
-        m_low(std::make_shared<Analyzed_traits<Low>>(Low_precision::create(traits)))
-  {
-    keeps_factors = Has_factor<SolverTraits>::value;
-    has_low_precision = !std::is_same<Low, SolverTraits>::value;
-    is_independent = Has_independent_copies<SolverTraits>::value && Has_independent_copies<Low>::value;
-    is_to_be_refined = Has_factor<Low>::value &&
-                       std::numeric_limits<typename Low::NT>::digits < std::numeric_limits<double>::digits;
-    may_be_shared = Has_const_solution<Low>::value;
-  }
+      : m_full(std::make_shared<Full_traits>(traits)),
+        m_low(std::make_shared<Low_traits>(Low_precision::create(traits)))
+  {}
 
-  std::unique_ptr<Linear_solver> full_precision() const override
-  {
-    return std::make_unique<Symmetric_system<SolverTraits>>(m_full);
-  }
+  std::unique_ptr<Linear_solver> full_precision() const override { return full_precision_of(m_full); }
 
   std::unique_ptr<Linear_solver> low_precision() const override
   {
-    return std::make_unique<Symmetric_system<Low>>(m_low);
+    if(!has_low_precision())
+      return std::make_unique<Symmetric_system<Low>>(m_low);
+    return std::make_unique<Symmetric_system<Low>>(m_low,
+                                                   [full = m_full] { return full_precision_of(full); });
   }
 
+  bool keeps_factors() const override { return Has_factor<SolverTraits>::value; }
+  bool has_low_precision() const override { return !std::is_same<Low, SolverTraits>::value; }
+
 private:
-  std::shared_ptr<Analyzed_traits<SolverTraits>> m_full;
-  std::shared_ptr<Analyzed_traits<Low>> m_low;
+  static std::unique_ptr<Linear_solver> full_precision_of(std::shared_ptr<Full_traits> traits)
+  {
+    return std::make_unique<Symmetric_system<SolverTraits>>(std::move(traits));
+  }
+
+  std::shared_ptr<Full_traits> m_full;
+  std::shared_ptr<Low_traits> m_low;
 };
 
 template <typename SolverTraits>

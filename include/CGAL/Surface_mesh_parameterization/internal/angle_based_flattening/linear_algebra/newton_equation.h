@@ -12,11 +12,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/near_preconditioner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/newton_preconditioner.h>
 
 #include <Eigen/Core>
 
@@ -35,21 +33,14 @@ class Newton_equation
 public:
   // Of the matrix of a chart with holes, the last blocks belong to them, as `Bound_matrix` has them.
   Newton_equation(const Linear_solvers& solvers, bool iteratively, int holes = 0)
-      : m_solvers(solvers),
-        m_iteratively(iteratively && solvers->keeps_factors && (holes == 0 || solvers->is_independent)),
-        m_holes(holes)
+      : m_solvers(solvers), m_iteratively(iteratively && solvers->keeps_factors()), m_holes(holes)
   {}
-
-  Newton_equation(const Newton_equation&) = delete; // one preconditioner refers to the other
-  Newton_equation& operator=(const Newton_equation&) = delete;
 
   // Prepares the first solution as far as possible without values, to save time.
   void analyze_pattern(const Block_matrix<2>& matrix)
   {
-    if(m_iteratively && !m_preconditioner && matrix.size() > 0) {
-      m_preconditioner.emplace(m_solvers);
-      m_near_preconditioner.emplace(m_solvers, *m_preconditioner, m_holes, matrix);
-    }
+    if(m_iteratively && !m_preconditioner && matrix.size() > 0)
+      m_preconditioner.emplace(m_solvers, m_holes, matrix);
   }
 
   // Solves with a matrix of the same pattern each time. Returns `false` if the linear solver fails.
@@ -67,11 +58,10 @@ public:
       const Iterative_solution::Status status = solve_iteratively(matrix, right_hand_side, solution);
       if(status == Iterative_solution::SOLVED)
         return true;
-      if(status == Iterative_solution::FAILED && !m_solvers->has_low_precision)
+      if(status == Iterative_solution::FAILED && !m_solvers->has_low_precision())
         return false;
     }
     m_iteratively = false;
-    m_near_preconditioner.reset();
     m_preconditioner.reset();
     ++m_factorizations;
     if(!m_whole_system)
@@ -91,7 +81,7 @@ public:
   // A solver that may know the pattern of the one-rings of the interior vertices, and the holes, already
   std::unique_ptr<Linear_solver> scalar_solver() const
   {
-    return m_preconditioner ? m_preconditioner->low_precision_solver() : m_solvers->low_precision();
+    return m_preconditioner ? m_preconditioner->scalar_solver() : m_solvers->low_precision();
   }
 
 private:
@@ -104,9 +94,9 @@ private:
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
       m_vectors.residual = right_hand_side;
-      if(!m_near_preconditioner->start(m_vectors.residual, solution))
+      if(!m_preconditioner->start(m_vectors.residual, solution))
         return Iterative_solution::FAILED;
-      const Iterative_solution result = conjugate_gradients(matrix, right_hand_side, *m_near_preconditioner,
+      const Iterative_solution result = conjugate_gradients(matrix, right_hand_side, *m_preconditioner,
                                                             m_accuracy, max_steps, m_vectors, solution);
       m_steps += result.steps;
       m_preconditioner_is_stale = result.steps > steps_too_many;
@@ -122,25 +112,24 @@ private:
   {
     if(with_global && !factor_global_matrix(matrix))
       return false;
-    const bool done = m_near_preconditioner->set_near_matrix(matrix);
-    m_factorizations += m_near_preconditioner->has_near_part();
-    m_repeated += m_near_preconditioner->is_repeated();
+    const bool done = m_preconditioner->set_near_matrix(matrix);
+    m_factorizations += m_preconditioner->has_near_part();
+    m_repeated += m_preconditioner->is_near_repeated();
     return done;
   }
 
   bool factor_global_matrix(const Block_matrix<2>& matrix)
   {
-    const bool done = m_near_preconditioner->set_global_matrix(matrix);
+    const bool done = m_preconditioner->set_global_matrix(matrix);
     m_factorizations += 2;
-    m_repeated += m_preconditioner->repeated_factorizations();
+    m_repeated += m_preconditioner->repeated_global_factorizations();
     return done;
   }
 
   Linear_solvers m_solvers;
   bool m_iteratively;
   int m_holes;
-  std::optional<Block_preconditioner> m_preconditioner;
-  std::optional<Near_preconditioner> m_near_preconditioner;
+  std::optional<Newton_preconditioner> m_preconditioner;
   bool m_preconditioner_is_stale = true; // or not there yet
   std::unique_ptr<Linear_solver> m_whole_system;
   Iteration_vectors m_vectors;

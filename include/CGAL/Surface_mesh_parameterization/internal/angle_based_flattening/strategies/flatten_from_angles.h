@@ -24,8 +24,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/symmetric_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <memory>
@@ -70,7 +70,7 @@ inline std::optional<Layout> lay_out(const Chart& chart, const std::vector<doubl
   if(kind == ABF_plus_plus_report::EXACT) {
     if(chart.has_border_nodes()) // the pattern of the angles' system has border vertices
       scalar_solver = solvers->low_precision();
-    return exact_layout(chart, alpha, solvers, std::move(scalar_solver));
+    return exact_layout(chart, alpha, *scalar_solver);
   }
   std::optional<std::vector<Chart::Point_2>> uv = Least_squares_layout(chart, alpha).solve(solvers);
   if(!uv)

@@ -3,22 +3,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One interface for all models of CGAL's solver traits, whether or not they can keep factors or analyze patterns.
-// Callers get it from `linear_solvers.h`. SuperLU, which the paper uses, is among the models.
+// One interface for all models of CGAL's solver traits, whether or not they can keep factors or analyze patterns. A
+// matrix that low precision is not enough for is factored in full precision. Callers get solvers from
+// `linear_solvers.h`. SuperLU, which the paper uses, is among the models.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVER_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVER_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
-#include <CGAL/Solver_traits_properties.h>
+#include <CGAL/Solver_traits_factory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 
 #include <Eigen/SparseCore>
 
+#include <boost/type_traits/is_detected.hpp>
+
+#include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -28,53 +33,36 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+template <typename Traits>
+using Factor_call = decltype(std::declval<Traits&>().factor(std::declval<typename Traits::Matrix>(),
+                                                            std::declval<typename Traits::NT&>()));
+template <typename Traits>
+using Analyze_pattern_call =
+    decltype(std::declval<Traits&>().analyze_pattern(std::declval<const typename Traits::Matrix&>()));
+template <typename Traits>
+using Const_solution_call = decltype(std::declval<const Traits&>().linear_solver(
+    std::declval<const typename Traits::Vector&>(), std::declval<typename Traits::Vector&>()));
+template <typename Traits>
+using Lacks_memory_call = decltype(std::declval<const Traits&>().lacks_memory());
+
 // Whether the traits model `SparseLinearAlgebraWithFactorTraits_d`.
-template <typename SolverTraits, typename = void>
-struct Has_factor : std::false_type
-{};
+template <typename Traits>
+using Has_factor = boost::is_detected<Factor_call, Traits>;
 
-template <typename SolverTraits>
-struct Has_factor<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().factor(
-                                    std::declval<typename SolverTraits::Matrix>(),
-                                    std::declval<typename SolverTraits::NT&>()))>> : std::true_type
-{};
+// Whether they can be told a pattern before the first matrix with it, as `SuperLU_solver_traits` can.
+template <typename Traits>
+using Has_analyze_pattern = boost::is_detected<Analyze_pattern_call, Traits>;
 
-// Whether they can be told a pattern before the first matrix with it, as `Eigen::SimplicialLDLT` and
-// `SuperLU_solver_traits` can.
-template <typename SolverTraits, typename = void>
-struct Has_analyze_pattern : std::false_type
-{};
-
-template <typename SolverTraits>
-struct Has_analyze_pattern<SolverTraits, std::void_t<decltype(std::declval<SolverTraits&>().analyze_pattern(
-                                             std::declval<const typename SolverTraits::Matrix&>()))>>
-    : std::true_type
-{};
-
-// Whether solving leaves them as they are, so that several threads may use one factorization.
-template <typename SolverTraits, typename = void>
-struct Has_const_solution : std::false_type
-{};
-
-template <typename SolverTraits>
-struct Has_const_solution<SolverTraits,
-                          std::void_t<decltype(std::declval<const SolverTraits&>().linear_solver(
-                              std::declval<const typename SolverTraits::Vector&>(),
-                              std::declval<typename SolverTraits::Vector&>()))>> : std::true_type
-{};
+// Whether solving leaves them as they are. Otherwise one thread after the other solves.
+template <typename Traits>
+using Has_const_solution = boost::is_detected<Const_solution_call, Traits>;
 
 // Whether they tell that memory ran out, as `SuperLU_solver_traits` do. Others throw, or do not know.
-template <typename SolverTraits, typename = void>
-struct Has_lacks_memory : std::false_type
-{};
+template <typename Traits>
+using Has_lacks_memory = boost::is_detected<Lacks_memory_call, Traits>;
 
-template <typename SolverTraits>
-struct Has_lacks_memory<SolverTraits,
-                        std::void_t<decltype(std::declval<const SolverTraits&>().lacks_memory())>>
-    : std::true_type
-{};
-
-// A symmetric linear system, solved for one right-hand side after the other.
+// A symmetric linear system, solved for one right-hand side after the other. Each solver has factors of its own.
+// Several threads may solve with them at once.
 class Linear_solver
 {
 public:
@@ -83,7 +71,7 @@ public:
   // Returns `false` if the matrix cannot be factored. Throws `std::bad_alloc` if it is known that memory ran out.
   virtual bool set_matrix(const Block_matrix<1>& matrix) = 0;
   virtual bool set_matrix(const Block_matrix<2>& matrix) = 0;
-  virtual bool set_matrix(const Diagonal_parts<2>& matrix) = 0;
+  virtual bool set_matrix(const Diagonal_part<2>& matrix) = 0;
 
   // Analyzes the pattern of the blocks if that can be done before there are values; copies know it then.
   virtual void analyze_pattern(const Block_matrix<2>& blocks) = 0;
@@ -93,20 +81,29 @@ public:
 
   // A solver of the same kind, for another matrix
   virtual std::unique_ptr<Linear_solver> copy() const = 0;
+
+  // Factors the same matrix in full precision. Returns `false` if it was already, or if that fails.
+  virtual bool repeat(const Block_matrix<1>& matrix) = 0;
+
+  // Whether the factors of the last matrix are in full precision because low precision was not enough
+  virtual bool is_repeated() const = 0;
+
+  // Whether solutions have fewer digits than `double`, and conjugate gradients can refine them
+  virtual bool is_to_be_refined() const = 0;
 };
 
 // The caller's traits with the analysis of the last pattern, and memory for matrices, for the solvers of this and later
-// runs. Where a matrix has another pattern, factorization analyzes that.
+// runs. If a matrix has another pattern, factorization analyzes that.
 template <typename SolverTraits>
 class Analyzed_traits
 {
 public:
   explicit Analyzed_traits(SolverTraits traits) : m_traits(std::move(traits)) {}
 
-  SolverTraits get() const
+  SolverTraits create() const
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    return m_traits;
+    return Solver_traits_factory<SolverTraits>::create(m_traits);
   }
 
   void set(const SolverTraits& traits)
@@ -124,7 +121,8 @@ private:
   Spare_matrices m_matrices;
 };
 
-// Solves by any model of `SparseLinearAlgebraTraits_d`: with one factorization where the traits offer that.
+// Solves by any model of `SparseLinearAlgebraTraits_d`: with one factorization if the traits offer that. If they have
+// low precision, matrices that they refuse are factored in full precision.
 template <typename SolverTraits>
 class Symmetric_system : public Linear_solver
 {
@@ -136,23 +134,24 @@ class Symmetric_system : public Linear_solver
 
 public:
   typedef Analyzed_traits<SolverTraits> Shared_traits;
+  typedef std::function<std::unique_ptr<Linear_solver>()> Full_precision;
 
   // A solver that knows what is known to `shared`, where it puts what it analyzes
-  explicit Symmetric_system(std::shared_ptr<Shared_traits> shared)
-      : m_traits(shared->get()), m_shared(std::move(shared))
+  explicit Symmetric_system(std::shared_ptr<Shared_traits> shared, Full_precision full_precision = nullptr)
+      : Symmetric_system(shared->create(), shared, std::move(full_precision))
   {}
 
-  Symmetric_system(SolverTraits traits, std::shared_ptr<Shared_traits> shared)
-      : m_traits(std::move(traits)), m_shared(std::move(shared))
+  Symmetric_system(SolverTraits traits, std::shared_ptr<Shared_traits> shared, Full_precision full_precision)
+      : m_traits(std::move(traits)), m_shared(std::move(shared)), m_full_precision(std::move(full_precision))
   {}
 
   explicit Symmetric_system(SolverTraits traits)
       : Symmetric_system(std::make_shared<Shared_traits>(std::move(traits)))
   {}
 
-  bool set_matrix(const Block_matrix<1>& matrix) override { return factor(matrix); }
-  bool set_matrix(const Block_matrix<2>& matrix) override { return factor(matrix); }
-  bool set_matrix(const Diagonal_parts<2>& matrix) override { return factor(matrix); }
+  bool set_matrix(const Block_matrix<1>& matrix) override { return set(matrix); }
+  bool set_matrix(const Block_matrix<2>& matrix) override { return set(matrix); }
+  bool set_matrix(const Diagonal_part<2>& matrix) override { return set(matrix); }
   bool set_matrix(const Eigen::SparseMatrix<NT>& matrix) { return factor(matrix); }
 
   void analyze_pattern(const Block_matrix<2>& blocks) override
@@ -161,8 +160,7 @@ public:
       const typename Spare_matrices::Loan matrix(m_shared->matrices());
       convert([&](Eigen::SparseMatrix<NT>& to) { set_pattern_of_blocks(blocks, to); }, *matrix);
       m_traits.analyze_pattern(**matrix); // if that fails, so does the factorization
-      if constexpr(Has_independent_copies<SolverTraits>::value)
-        m_shared->set(m_traits);
+      m_shared->set(m_traits);
     } else {
       (void)blocks;
     }
@@ -170,6 +168,8 @@ public:
 
   bool solve(const Eigen::VectorXd& right_hand_side, Eigen::VectorXd& solution) override
   {
+    if(m_full)
+      return m_full->solve(right_hand_side, solution);
     const int n = static_cast<int>(right_hand_side.size());
     const typename Spare_vectors::Loan vectors(m_vectors);
     if(!*vectors || (*vectors)->size != n)
@@ -178,22 +178,28 @@ public:
     const double scale = right_hand_side_scale(right_hand_side);
     for(int i = 0; i < n; ++i)
       b[i] = static_cast<NT>(right_hand_side[i] / scale);
-    bool done;
-    if constexpr(Has_factor<SolverTraits>::value)
-      done = m_traits.linear_solver(b, x);
-    else
-      done = m_traits.linear_solver(***m_matrix, b, x, m_denominator);
-    if(!done)
+    NT denominator = m_denominator;
+    if(!solve(b, x, denominator))
       return fail();
     set_size(solution, n);
     for(int i = 0; i < n; ++i)
-      solution[i] = x[i] / m_denominator * scale;
+      solution[i] = x[i] / denominator * scale;
     return solution.allFinite();
   }
 
   std::unique_ptr<Linear_solver> copy() const override
   {
-    return std::make_unique<Symmetric_system>(m_traits, m_shared);
+    return std::make_unique<Symmetric_system>(Solver_traits_factory<SolverTraits>::create(m_traits), m_shared,
+                                              m_full_precision);
+  }
+
+  bool repeat(const Block_matrix<1>& matrix) override { return !m_full && set_full(matrix); }
+  bool is_repeated() const override { return m_full != nullptr; }
+
+  bool is_to_be_refined() const override
+  {
+    return !m_full && Has_factor<SolverTraits>::value &&
+           std::numeric_limits<NT>::digits < std::numeric_limits<double>::digits;
   }
 
 private:
@@ -205,6 +211,22 @@ private:
   }
 
   template <typename Source>
+  bool set(const Source& source)
+  {
+    m_full.reset();
+    return factor(source) || set_full(source);
+  }
+
+  template <typename Source>
+  bool set_full(const Source& source)
+  {
+    if(!m_full_precision)
+      return false;
+    m_full = m_full_precision();
+    return m_full->set_matrix(source);
+  }
+
+  template <typename Source>
   bool factor(const Source& source)
   {
     m_matrix.emplace(m_shared->matrices());
@@ -212,12 +234,26 @@ private:
     bool done = true;
     if constexpr(Has_factor<SolverTraits>::value)
       done = m_traits.factor(std::move(***m_matrix), m_denominator);
-    if(Has_independent_copies<SolverTraits>::value) {
+    if(!Solver_traits_factory<SolverTraits>::keeps_matrix) {
       if((**m_matrix)->row_dimension() > many_unknowns)
         (**m_matrix).reset();
       m_matrix.reset();
     }
     return done || fail();
+  }
+
+  bool solve(const Vector& b, Vector& x, NT& denominator)
+  {
+    if constexpr(Has_const_solution<SolverTraits>::value) {
+      (void)denominator;
+      return m_traits.linear_solver(b, x);
+    } else {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if constexpr(Has_factor<SolverTraits>::value)
+        return m_traits.linear_solver(b, x);
+      else
+        return m_traits.linear_solver(***m_matrix, b, x, denominator);
+    }
   }
 
   bool fail() const
@@ -262,11 +298,14 @@ private:
 
   SolverTraits m_traits;
   std::shared_ptr<Shared_traits> m_shared;
+  Full_precision m_full_precision;       // for matrices that these traits refuse, if there is more precision
+  std::unique_ptr<Linear_solver> m_full; // if it has factored the last one
   std::optional<typename Spare_matrices::Loan> m_matrix; // the traits may keep a pointer to it
-  Spare_vectors m_vectors;                               // several threads may solve at once
+  Spare_vectors m_vectors;
+  std::mutex m_mutex; // of solutions, if these change the traits
   NT m_denominator = NT(1);
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_SYMMETRIC_SYSTEM_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVER_H

@@ -11,7 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Solver_traits_properties.h>
+#include <CGAL/Solver_traits_factory.h>
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -26,7 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(test_solver_traits_properties)
+BOOST_AUTO_TEST_SUITE(test_solver_traits_factory)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -133,25 +133,17 @@ private:
 
 BOOST_AUTO_TEST_SUITE_END()
 
-template <class FT>
-struct CGAL::Has_independent_copies<test_solver_traits_properties::Logging_solver<FT>> : std::true_type
-{};
-
 template <>
-struct CGAL::Low_precision_solver_traits<test_solver_traits_properties::Logging_solver<double>>
+struct CGAL::Low_precision_solver_traits<test_solver_traits_factory::Logging_solver<double>>
 {
-  typedef test_solver_traits_properties::Logging_solver<float> type;
-  static type create(const test_solver_traits_properties::Logging_solver<double>& traits)
+  typedef test_solver_traits_factory::Logging_solver<float> type;
+  static type create(const test_solver_traits_factory::Logging_solver<double>& traits)
   {
     return type(traits.options(), traits.log());
   }
 };
 
-template <>
-struct CGAL::Has_independent_copies<test_solver_traits_properties::Own_solver> : std::true_type
-{};
-
-BOOST_AUTO_TEST_SUITE(test_solver_traits_properties)
+BOOST_AUTO_TEST_SUITE(test_solver_traits_factory)
 
 namespace {
 
