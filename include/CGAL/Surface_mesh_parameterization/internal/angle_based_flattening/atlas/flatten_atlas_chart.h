@@ -29,7 +29,8 @@
 #include <vector>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/disk_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
 #endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -192,7 +193,7 @@ private:
     Chart equal = chart;
     if(equalize_seams(equal))
       return direct_map(chart, Atlas_report::NO_EQUATIONS);
-    if(!equal.has_equal_seams())
+    if(!equal.equal_seams)
       return direct_map(chart, Atlas_report::NO_SEAMS);
     std::optional<Flattening<ABF_plus_plus_report>> free;
     if(equal.number_of_loops > many_loops && !m_options.separate_overlaps) {
