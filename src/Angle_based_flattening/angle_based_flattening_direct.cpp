@@ -5,10 +5,10 @@
 
 // The direct method and the default solver. Each file here compiles beside the others.
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/rectangle_corners_impl.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/all_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 
 template std::shared_ptr<const CGAL::Surface_mesh_parameterization::internal::ABF::Solver_source>
 CGAL::Surface_mesh_parameterization::internal::ABF::solver_source(const CGAL::SuperLU_solver_traits<>&);

@@ -110,7 +110,7 @@ Chart bump_with_handles(int n)
   chart.seam.assign(chart.vertex.size(), -1);
   for(std::size_t i = 0; i < border.size(); ++i)
     chart.seam[border[i]] = border[(i + border.size() / 2) % border.size()];
-  chart.add_seam_nodes = &abf::add_seam_nodes;
+  chart.equal_seams = true;
   abf::find_nodes(chart);
   return chart;
 }
@@ -137,7 +137,7 @@ Chart torus_of_bump(int n)
       chart.seam[a] = b;
       chart.seam[b] = a;
     }
-  chart.add_seam_nodes = &abf::add_seam_nodes;
+  chart.equal_seams = true;
   abf::find_nodes(chart);
   return chart;
 }

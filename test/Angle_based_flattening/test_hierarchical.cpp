@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_to_fine.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -421,7 +421,7 @@ BOOST_AUTO_TEST_CASE(always_valid_start)
     all.push_back(bump(24, 4, height));
   for(const Chart& original : all) {
     Chart chart = original;
-    const auto result = abf::flatten_hierarchically(chart, Options(), No_solver());
+    const auto result = abf::flatten_coarse_to_fine(chart, Options(), No_solver());
     BOOST_TEST(result.succeeded());
     BOOST_TEST(result.report.start == Report::PROGRESSIVE_EMBEDDING);
     BOOST_TEST(abf::flipped_triangles(chart, result.uv).empty());

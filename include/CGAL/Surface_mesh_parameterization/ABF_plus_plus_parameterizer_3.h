@@ -24,7 +24,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -183,10 +182,6 @@ public:
   /// the sum of \f$2\pi - \theta\f$ over all cones must be \f$2\pi\chi\f$. Chords without room then have the diagnosis
   /// `Diagnosis::INFEASIBLE_ANGLE_SUMS`, and sides are straight only up to the tolerance.
   ///
-  /// Programs without the compiled library must include `polygon_angles.h` or `ABF_plus_plus_strategies.h`, for the
-  /// maximum flow that checks the angles. Otherwise, `parameterize()` returns `ERROR_WRONG_PARAMETER` with the
-  /// diagnosis `Diagnosis::WRONG_OPTION`.
-  ///
   /// The function keeps a copy of the property map, and so do copies of the parameterizer. `parameterize()` reads it
   /// once for each vertex.
   ///
@@ -256,7 +251,6 @@ public:
   void set_pins(VertexPinMap pins)
   {
     m_prescriptions.pins = internal::ABF::vertex_pins<Triangle_mesh>(pins);
-    m_pin = &internal::ABF::pin_map;
   }
 
   /// flattens the connected component of `bhd`.
@@ -314,7 +308,6 @@ public:
         internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_prescriptions.pins, uvmap, vpmap);
     const auto outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_solvers,
-        internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
         [&](const internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           return internal::ABF::flatten_chart(chart, m_options, m_solvers, round, last.get());
         });
@@ -369,7 +362,6 @@ private:
   Solver_traits m_linear_algebra;
   internal::ABF::Linear_solvers m_solvers; // shared with copies, as they remember what they analyzed
   internal::ABF::Prescriptions<Triangle_mesh> m_prescriptions;
-  internal::ABF::Pin_function<ABF_plus_plus_report> m_pin = nullptr; // set with pins
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 

@@ -59,8 +59,7 @@ struct Flattening_options
   /// error. The hierarchical method starts from Tutte's map of a coarse chart, stays injective on each level, and does
   /// not call the coarse parameterizer. The direct method returns its own map if that does not overlap itself, and
   /// otherwise the polished injective map of the hierarchical method. Holes are filled during the computation (`FILL`),
-  /// unless the direct method solves them and its map does not overlap itself. Programs without the compiled library
-  /// must include `ABF_plus_plus_strategies.h`.
+  /// unless the direct method solves them and its map does not overlap itself.
   bool injective = false;
 
   /// How much injective maps preserve areas, from 0 to 1: the exponent \f$\theta\f$ in the energy
@@ -160,7 +159,7 @@ struct ABF_plus_plus_options : Flattening_options
 
   /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
   /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
-  /// error. Programs without the compiled library must include `ABF_plus_plus_strategies.h` for the last strategies.
+  /// error.
   bool fallbacks = true;
 
   /// Whether a call of `parameterize()` starts from the angles of the last call on this parameterizer, or on a copy, if

@@ -25,7 +25,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
 #include <CGAL/Default.h>
@@ -34,10 +33,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
-#endif
 
 /// \file Hierarchical_parameterizer_3.h
 
@@ -233,7 +228,6 @@ public:
   void set_pins(VertexPinMap pins)
   {
     m_pins = internal::ABF::vertex_pins<Triangle_mesh>(pins);
-    m_pin = &internal::ABF::pin_map;
   }
 
   /// flattens the connected component of `bhd`.
@@ -261,7 +255,6 @@ public:
     prescriptions.pins = internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap);
     const auto outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_linear_algebra,
-        internal::ABF::pin_function<VertexParameterizedMap>(m_pin),
         [&](internal::ABF::Chart& chart, internal::ABF::Rounding round) {
           const internal::ABF::Coarse_solver<Coarse_parameterizer> flatten_coarse(m_coarse_parameterizer);
           return internal::ABF::flatten_chart_hierarchically(
@@ -310,7 +303,6 @@ private:
   internal::ABF::Face_importance<Triangle_mesh> m_importance;
   internal::ABF::Vertex_points<Triangle_mesh> m_points;
   internal::ABF::Vertex_pins<Triangle_mesh> m_pins;
-  internal::ABF::Pin_function<Hierarchical_report> m_pin = nullptr; // set with pins
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 

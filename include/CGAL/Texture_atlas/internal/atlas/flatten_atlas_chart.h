@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <cmath>
 #include <memory>
@@ -29,8 +30,8 @@
 #include <vector>
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/disk_strategies.h>
-#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
 #endif
 
 namespace CGAL::Texture_atlas::internal {
@@ -193,7 +194,7 @@ private:
     Chart equal = chart;
     if(equalize_seams(equal))
       return direct_map(chart, Atlas_report::NO_EQUATIONS);
-    if(!equal.has_equal_seams())
+    if(!equal.equal_seams)
       return direct_map(chart, Atlas_report::NO_SEAMS);
     std::optional<Flattening<ABF_plus_plus_report>> free;
     if(equal.number_of_loops > many_loops && !m_options.separate_overlaps) {

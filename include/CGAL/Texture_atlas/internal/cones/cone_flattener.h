@@ -28,6 +28,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
@@ -43,7 +44,7 @@
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
-#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
 #endif
 
 namespace CGAL::Texture_atlas::internal {
@@ -165,8 +166,8 @@ private:
       defect = find_no_area(chart, degenerate_triangles(chart));
     if(!defect && m_options.equal_seam_lengths.value_or(true))
       defect = equalize_seams(chart);
-    if(!defect && !are_free() && chart.has_equal_seams())
-      defect = optional_angle_sums(sums_at_seams(chart), chart);
+    if(!defect && !are_free() && chart.equal_seams)
+      defect = set_angle_sums(sums_at_seams(chart), chart);
     if(defect) {
       fail(m_result.map, defect.status, defect.message);
       name_offenders(chart, defect.vertices, defect.triangles);

@@ -43,7 +43,7 @@ inline void add_loop_residuals(const Chart& chart, const std::vector<double>& al
 // loops add up along a seam.
 inline double largest_seam_difference(const Chart& chart, const std::vector<double>& alpha)
 {
-  if(!chart.has_equal_seams())
+  if(!chart.equal_seams)
     return 0;
   const std::vector<int>& border = chart.borders.front();
   const Border_walk walk = walk_along_border(chart, alpha, border);

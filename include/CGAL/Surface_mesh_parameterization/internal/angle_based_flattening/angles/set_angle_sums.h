@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Takes prescribed angles into a chart: checks that they are possible, and corrects the largest one by the rounding
-// error of the total. `cone_flattener.h`, `polygon_angles.h` and `all_strategies.h` include it. For programs without
-// these, `prescriptions.h` has a null pointer.
+// error of the total. `chart/prescriptions.h` declares it. `run_parameterizer.h`, `cone_flattener.h` and
+// `polygon_angles.h` include this body in programs without the compiled library, which has it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SET_ANGLE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SET_ANGLE_SUMS_H
@@ -40,13 +40,12 @@ inline void add_to_largest(double angle, const Seam_places& places, std::vector<
       sums[v] += angle;
 }
 
-// Sets the prescribed angles of a chart if they are possible. The largest angle is corrected by the rounding error of
-// the total; otherwise, the equations could not be satisfied.
-inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
+// The largest angle is corrected by the rounding error of the total; otherwise, the equations could not be satisfied.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
 {
   const Seam_places places(chart);
-  (chart.has_equal_seams() ? chart.surface_sums : chart.angle_sums) = std::move(sums);
-  if(chart.has_equal_seams()) {
+  (chart.equal_seams ? chart.surface_sums : chart.angle_sums) = std::move(sums);
+  if(chart.equal_seams) {
     const Surface_sum_check check(chart);
     if(Chart_defect defect = check.run())
       return defect;
@@ -61,8 +60,6 @@ inline Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart)
   find_nodes(chart);
   return {};
 }
-
-inline const bool has_angle_sums = (optional_angle_sums = &set_angle_sums, true);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

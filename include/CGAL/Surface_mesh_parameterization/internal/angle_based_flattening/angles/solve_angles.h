@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The main loop of ABF++ (Algorithm 18): step lengths, a merit function, forcing terms and the stopping rule around
-// Newton's method. `flatten_from_angles.h` calls `solve_angles()`, and lays out the angles afterwards.
+// Newton's method. `direct_strategies.h` calls `solve_angles()`, and lays out the angles afterwards.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_SOLVE_ANGLES_H

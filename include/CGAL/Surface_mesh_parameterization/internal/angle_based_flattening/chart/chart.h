@@ -43,8 +43,6 @@ struct Loop_crossing
   int triangle() const { return in / 3; }
 };
 
-struct Chart;
-
 // What the planar angles of a chart must fulfil, and how much each triangle matters
 struct Angle_constraints
 {
@@ -59,9 +57,7 @@ struct Angle_constraints
   std::vector<double> targets; // of each corner, unless they are the angles of the surface
   // Prescribed sums of the planar angles at vertices of the outer border; NaN at others; empty if there are none.
   std::vector<double> angle_sums;
-  // Makes the nodes of seams if both sides of a seam get the same lengths, and is null otherwise. Most programs have no
-  // such seams; with a pointer, they do not compile it.
-  void (*add_seam_nodes)(Chart& chart) = nullptr;
+  bool equal_seams = false; // whether both sides of each seam on the outer border get the same lengths
   // With equal seams, of vertices of the outer border: prescribed sums of all planar angles at the vertex of the
   // surface before the cut. NaN where there is none: such vertices in the middle of a seam have 2 pi. Infinite where
   // the sum is free.
@@ -86,8 +82,7 @@ struct Angle_constraints
   int node_of_loop(int loop) const { return number_of_free_nodes() - number_of_loops + loop; }
   bool has_prescribed_border() const { return !angle_sums.empty(); }
   bool has_prescribed_angles() const { return has_prescribed_border() || !surface_sums.empty(); }
-  bool has_equal_seams() const { return add_seam_nodes != nullptr; }
-  bool has_border_nodes() const { return has_prescribed_border() || has_equal_seams(); }
+  bool has_border_nodes() const { return has_prescribed_border() || equal_seams; }
 
   // Filled holes have vertices that nobody prescribed anything for.
   bool is_angle_prescribed(int v) const

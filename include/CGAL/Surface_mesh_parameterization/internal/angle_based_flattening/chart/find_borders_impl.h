@@ -46,8 +46,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE void find_nodes(Chart& chart)
     chart.node[v] = chart.number_of_nodes();
     chart.nodes.push_back(node);
   };
-  if(chart.has_equal_seams())
-    chart.add_seam_nodes(chart);
+  if(chart.equal_seams)
+    Seam_nodes(chart).add();
   for(int v : vertices_with_prescribed_angles(chart))
     add_node(v, {chart.angle_sums[v], true, false});
   if(is_whole_border_prescribed(chart))
@@ -61,7 +61,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE void find_nodes(Chart& chart)
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE void equalize_outer_seams(Chart& chart)
 {
-  chart.add_seam_nodes = Seam_places(chart).has_seams() ? &add_seam_nodes : nullptr;
+  chart.equal_seams = Seam_places(chart).has_seams();
   find_nodes(chart);
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
@@ -105,16 +106,6 @@ struct Prescriptions
   std::optional<bool> equal_seam_lengths;
   Vertex_points<TriangleMesh> points; // of the mesh if it is empty
   Vertex_pins<TriangleMesh> pins;
-  // For seams of equal lengths. Most programs have no seams, and then do not compile what equalizes them.
-  Chart_defect (*equalize)(Chart& chart, bool all_of_them) = equalization_by_type();
-
-  static constexpr auto equalization_by_type() -> Chart_defect (*)(Chart&, bool)
-  {
-    if constexpr(Seam_sides<TriangleMesh>::has_seams)
-      return &equalize_seams;
-    else
-      return nullptr;
-  }
 
   template <typename HalfedgeSideMap>
   void set_seam_sides(HalfedgeSideMap sides)
@@ -122,7 +113,6 @@ struct Prescriptions
     seam_sides = [sides](const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor& h) {
       return get(sides, h);
     };
-    equalize = &equalize_seams;
   }
 
   // Seams of equal lengths, unless the border of the cut mesh is prescribed
@@ -143,9 +133,9 @@ struct Prescriptions
   }
 };
 
-// Sets the prescribed angles of a chart if they are possible. Null in programs that do not prescribe angles, because
-// the check needs a maximum flow.
-inline Chart_defect (*optional_angle_sums)(std::vector<double> sums, Chart& chart) = nullptr;
+// Sets the prescribed angles of a chart if they are possible. The body is in `angles/set_angle_sums.h`, as the check
+// needs what is there.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart);
 
 // Reads the prescribed angles of a mesh whose chart knows its seams of equal sides.
 template <typename TriangleMesh>
@@ -164,15 +154,9 @@ read_angle_sums(const std::vector<typename boost::graph_traits<TriangleMesh>::ve
       has_some = true;
     }
   // On the surface before the cut, seam vertices missing from the map get 2 pi.
-  if(!has_some && !chart.has_equal_seams())
+  if(!has_some && !chart.equal_seams)
     return {};
-  if(optional_angle_sums == nullptr)
-    return {
-        Diagnosis::WRONG_OPTION,
-        "prescribed angle sums need #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_strategies.h>",
-        {},
-        {}};
-  return optional_angle_sums(std::move(sums), chart);
+  return set_angle_sums(std::move(sums), chart);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

@@ -134,12 +134,6 @@ private:
   bool m_is_every_sum_prescribed = true;
 };
 
-// For `Chart::add_seam_nodes`
-inline void add_seam_nodes(Chart& chart)
-{
-  Seam_nodes(chart).add();
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_SEAM_NODES_H

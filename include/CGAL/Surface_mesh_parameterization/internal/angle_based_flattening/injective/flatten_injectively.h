@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The injective method: coarsening, Tutte's map, descent, refinement and polishing, with a map that is injective at
-// every step. The option `injective` gets here, by way of `disk_strategies.h`. The paper instead mends overlaps after
-// the map is made.
+// every step. The option `injective` gets here, by way of `flatten_chart_hierarchically.h`. The paper instead mends
+// overlaps after the map is made.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_FLATTEN_INJECTIVELY_H
@@ -382,9 +382,9 @@ private:
 
 // Flattens a disk that `diagnose()` found flawless, starting from an injective map if one is given. The connectivity of
 // the disk changes meanwhile, and is restored if a map was found. The map is not certified yet.
-CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
-flatten_injectively(Chart& chart, const Hierarchical_options& options, const Linear_solvers& solvers,
-                    const std::vector<Chart::Point_2>* start)
+inline Flattening<Hierarchical_report> flatten_injectively(Chart& chart, const Hierarchical_options& options,
+                                                           const Linear_solvers& solvers,
+                                                           const std::vector<Chart::Point_2>* start)
 {
   return Injective_flattening(chart, options, solvers, start).run();
 }

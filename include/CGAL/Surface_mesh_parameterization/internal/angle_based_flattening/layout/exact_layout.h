@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // From angles to coordinates if the constraints hold: a walk along the border by the sine rule, then one Laplace
-// equation for the interior. `flatten_from_angles.h` prefers it to the least squares of Eqs. 19 to 21, which spread
+// equation for the interior. `lay_out_angles.h` prefers it to the least squares of Eqs. 19 to 21, which spread
 // errors over the whole chart. `predict_scale.h` and `seams/log_scale.h` share its cotangent Laplacian.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_EXACT_LAYOUT_H

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From angles to coordinates in the least squares sense: Eqs. 19 to 21 of the paper. `flatten_from_angles.h` falls back
+// From angles to coordinates in the least squares sense: Eqs. 19 to 21 of the paper. `lay_out_angles.h` falls back
 // on it where angles violate their constraints too much for `exact_layout.h`, or where it is asked for.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_LEAST_SQUARES_LAYOUT_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Sweeps that lower the energy of angles (Eq. 1) of a valid map by moving its vertices, and stretches of the whole map
-// in between. `flatten_hierarchically.h` and `flatten_injectively.h` end with it, since the relaxation of Section 5.2
+// in between. `coarse_to_fine.h` and `flatten_injectively.h` end with it, since the relaxation of Section 5.2
 // minimizes another energy.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_DESCENT_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Relaxation of a level (Section 5.2) by the energy of angles (Eq. 1) with triangles weighted by area, and the test on
-// the coarse chart that asks for it. `flatten_hierarchically.h` runs the test, and `refine.h` the relaxation.
+// the coarse chart that asks for it. `coarse_to_fine.h` runs the test, and `refine.h` the relaxation.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What collapses leave of a chart, copied into a chart of its own, so that methods for any chart can flatten it
-// (Section 5). `coarsen.h` makes its stages of it, `flatten_hierarchically.h` the chart to be solved, and
+// (Section 5). `coarsen.h` makes its stages of it, `coarse_to_fine.h` the chart to be solved, and
 // `seams/coarse_seams.h` a copy to cut.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSE_CHART_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Simplification of a chart level by level (Section 5.1), and the way back. The paper collapses one edge at a time.
-// `flatten_hierarchically.h`, `flatten_injectively.h` and `seams/coarse_seams.h` coarsen with it; `refine.h` undoes the
+// `coarse_to_fine.h`, `flatten_injectively.h` and `seams/coarse_seams.h` coarsen with it; `refine.h` undoes the
 // levels.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COARSEN_H

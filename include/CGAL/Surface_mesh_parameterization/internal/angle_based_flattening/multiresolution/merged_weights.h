@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The importance of faces on a coarse chart: each triangle has the mean of what was merged into its vertices.
-// `flatten_hierarchically.h` and `flatten_injectively.h` apply it, so that the coarse map already favours what the user
+// `coarse_to_fine.h` and `flatten_injectively.h` apply it, so that the coarse map already favours what the user
 // marked.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_MERGED_WEIGHTS_H

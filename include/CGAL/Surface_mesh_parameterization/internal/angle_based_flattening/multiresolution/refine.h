@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The way back from a coarse map to the whole chart: inserts the vertices of a level, then relaxes it (Section 5.2).
-// `flatten_hierarchically.h` and `flatten_injectively.h` run it. A border policy decides whether the border may overlap
+// `coarse_to_fine.h` and `flatten_injectively.h` run it. A border policy decides whether the border may overlap
 // itself.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_REFINE_H

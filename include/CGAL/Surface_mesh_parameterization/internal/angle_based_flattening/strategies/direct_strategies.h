@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The direct method with its fallbacks: from the surface's angles, with a raised barrier, and from a progressive
-// embedding. `flatten_chart_directly.h` tries them on disks, and `hole_strategies.h` on charts with holes. The paper
-// has the first only (Algorithm 18).
+// The strategies of the direct method, each on its own: from the angles of the surface or of an earlier map, with a
+// raised barrier, and from a progressive embedding. `flatten_chart_directly.h` tries them on disks, and
+// `hole_strategies.h` on charts with holes. The paper has the first only (Algorithm 18).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_DIRECT_STRATEGIES_H
@@ -13,6 +13,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
@@ -22,14 +24,18 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/lay_out_angles.h>
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -91,15 +97,26 @@ public:
       : m_task(task), m_beta(std::move(target_angles)), m_attempts(attempts)
   {}
 
-  // Newton's method from angles `start`, near to the solution or not
+  // One attempt: Newton's method from angles `start`, near to the solution or not (Algorithm 18), then the layout
   Direct_flattening flatten(const ABF_plus_plus_options& options, std::vector<double> start,
                             Report::Strategy strategy,
                             const Constraint_vector& multipliers = Constraint_vector())
   {
-    Direct_flattening result = flatten_from_angles(m_task.chart, m_task.part, options, m_task.solvers,
-                                                   m_task.round, m_beta, std::move(start), multipliers);
-    m_attempts.seconds += result.report.seconds;
-    result.report.strategy = strategy;
+    Direct_flattening result;
+    Report& report = result.report = report_of<Report>(m_task.part);
+    report.strategy = strategy;
+    Angle_solution solution;
+    {
+      const Stage stage(options.visitor, Flattening_visitor::ANGLES, report.seconds.angles);
+      solution = solve_angles(m_task.chart, m_beta, options, m_task.solvers, std::move(start), multipliers);
+    }
+    take_solution(solution, result);
+    if(result.succeeded())
+      result.uv = find_coordinates(m_task.chart, m_task.part, options, m_task.solvers, m_task.round,
+                                   result.alpha, std::move(solution.scalar_solver), report);
+    if(result.succeeded())
+      certify_layout(m_task.part, options, result);
+    m_attempts.seconds += report.seconds;
     return result;
   }
 
@@ -133,16 +150,33 @@ public:
     return result;
   }
 
-  // What is left when all else has failed
-  Direct_flattening from_embedding(Direct_flattening failed)
+  // What is left when all else has failed: Newton's method from the angles of a progressive embedding, and else the
+  // embedding itself
+  Direct_flattening from_embedding()
   {
-    if(optional_strategies.from_embedding == nullptr) {
-      fail(failed.report, failed.report.status,
-           needs_strategies(failed.report.message + "; the last fallback"));
-      return failed;
+    std::optional<std::vector<Chart::Point_2>> embedding =
+        progressive_embedding(m_task.chart, m_task.options);
+    if(!embedding) {
+      Direct_flattening result;
+      result.report = report_of<Report>(m_task.part);
+      result.report.strategy = Report::FROM_PROGRESSIVE_EMBEDDING;
+      fail(result.report, Diagnosis::PRECISION_EXCEEDED, "no valid map was found in double precision");
+      return result;
     }
-    m_attempts.note_failure(failed);
-    return optional_strategies.from_embedding(*this, m_task, m_attempts);
+    std::vector<double> alpha(m_beta.size());
+    for(int c = 0; c < m_task.chart.number_of_corners(); ++c)
+      alpha[c] = planar_angle(m_task.chart, *embedding, c);
+    Direct_flattening result =
+        flatten(m_task.options, starting_angles(alpha), Report::FROM_PROGRESSIVE_EMBEDDING);
+    if(result.succeeded() && result.report.converged)
+      return result;
+    if(result.succeeded())
+      fail(result.report, Diagnosis::NO_CONVERGENCE, "the angles did not converge");
+    if(m_task.part.has_prescribed_angles()) // the embedding knows nothing of them
+      return result;
+    m_attempts.note_failure(result);
+    embedding->resize(m_task.part.points.size());
+    return take_embedding(*embedding);
   }
 
   // Adds to `result` where the next run is to start, if there is to be one.
@@ -155,6 +189,40 @@ public:
   }
 
 private:
+  // Near the limits of precision rounding by the scale to the surface's area is too much; a power of two rounds
+  // nothing.
+  Direct_flattening take_embedding(const std::vector<Chart::Point_2>& embedding) const
+  {
+    std::vector<Chart::Point_2> uv = embedding;
+    scale_to_surface_area(m_task.part, uv);
+    Direct_flattening result = certified_embedding(std::move(uv));
+    if(result.succeeded())
+      return result;
+    const double factor = power_of_two(scale_to_surface(m_task.part, embedding));
+    uv = embedding;
+    for(Chart::Point_2& p : uv)
+      p = CGAL::ORIGIN + (p - CGAL::ORIGIN) * factor;
+    return certified_embedding(std::move(uv));
+  }
+
+  // `uv` if it is valid after rounding
+  Direct_flattening certified_embedding(std::vector<Chart::Point_2> uv) const
+  {
+    Direct_flattening result;
+    result.report = report_of<Report>(m_task.part);
+    result.report.strategy = Report::PROGRESSIVE_EMBEDDING;
+    m_task.round(uv);
+    Certificate certificate = certify(m_task.part, uv);
+    take_certificate(certificate, result.report);
+    if(!certificate.is_valid())
+      fail(result.report, Diagnosis::PRECISION_EXCEEDED,
+           "the map is valid, but after rounding to the coordinates' number type it has " +
+               describe_invalid(m_task.part, certificate));
+    result.invalid = std::move(certificate.invalid);
+    result.uv = std::move(uv);
+    return result;
+  }
+
   const Direct_task m_task;
   const std::vector<double> m_beta;
   Attempts& m_attempts;

@@ -3,9 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The body of `flatten_chart()`: refuses scales out of range, and picks the strategies for disks or for holes.
-// `flatten_chart.h` includes it in programs without the compiled library, which has it in
-// `angle_based_flattening_direct.cpp`.
+// The direct method on a chart: tries the strategies for disks one after the other, or those for holes, and makes the
+// map injective if that is wanted. The compiled library has it in `angle_based_flattening_direct.cpp`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_DIRECTLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_DIRECTLY_H
@@ -23,10 +22,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/patch_layouts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/hole_strategies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/lay_out_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/make_injective.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,25 +89,13 @@ inline Flattening<ABF_plus_plus_report> flatten_disk(const Direct_task& task, co
   if(task.options.fallbacks && can_fallbacks_help(*result)) {
     attempts.note_failure(*result);
     result = strategies.raise_barrier();
-    if(!result->succeeded())
-      result = strategies.from_embedding(std::move(*result));
+    if(!result->succeeded()) {
+      attempts.note_failure(*result);
+      result = strategies.from_embedding();
+    }
   }
   strategies.keep_angles(*result);
   return attempts.finish(task, std::move(*result));
-}
-
-inline Flattening<ABF_plus_plus_report> flatten_with_holes(const Direct_task& task, const Planar_angles* last)
-{
-  Flattening<ABF_plus_plus_report> refusal;
-  refusal.report = report_of<ABF_plus_plus_report>(task.chart);
-  refusal.invalid = limit_scale(task.chart, task.solvers, refusal.report);
-  if(!refusal.succeeded())
-    return refusal;
-  Flattening<ABF_plus_plus_report> result = are_holes_filled(task.chart, task.options)
-                                                ? optional_strategies.flatten_filled(task)
-                                                : solve_holes(task, last);
-  result.report.predicted_scale_range = refusal.report.predicted_scale_range;
-  return result;
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
@@ -118,9 +105,7 @@ flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Li
   const Direct_task task = {chart, chart, options, solvers, round};
   Flattening<ABF_plus_plus_report> result =
       chart.borders.size() == 1 ? flatten_disk(task, last) : flatten_with_holes(task, last);
-  return options.injective
-             ? optional_strategies.make_injective(chart, options, solvers, round, std::move(result))
-             : result;
+  return options.injective ? make_injective(chart, options, solvers, round, std::move(result)) : result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

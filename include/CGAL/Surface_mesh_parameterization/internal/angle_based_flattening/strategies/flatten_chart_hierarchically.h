@@ -3,9 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The body of `flatten_chart_hierarchically()` (Section 5): refinement, holes, polishing by the direct solver, and
-// certificate. `Hierarchical_parameterizer_3.h` and `make_injective.h` include it. `direct_strategies.h` falls back on
-// its progressive embedding.
+// The hierarchical and the injective method on a chart: refinement (Section 5) or descent, filled holes, polishing by
+// the direct solver, and the certificate. The compiled library has it in `angle_based_flattening_hierarchical.cpp`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_HIERARCHICALLY_H
@@ -15,24 +14,26 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/certify_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/flatten_injectively.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/certify_refined_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_to_fine.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_from_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/lay_out_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -94,7 +95,7 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
 {
   // The range of scale is predicted on the coarse chart: on the fine one, that would take longer than all the rest.
   if(options.injective)
-    return optional_strategies.flatten_injectively(chart, options, solvers, start);
+    return flatten_injectively(chart, options, solvers, start);
   Hierarchical_report prediction;
   const Coarse_flattening flatten_if_possible =
       [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
@@ -102,7 +103,7 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
     limit_scale(coarse, solvers, prediction);
     return prediction.status == Diagnosis::NOTHING_WRONG ? flatten_coarse(coarse) : std::nullopt;
   };
-  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, options, flatten_if_possible);
+  Flattening<Hierarchical_report> result = flatten_coarse_to_fine(chart, options, flatten_if_possible);
   result.report.predicted_scale_range = prediction.predicted_scale_range;
   if(!result.succeeded() && prediction.status != Diagnosis::NOTHING_WRONG)
     fail(result.report, prediction.status, prediction.message);
@@ -121,7 +122,7 @@ inline Flattening<Hierarchical_report> refined_map_of_filled(const Chart& chart,
   double seconds = 0;
   {
     const Stage stage(nullptr, Flattening_visitor::COARSEN, seconds);
-    filled = optional_strategies.fill_holes(chart, soft_patch_weight);
+    filled = fill_holes(chart, soft_patch_weight);
   }
   Flattening<Hierarchical_report> result = refined_map(filled, options, flatten_coarse, solvers);
   result.report.seconds.coarsen += seconds;
@@ -149,20 +150,50 @@ inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
                                                               const Coarse_flattening& flatten_coarse,
                                                               const Linear_solvers& solvers)
 {
-  const bool can_fill = optional_strategies.fill_holes != nullptr;
-  if(options.injective || are_holes_filled(chart, options) || (can_fill && has_many_holes(chart, options)))
+  if(options.injective || options.holes == Flattening_options::FILL || has_many_holes(chart, options))
     return refined_map_of_filled(chart, options, flatten_coarse, solvers);
   const Chart original = chart;
   Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);
   if(result.report.status != Diagnosis::NO_CONVERGENCE)
     return result;
-  if(!can_fill) {
-    fail(result.report, result.report.status,
-         needs_strategies(result.report.message + "; filling the holes instead"));
-    return result;
-  }
   chart = original;
   return refined_map_of_filled(chart, options, flatten_coarse, solvers);
+}
+
+// Why a map that was computed to be valid is not, after it was scaled and rounded
+inline void fail_to_certify(const Chart& chart, const Hierarchical_options& options,
+                            const Certificate& certificate, bool was_valid,
+                            Flattening<Hierarchical_report>& result)
+{
+  const std::string defect = certificate.is_valid() ? describe_touching_edges(chart, result.uv)
+                                                    : describe_invalid(chart, certificate);
+  if(was_valid)
+    fail(result.report, Diagnosis::PRECISION_EXCEEDED,
+         "the map is valid, but after rounding to the coordinates' number type it has " + defect);
+  else if(options.injective)
+    fail(result.report, Diagnosis::PRECISION_EXCEEDED,
+         "the map has " + defect +
+             ", as its range of scale is too large for double precision; a larger area weight may help");
+  else
+    fail(result.report, Diagnosis::FLIPPED_TRIANGLES, "the refined map has " + defect);
+}
+
+inline void certify(const Chart& chart, const Hierarchical_options& options, Rounding round,
+                    Flattening<Hierarchical_report>& result)
+{
+  const Stage stage(options.visitor, Flattening_visitor::CERTIFY, result.report.seconds.certify);
+  scale_to_surface_area(chart, result.uv);
+  const std::vector<Chart::Point_2> not_rounded = result.uv;
+  round(result.uv);
+  Certificate certificate = certify(chart, result.uv);
+  take_certificate(certificate, result.report);
+  result.report.injective = options.injective && certificate.is_valid() && certificate.border_is_simple;
+  if(!certificate.is_valid() || (options.injective && !certificate.border_is_simple))
+    fail_to_certify(chart, options, certificate,
+                    is_valid_map(chart, not_rounded) &&
+                        (!options.injective || is_border_simple(chart, not_rounded)),
+                    result);
+  result.invalid = std::move(certificate.invalid);
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<Hierarchical_report>
@@ -178,8 +209,6 @@ flatten_chart_hierarchically(Chart chart, const Hierarchical_options& options,
   return result;
 }
 
-// Simplifies a copy of the chart to one triangle, and puts all vertices back where their triangles are valid. Returns
-// nothing if double precision does not hold that.
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::optional<std::vector<Chart::Point_2>>
 progressive_embedding(Chart chart, const ABF_plus_plus_options& options)
 {
@@ -189,7 +218,7 @@ progressive_embedding(Chart chart, const ABF_plus_plus_options& options)
   hierarchical.max_retries = 0;
   hierarchical.visitor = options.visitor;
   const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-  Flattening<Hierarchical_report> result = flatten_hierarchically(chart, hierarchical, no_solver);
+  Flattening<Hierarchical_report> result = flatten_coarse_to_fine(chart, hierarchical, no_solver);
   if(!result.succeeded())
     return std::nullopt;
   return std::move(result.uv);

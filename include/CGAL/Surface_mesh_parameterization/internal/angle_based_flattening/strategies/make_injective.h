@@ -4,8 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The option `injective` of the direct method: keeps its own map if it is injective, and otherwise takes the map of the
-// injective method. `disk_strategies.h` enters it, and `flatten_chart_directly.h` calls it through
-// `optional_strategies.h`.
+// injective method. `flatten_chart_directly.h` ends with it. `injective/flatten_injectively.h` makes the map.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_MAKE_INJECTIVE_H
@@ -19,9 +18,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 
 #include <optional>
 #include <utility>
@@ -53,9 +52,10 @@ inline bool can_become_injective(const Flattening<ABF_plus_plus_report>& result,
 }
 
 // The direct method's own map if that is injective, and else the polished injective map of the hierarchical method.
-CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
-made_injective(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
-               Rounding round, Flattening<ABF_plus_plus_report> direct)
+inline Flattening<ABF_plus_plus_report> make_injective(const Chart& chart,
+                                                       const ABF_plus_plus_options& options,
+                                                       const Linear_solvers& solvers, Rounding round,
+                                                       Flattening<ABF_plus_plus_report> direct)
 {
   direct.report.injective = direct.succeeded() && direct.report.border_is_simple;
   if(direct.report.injective || !can_become_injective(direct, options.fallbacks))

@@ -28,12 +28,18 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/peak_memory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/optional_strategies.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_hierarchically.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
+#endif
 
 #include <memory>
 #include <mutex>
@@ -153,8 +159,8 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
   reader.end();
   if(!defect)
     defect = prescriptions.find_conflict();
-  if(!defect && prescriptions.wants_equal_seams() && prescriptions.equalize != nullptr)
-    defect = prescriptions.equalize(reader.chart, prescriptions.equal_seam_lengths.has_value());
+  if(!defect && prescriptions.wants_equal_seams())
+    defect = equalize_seams(reader.chart, prescriptions.equal_seam_lengths.has_value());
   if(!defect)
     defect = read_angle_sums(reader.vertex_descriptors, prescriptions.angle_sums, mesh, reader.chart);
   if(!defect)
@@ -163,21 +169,18 @@ Chart_defect read_prescribed_chart(const TriangleMesh& mesh,
 }
 
 // Reads a chart, flattens it, and writes the coordinates if the map is valid. `flatten` is called with the chart, which
-// it may consume if there are no pins, and with what rounds its coordinates; it returns a `Flattening<Report>`. `pin`
-// may be null if there are no pins.
+// it may consume if there are no pins, and with what rounds its coordinates; it returns a `Flattening<Report>`.
 template <typename Report, typename TriangleMesh, typename VertexUVmap, typename VertexIndexMap,
           typename Options, typename Flatten>
-std::shared_ptr<Outcome<TriangleMesh, Report>> run_parameterizer(
-    const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-    VertexUVmap uvmap, VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
-    const Options& options, const Linear_solvers& solvers, Pin_function<Report> pin, const Flatten& flatten)
+std::shared_ptr<Outcome<TriangleMesh, Report>>
+run_parameterizer(const TriangleMesh& mesh,
+                  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVmap uvmap,
+                  VertexIndexMap vimap, const Prescriptions<TriangleMesh>& prescriptions,
+                  const Options& options, const Linear_solvers& solvers, const Flatten& flatten)
 {
   const auto outcome = std::make_shared<Outcome<TriangleMesh, Report>>();
   Report& report = outcome->report;
-  std::string wrong = wrong_option(options);
-  if(wrong.empty())
-    wrong = missing_strategy(options);
-  if(!wrong.empty()) {
+  if(const std::string wrong = wrong_option(options); !wrong.empty()) {
     fail(report, Diagnosis::WRONG_OPTION, wrong);
     return outcome;
   }
@@ -199,7 +202,7 @@ std::shared_ptr<Outcome<TriangleMesh, Report>> run_parameterizer(
     Flattening<Report> flattening =
         flatten(reader.chart, has_pins ? [](std::vector<Chart::Point_2>&) {} : round);
     if(has_pins && flattening.succeeded())
-      pin(reader.chart, options, solvers, round, flattening);
+      pin_map(reader.chart, options, solvers, round, flattening);
     flattening.report.seconds += report.seconds;
     flattening.report.degenerate_triangles = report.degenerate_triangles;
     report = std::move(flattening.report);

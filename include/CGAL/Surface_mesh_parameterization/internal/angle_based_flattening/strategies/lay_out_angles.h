@@ -3,12 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One attempt of the direct method, from given angles to a certified map: Algorithm 18, then Eqs. 19 to 21 or the exact
-// layout. `direct_strategies.h` makes each attempt but the last with it; `flatten_chart_hierarchically.h` polishes with
-// its parts.
+// The way from planar angles to a certified map: the layout by Eqs. 19 to 21, or the exact one, and its certificate.
+// `direct_strategies.h` ends each attempt with it; `flatten_chart_hierarchically.h` polishes with its parts.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LAY_OUT_ANGLES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LAY_OUT_ANGLES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -115,30 +114,10 @@ find_coordinates(const Chart& chart, const Chart& part, const ABF_plus_plus_opti
   return std::move(layout->uv);
 }
 
-// From angles `start`, near to the solution, to a certified map: most of every strategy but the last one. The map is
-// that of `part`, the chart itself or its first vertices and triangles.
-inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& part,
-                                             const ABF_plus_plus_options& options,
-                                             const Linear_solvers& solvers, Rounding round,
-                                             const std::vector<double>& beta, std::vector<double> start,
-                                             const Constraint_vector& multipliers)
+// Whether the map of `part` is valid; otherwise the report says what is wrong.
+inline void certify_layout(const Chart& part, const ABF_plus_plus_options& options, Direct_flattening& result)
 {
-  Direct_flattening result;
-  ABF_plus_plus_report& report = result.report = report_of<ABF_plus_plus_report>(part);
-  Angle_solution solution;
-  {
-    const Stage stage(options.visitor, Flattening_visitor::ANGLES, report.seconds.angles);
-    solution = solve_angles(chart, beta, options, solvers, std::move(start), multipliers);
-  }
-  take_solution(solution, result);
-  if(!result.succeeded())
-    return result;
-
-  result.uv = find_coordinates(chart, part, options, solvers, round, result.alpha,
-                               std::move(solution.scalar_solver), report);
-  if(!result.succeeded())
-    return result;
-
+  ABF_plus_plus_report& report = result.report;
   Certificate certificate;
   {
     const Stage stage(options.visitor, Flattening_visitor::CERTIFY, report.seconds.certify);
@@ -157,9 +136,8 @@ inline Direct_flattening flatten_from_angles(const Chart& chart, const Chart& pa
   } else if(part.has_prescribed_angles() && !report.converged) {
     fail(report, Diagnosis::NO_CONVERGENCE, "the angles did not converge to the prescribed ones");
   }
-  return result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_FROM_ANGLES_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_LAY_OUT_ANGLES_H

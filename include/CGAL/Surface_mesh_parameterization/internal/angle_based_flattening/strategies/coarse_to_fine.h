@@ -3,12 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The hierarchical method on a chart (Section 5): coarsens it, has the coarse chart solved, refines and relaxes the
-// map. `flatten_chart_hierarchically.h` adds holes, polishing and the certificate. The coarse solver is any function on
+// Section 5 of the paper: coarsens a chart, has the coarse chart solved, refines and relaxes the map.
+// `flatten_chart_hierarchically.h` adds holes, polishing and the certificate. The coarse solver is any function on
 // charts.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_TO_FINE_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_TO_FINE_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -40,12 +40,12 @@
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Flattens a chart by way of a coarser one.
-class Hierarchical_flattening
+class Coarse_to_fine
 {
   typedef std::vector<Chart::Point_2> Layout;
 
 public:
-  Hierarchical_flattening(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
+  Coarse_to_fine(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
       : m_weights(chart), m_coarsening(chart), m_options(options), m_solve(solve),
         m_report(report_of<Hierarchical_report>(chart))
   {}
@@ -202,11 +202,11 @@ private:
 // Flattens a chart that `diagnose()` found flawless. Its connectivity changes meanwhile, and is restored if a valid map
 // was found. The map is not certified yet.
 inline Flattening<Hierarchical_report>
-flatten_hierarchically(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
+flatten_coarse_to_fine(Chart& chart, const Hierarchical_options& options, const Coarse_flattening& solve)
 {
-  return Hierarchical_flattening(chart, options, solve).run();
+  return Coarse_to_fine(chart, options, solve).run();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_HIERARCHICALLY_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_COARSE_TO_FINE_H
