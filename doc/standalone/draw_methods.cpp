@@ -356,7 +356,8 @@ void draw_atlas(const std::string& demo, const Pictures& pictures)
 {
   Mesh bull = read_mesh(demo + "/bull.off");
   const Atlas atlas = empty_atlas(bull);
-  check(bool(SMP::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart)), "the atlas");
+  check(bool(SMP::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart, SMP::Atlas_options::FEW_CHARTS)),
+        "the atlas");
   pictures.draw("atlas", bull, atlas, bull_view, false, true);
 }
 

@@ -121,7 +121,7 @@ int main(int argc, char* argv[])
   simple.collect_garbage();
 
   const UV_map uv = simple.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  SMP::Atlas_options atlas_options;
+  SMP::Atlas_options atlas_options(SMP::Atlas_options::FEW_CHARTS);
   atlas_options.resolution = 512;
   const SMP::Atlas_report atlas = SMP::make_atlas(simple, uv, atlas_options);
   if(!atlas) {

@@ -75,8 +75,8 @@ struct Baked_sphere
       simple.point(v) = Kernel::Point_3(p.x(), p.y(), p.z());
     }
     BOOST_REQUIRE(SMP::make_atlas(simple, no_seams(simple), uv, chart,
-                                  with<SMP::Atlas_options>(&SMP::Atlas_options::resolution, resolution,
-                                                           &SMP::Atlas_options::stretch_bound, 1.05)));
+                                  with<Few_charts>(&SMP::Atlas_options::resolution, resolution,
+                                                   &SMP::Atlas_options::stretch_bound, 1.05)));
     textures = SMP::bake_surface(simple, uv, fine, frames,
                                  with<Baking_options>(&Baking_options::resolution, resolution),
                                  np::face_patch_map(chart));
@@ -366,10 +366,10 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
   const int n = 150, gutter = 3;
   std::mt19937 random(5);
   Baked_sphere sphere;
-  BOOST_REQUIRE(SMP::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
-                                with<SMP::Atlas_options>(&SMP::Atlas_options::resolution, n,
-                                                         &SMP::Atlas_options::gutter, gutter,
-                                                         &SMP::Atlas_options::separate_overlaps, true)));
+  BOOST_REQUIRE(
+      SMP::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
+                      with<Few_charts>(&SMP::Atlas_options::resolution, n, &SMP::Atlas_options::gutter,
+                                       gutter, &SMP::Atlas_options::separate_overlaps, true)));
   const auto color = sphere.fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : sphere.fine.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(random() % 256), 0, 0);

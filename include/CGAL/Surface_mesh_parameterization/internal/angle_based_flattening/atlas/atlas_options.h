@@ -66,25 +66,6 @@ inline Hierarchical_options hierarchical_options(const Atlas_settings& options, 
   return result;
 }
 
-inline std::string wrong_price(const Atlas_options& options)
-{
-  return options.seam_price >= 0
-             ? std::string()
-             : "the seam price is " + std::to_string(options.seam_price) + ", and must be at least 0";
-}
-
-inline std::string wrong_option(const Atlas_settings& options)
-{
-  const Seam_options& seams = options;
-  const Packing_options& packing = options;
-  for(const std::string& wrong :
-      {wrong_option(seams), wrong_option(flattening_options(options)),
-       options.pack_into_square ? wrong_option(packing) : std::string(), wrong_price(options)})
-    if(!wrong.empty())
-      return wrong;
-  return "";
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_ATLAS_OPTIONS_H

@@ -23,18 +23,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// What is wrong with the options, or nothing
-inline std::string wrong_option(const Seam_options& options)
-{
-  if(!(options.stretch_bound >= 1))
-    return "the bound of the stretch is " + std::to_string(options.stretch_bound) +
-           ", and must be at least 1";
-  if(options.maximum_number_of_terminals < 0)
-    return "the number of terminals is at most " + std::to_string(options.maximum_number_of_terminals) +
-           ", and must not be negative";
-  return wrong_time_limit(options.time_limit);
-}
-
 struct Seams
 {
   enum Status
