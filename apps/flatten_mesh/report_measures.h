@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_REPORT_MEASURES_H
 #define FLATTEN_MESH_REPORT_MEASURES_H
 
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
@@ -59,11 +59,11 @@ inline Report_rows quality_rows(const SMP::Flattening_measures& measures)
 }
 
 // All are `null` if there are none.
-inline void add_measures(Json_object& json, const SMP::Flattening_measures* measures)
+inline void add_measures(Json& json, const SMP::Flattening_measures* measures)
 {
   using Measures = SMP::Flattening_measures;
   const auto add = [&](const char* key, double Measures::*measure) {
-    json.add(key, measures != nullptr ? json_number(measures->*measure) : "null");
+    json[key] = measures != nullptr ? Json(measures->*measure) : Json();
   };
   add("mean_angle_change", &Measures::mean_angle_change);
   add("rms_angle_change", &Measures::rms_angle_change);

@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_REPORT_SKIPPED_H
 
 #include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
@@ -25,19 +25,19 @@ namespace flatten_mesh {
 namespace internal {
 
 // Faces are counted from 1, in the file of their model.
-inline std::string skipped_json(const std::vector<Skipped_part>& parts,
-                                const std::vector<std::string>& names_of_models = {})
+inline Json skipped_json(const std::vector<Skipped_part>& parts,
+                         const std::vector<std::string>& names_of_models = {})
 {
-  return json_array(parts, [&](const std::size_t i) {
-    Json_object json;
+  return json_array(parts, [&](const Skipped_part& part) {
+    Json json;
     if(!names_of_models.empty()) {
-      json.add("input", json_text(names_of_models[parts[i].model]));
+      json["input"] = names_of_models[part.model];
     }
-    json.add("first_face", json_number(parts[i].first_face + 1));
-    json.add("faces", json_number(parts[i].faces));
-    json.add("diagnosis", json_text(parts[i].status));
-    json.add("message", json_text(parts[i].message));
-    return json.text();
+    json["first_face"] = part.first_face + 1;
+    json["faces"] = part.faces;
+    json["diagnosis"] = part.status;
+    json["message"] = part.message;
+    return json;
   });
 }
 

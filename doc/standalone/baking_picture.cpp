@@ -103,7 +103,7 @@ public:
         m_frames(m_mesh.add_property_map<Halfedge, TA::Tangent_frame>("h:frame").first)
   {
     const auto np = CGAL::parameters::face_patch_map(m_atlas.chart);
-    TA::Atlas_options atlas_options;
+    TA::Atlas_options atlas_options(TA::Atlas_options::FEW_CHARTS);
     atlas_options.resolution = texels;
     const auto report = TA::make_atlas(m_mesh, m_atlas.uv, atlas_options, np);
     if(!report) {

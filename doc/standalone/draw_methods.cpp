@@ -357,7 +357,8 @@ void draw_atlas(const std::string& demo, const Pictures& pictures)
 {
   Mesh bull = read_mesh(demo + "/bull.off");
   const Atlas atlas = empty_atlas(bull);
-  check(bool(TA::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart)), "the atlas");
+  check(bool(TA::make_atlas(bull, atlas.seams, atlas.uv, atlas.chart, TA::Atlas_options::FEW_CHARTS)),
+        "the atlas");
   pictures.draw("atlas", bull, atlas, bull_view, false, true);
 }
 

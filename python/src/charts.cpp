@@ -9,7 +9,7 @@
 #include "option_taker.h"
 #include "surfaces.h"
 
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
@@ -31,6 +31,9 @@
 namespace abf_python {
 
 namespace {
+
+using flatten_mesh::Json;
+using flatten_mesh::internal::json_text;
 
 using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh>;
 using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>;
@@ -78,51 +81,45 @@ SMP::Hierarchical_options hierarchical_options(const py::dict& given)
   return options;
 }
 
-flatten_mesh::internal::Json_object common_json(const SMP::Flattening_report& report,
-                                                const std::string& method)
+Json common_json(const SMP::Flattening_report& report, const std::string& method)
 {
-  using namespace flatten_mesh::internal;
-  Json_object json;
-  json.add("method", json_text(method));
-  json.add("vertices", json_number(report.vertices));
-  json.add("triangles", json_number(report.triangles));
-  json.add("borders", json_number(report.borders));
-  json.add("border_is_simple", json_bool(report.border_is_simple));
-  json.add("flipped_triangles", json_number(report.flipped_triangles));
-  json.add("injective", json_bool(report.injective));
-  json.add("smallest_angle", json_number(report.smallest_angle));
-  json.add("contact", json_number(report.contact));
-  json.add("largest_pin_distance", json_number(report.largest_pin_distance));
-  json.add("seconds", json_number(report.seconds.total()));
-  return json;
+  return {{"method", method},
+          {"vertices", report.vertices},
+          {"triangles", report.triangles},
+          {"borders", report.borders},
+          {"border_is_simple", report.border_is_simple},
+          {"flipped_triangles", report.flipped_triangles},
+          {"injective", report.injective},
+          {"smallest_angle", report.smallest_angle},
+          {"contact", report.contact},
+          {"largest_pin_distance", report.largest_pin_distance},
+          {"seconds", report.seconds.total()}};
 }
 
 std::string json_of(const SMP::ABF_plus_plus_report& report)
 {
-  using namespace flatten_mesh::internal;
   static const char* const strategies[] = {
       "FROM_LAST_ANGLES",           "FROM_TARGET_ANGLES",    "RAISED_BARRIER",
       "FROM_SOFT_PATCHES",          "SOFT_PATCHES",          "STIFF_PATCHES",
       "FROM_PROGRESSIVE_EMBEDDING", "PROGRESSIVE_EMBEDDING", "INJECTIVE_DESCENT"};
-  Json_object json = common_json(report, "direct");
-  json.add("strategy", json_text(strategies[report.strategy]));
-  json.add("converged", json_bool(report.converged));
-  json.add("iterations", json_number(report.iterations));
-  json.add("energy", json_number(report.energy));
-  json.add("constraint_residual", json_number(report.constraint_residual));
-  json.add("side_deviation", json_number(report.side_deviation));
-  return json.text();
+  Json json = common_json(report, "direct");
+  json.update({{"strategy", strategies[report.strategy]},
+               {"converged", report.converged},
+               {"iterations", report.iterations},
+               {"energy", report.energy},
+               {"constraint_residual", report.constraint_residual},
+               {"side_deviation", report.side_deviation}});
+  return json_text(json);
 }
 
 std::string json_of(const SMP::Hierarchical_report& report)
 {
-  using namespace flatten_mesh::internal;
-  Json_object json = common_json(report, "hierarchical");
-  json.add("levels", json_number(report.levels));
-  json.add("coarse_triangles", json_number(report.coarse_triangles));
-  json.add("relaxed_angles", json_bool(report.relaxed_angles));
-  json.add("polished", json_bool(report.polished));
-  return json.text();
+  Json json = common_json(report, "hierarchical");
+  json.update({{"levels", report.levels},
+               {"coarse_triangles", report.coarse_triangles},
+               {"relaxed_angles", report.relaxed_angles},
+               {"polished", report.polished}});
+  return json_text(json);
 }
 
 struct Flattening

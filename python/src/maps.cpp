@@ -9,7 +9,7 @@
 #include "option_taker.h"
 #include "surfaces.h"
 
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/report_measures.h"
 
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
@@ -28,16 +28,16 @@ namespace abf_python {
 
 namespace {
 
-using flatten_mesh::internal::json_bool;
-using flatten_mesh::internal::json_number;
+using flatten_mesh::Json;
+using flatten_mesh::internal::json_text;
 
 std::string measures_json(const SMP::Flattening_measures& measures)
 {
-  flatten_mesh::internal::Json_object json;
+  Json json;
   flatten_mesh::internal::add_measures(json, &measures);
-  json.add("flipped_triangles", json_number(measures.flipped_triangles));
-  json.add("border_is_simple", json_bool(measures.border_is_simple));
-  return json.text();
+  json["flipped_triangles"] = measures.flipped_triangles;
+  json["border_is_simple"] = measures.border_is_simple;
+  return json_text(json);
 }
 
 std::string measure(const Given_mesh& given, const Watch& watch)
@@ -96,15 +96,10 @@ TA::Packing_options packing_options(const py::dict& options)
 
 std::string packing_json(const TA::Packing_report& report)
 {
-  flatten_mesh::internal::Json_object json;
-  json.add("pages", json_number(report.number_of_pages));
-  json.add("page_of_chart",
-           flatten_mesh::internal::json_array(report.page_of_chart, [&](const std::size_t i) {
-             return json_number(report.page_of_chart[i]);
-           }));
-  json.add("covered_share", json_number(report.covered_share));
-  json.add("texels_per_unit", json_number(report.texels_per_length));
-  return json.text();
+  return json_text({{"pages", report.number_of_pages},
+                    {"page_of_chart", report.page_of_chart},
+                    {"covered_share", report.covered_share},
+                    {"texels_per_unit", report.texels_per_length}});
 }
 
 struct Packing

@@ -8,7 +8,7 @@
 #include "bindings.h"
 #include "surfaces.h"
 
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 
 #include <CGAL/Texture_atlas/bake_surface.h>
 #include <CGAL/Texture_atlas/flatten_with_cones.h>
@@ -38,15 +38,13 @@ struct Seams
 
 std::string json_of(const TA::Seam_report& report)
 {
-  Json_object json;
-  json.add("components", json_number(report.number_of_components));
-  json.add("disks", json_number(report.number_of_disks));
-  json.add("terminals", json_number(report.number_of_terminals));
-  json.add("length", json_number(report.seam_length));
-  json.add("relative_length", json_number(report.relative_seam_length));
-  json.add("predicted_stretch", json_number(report.predicted_stretch));
-  json.add("bound_reached", json_bool(report.bound_reached));
-  return json.text();
+  return json_text({{"components", report.number_of_components},
+                    {"disks", report.number_of_disks},
+                    {"terminals", report.number_of_terminals},
+                    {"length", report.seam_length},
+                    {"relative_length", report.relative_seam_length},
+                    {"predicted_stretch", report.predicted_stretch},
+                    {"bound_reached", report.bound_reached}});
 }
 
 std::optional<Weights> weights_of(Surface& surface, const std::string& way)
@@ -139,15 +137,13 @@ using Fine_surface = TA::Baked_surface<Mesh, Mesh>;
 
 std::string json_of(const TA::Baking_report& report)
 {
-  Json_object json;
-  json.add("chart_texels", json_number(report.number_of_chart_texels));
-  json.add("gutter_texels", json_number(report.number_of_gutter_texels));
-  json.add("back_faces", json_number(report.number_of_back_faces));
-  json.add("missed_rays", json_number(report.number_of_missed_rays));
-  json.add("ray_length", json_number(report.ray_length));
-  json.add("largest_distance", json_number(report.largest_distance));
-  json.add("mean_distance", json_number(report.mean_distance));
-  return json.text();
+  return json_text({{"chart_texels", report.number_of_chart_texels},
+                    {"gutter_texels", report.number_of_gutter_texels},
+                    {"back_faces", report.number_of_back_faces},
+                    {"missed_rays", report.number_of_missed_rays},
+                    {"ray_length", report.ray_length},
+                    {"largest_distance", report.largest_distance},
+                    {"mean_distance", report.mean_distance}});
 }
 
 Mesh::Property_map<Vertex, CGAL::IO::Color> colors_of(const std::vector<std::array<std::uint8_t, 3>>& given,

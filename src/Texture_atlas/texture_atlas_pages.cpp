@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Texture_atlas/internal/baking/bake_impl.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option_impl.h>
 #include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 #include <CGAL/Texture_atlas/internal/packing/pack_impl.h>
 

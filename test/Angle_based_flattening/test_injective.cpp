@@ -447,7 +447,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name)
     BOOST_TEST(run.is_untouched());
   };
   for(double wrong : {-1e-300, -1., 1.0000001, infinity, nan})
-    check(injective(wrong), "area weight");
+    check(injective(wrong), "area_weight");
   for(double wrong : {0., -0.25, 1.0000001, infinity, nan}) {
     Options options = injective();
     options.clearance = wrong;

@@ -7,6 +7,7 @@
 #define ANGLE_BASED_FLATTENING_ATLAS_CHECK_H
 
 #include "overlaps.h"
+#include "test_options.h"
 
 #include <CGAL/Texture_atlas/make_atlas.h>
 
@@ -215,7 +216,7 @@ Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options, const Na
 
 template <typename Point = CGAL::Simple_cartesian<double>::Point_2, typename Mesh,
           typename NamedParameters = parameters::Default_named_parameters>
-Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options = Atlas_options(),
+Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options = Few_charts(),
                         const NamedParameters& np = parameters::default_values())
 {
   return make_atlas_of<Point>(

@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(cones)
 BOOST_AUTO_TEST_CASE(atlases)
 {
   Scene scene(scenes::sphere_and_torus());
-  TA::Atlas_options options;
+  TA::Atlas_options options(TA::Atlas_options::FEW_CHARTS);
   options.resolution = 64;
   for(int threads : {1, 2}) {
     options.threads = threads;
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(common_atlases)
   const std::vector seams = {scene.seams, second.seams};
   const std::vector uv = {scene.corner_uv, second.corner_uv};
   const std::vector charts = {scene.charts, second.charts};
-  TA::Atlas_options options;
+  TA::Atlas_options options(TA::Atlas_options::FEW_CHARTS);
   options.threads = 1;
   options.resolution = 64;
   const Call call = [&](Scene&) {

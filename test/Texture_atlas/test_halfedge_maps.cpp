@@ -9,6 +9,7 @@
 
 #include "atlas_surfaces.h"
 #include "seam_surfaces.h"
+#include "test_options.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/Simple_cartesian.h>
@@ -58,7 +59,7 @@ struct Atlas
   Mesh::Property_map<Face, int> chart;
   TA::Atlas_report report;
 
-  Atlas(const Mesh& surface, const TA::Atlas_options& options = TA::Atlas_options()) : mesh(surface)
+  Atlas(const Mesh& surface, const TA::Atlas_options& options = Few_charts()) : mesh(surface)
   {
     uv = mesh.add_property_map<Halfedge, Point_2>("h:uv", {0, 0}).first;
     seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
@@ -170,7 +171,7 @@ BOOST_AUTO_TEST_CASE(atlases_are_injective)
 
 BOOST_AUTO_TEST_CASE(one_chart_is_measured_as_a_seam_mesh)
 {
-  TA::Atlas_options options;
+  TA::Atlas_options options(TA::Atlas_options::FEW_CHARTS);
   options.pack_into_square = false;
   for(const auto& surface : {seam_surfaces::sphere(2), seam_surfaces::torus(12, 8)}) {
     const Atlas atlas(surface.mesh<Mesh>(), options);

@@ -76,7 +76,7 @@ Result atlas_of(Mesh& mesh, double seam_price, const std::vector<Mesh::Edge_inde
     constrained[e] = true;
   Result result;
   const auto charts = mesh.add_property_map<Mesh::Face_index, int>("f:chart").first;
-  TA::Atlas_options options;
+  TA::Atlas_options options(TA::Atlas_options::FEW_CHARTS);
   options.seam_price = seam_price;
   result.report = TA::make_atlas(mesh, seams, uv, charts, options, np::edge_is_constrained_map(constrained));
   for(const Mesh::Edge_index e : mesh.edges())

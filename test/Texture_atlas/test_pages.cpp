@@ -373,7 +373,7 @@ struct Strip_atlas
 
 Atlas_options atlas_options(int width, int height, double texels)
 {
-  Atlas_options options;
+  Atlas_options options(Atlas_options::FEW_CHARTS);
   options.resolution = width;
   options.height = height;
   options.texels_per_unit = texels;

@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(a_price_is_at_least_0)
     options.seam_price = price;
     const Atlas_run run = make_atlas_of(surface(0), options);
     BOOST_TEST(run.report.status == Diagnosis::WRONG_OPTION);
-    BOOST_TEST(run.report.message.find("seam price") != std::string::npos);
+    BOOST_TEST(run.report.message.find("seam_price is ") != std::string::npos);
     BOOST_TEST(run.is_untouched());
   }
 }

@@ -1258,10 +1258,10 @@ BOOST_AUTO_TEST_CASE(standard_output_as_file)
   check_told("angle change");
   run(quoted(input) + " --json -");
   BOOST_TEST(status == 0);
-  BOOST_TEST(standard_output.compare(0, 15, "{\"status\": \"OK\"") == 0);
+  BOOST_TEST(standard_output.compare(0, 18, "{\n  \"status\": \"OK\"") == 0);
   run("absent.off --json -");
   BOOST_TEST(status == 2);
-  BOOST_TEST(standard_output.compare(0, 15, "{\"status\": \"WRO") == 0);
+  BOOST_TEST(standard_output.compare(0, 18, "{\n  \"status\": \"WRO") == 0);
 #ifdef __linux__
   run(quoted(input) + " --output /dev/fd/9 9>&1 | cat");
   BOOST_TEST(lines_with(standard_output, "vt").size() == 35u);

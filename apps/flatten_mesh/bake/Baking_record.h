@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_BAKING_RECORD_H
 #define FLATTEN_MESH_BAKING_RECORD_H
 
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
@@ -55,24 +55,21 @@ inline Report_rows baking_rows(const Baking_record& record)
            "black in the picture; white is " + format_number("%.4g", record.greatest_displacement)}};
 }
 
-inline std::string baking_json(const Baking_record& record)
+inline Json baking_json(const Baking_record& record)
 {
-  using internal::json_number;
   const auto& report = record.report;
-  internal::Json_object json;
-  json.add("from", internal::json_text(record.from));
-  json.add("triangles", json_number(record.triangles));
-  json.add("colors", record.has_colors ? "true" : "false");
-  json.add("chart_texels", json_number(report.number_of_chart_texels));
-  json.add("gutter_texels", json_number(report.number_of_gutter_texels));
-  json.add("missed_rays", json_number(report.number_of_missed_rays));
-  json.add("back_faces", json_number(report.number_of_back_faces));
-  json.add("reach", json_number(report.ray_length));
-  json.add("mean_distance", json_number(report.mean_distance));
-  json.add("largest_distance", json_number(report.largest_distance));
-  json.add("least_displacement", json_number(record.least_displacement));
-  json.add("greatest_displacement", json_number(record.greatest_displacement));
-  return json.text();
+  return {{"from", record.from},
+          {"triangles", record.triangles},
+          {"colors", record.has_colors},
+          {"chart_texels", report.number_of_chart_texels},
+          {"gutter_texels", report.number_of_gutter_texels},
+          {"missed_rays", report.number_of_missed_rays},
+          {"back_faces", report.number_of_back_faces},
+          {"reach", report.ray_length},
+          {"mean_distance", report.mean_distance},
+          {"largest_distance", report.largest_distance},
+          {"least_displacement", record.least_displacement},
+          {"greatest_displacement", record.greatest_displacement}};
 }
 
 } // namespace flatten_mesh

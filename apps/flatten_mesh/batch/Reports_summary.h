@@ -79,47 +79,64 @@ inline std::optional<double> finite_number(const std::string& text)
   return error == std::errc() && place == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+// A member, or `null`: "/atlas/charts" are the charts of the atlas.
+inline const Json& member(const Json& json, const std::string& path)
+{
+  static const Json none;
+  const Json::json_pointer pointer(path);
+  return json.contains(pointer) ? json[pointer] : none;
+}
+
+inline std::string text_of_value(const Json& value)
+{
+  std::string text;
+  if(value.is_number_float()) {
+    append_number(text, value.get<double>());
+  } else if(!value.is_null()) {
+    text = value.is_string() ? value.get<std::string>() : json_text(value);
+  }
+  return text;
+}
+
 // Of all stages. With `--plain`, `parameterize` is the sum of some of them.
-inline std::string seconds_of(const Report_tree& report)
+inline std::string seconds_of(const Json& report)
 {
   static const std::set<std::string> of_plain = {"read",    "seams", "parameterize",
                                                  "measure", "split", "write"};
-  const Report_tree stages = report.get_child("seconds", Report_tree());
-  const bool is_plain = stages.count("parameterize") != 0;
+  const Json& stages = member(report, "/seconds");
+  const bool is_plain = stages.contains("parameterize");
   double seconds = 0;
-  for(const auto& [name, value] : stages) {
-    seconds += is_plain && of_plain.count(name) == 0 ? 0 : value.get_value<double>(0);
+  for(const auto& [name, value] : stages.items()) {
+    seconds += value.is_number() && (!is_plain || of_plain.count(name) != 0) ? value.get<double>() : 0;
   }
   return stages.empty() ? "" : format_number("%.3f", seconds);
 }
 
-inline std::string number_of_charts(const Report_tree& report)
+inline std::string number_of_charts(const Json& report)
 {
-  const auto charts = report.get_child_optional("atlas.charts");
-  const bool is_one_chart = report.count("method") != 0;
-  return charts ? std::to_string(charts->size()) : is_one_chart ? "1" : "";
+  const Json& charts = member(report, "/atlas/charts");
+  return charts.is_array() ? std::to_string(charts.size()) : report.contains("method") ? "1" : "";
 }
 
-inline Reports_summary::Row row_of_report(const std::string& name, const Report_tree& report)
+inline Reports_summary::Row row_of_report(const std::string& name, const Json& report)
 {
-  const auto value = [&report](const std::string& key, const std::string& key_of_plain = "") {
-    const auto text = report.get_optional<std::string>(key);
-    const std::string found = text ? *text : report.get<std::string>(key_of_plain, "null");
-    return found == "null" ? "" : found;
+  const auto value = [&report](const char* path, const char* path_of_plain = "") {
+    const Json& found = member(report, path);
+    return text_of_value(found.is_null() && *path_of_plain != 0 ? member(report, path_of_plain) : found);
   };
   return {name,
-          value("input"),
-          value("status"),
-          value("exit_status"),
-          value("message"),
-          value("triangles"),
+          value("/input"),
+          value("/status"),
+          value("/exit_status"),
+          value("/message"),
+          value("/triangles"),
           number_of_charts(report),
-          value("atlas.packing.covered_share"),
-          value("atlas.packing.texel_density"),
-          value("atlas.l2_stretch", "l2_stretch"),
-          value("atlas.seams.relative_length", "seams.length"),
+          value("/atlas/packing/covered_share"),
+          value("/atlas/packing/texel_density"),
+          value("/atlas/l2_stretch", "/l2_stretch"),
+          value("/atlas/seams/relative_length", "/seams/length"),
           seconds_of(report),
-          value("peak_memory_mb")};
+          value("/peak_memory_mb")};
 }
 
 inline bool has_numbers(const Reports_summary::Row& row)
@@ -133,18 +150,17 @@ inline bool has_numbers(const Reports_summary::Row& row)
 }
 
 // Adds the charts of the last row.
-inline void add_charts(const Report_tree& report, Reports_summary& summary)
+inline void add_charts(const Json& report, Reports_summary& summary)
 {
   std::vector<Summarized_chart>& worst = summary.worst;
   std::size_t number = 0;
-  const Report_tree charts = report.get_child("atlas.charts", Report_tree());
-  for(const auto& [ignored, chart] : charts) {
-    const auto value = [&chart = chart](const char* key) {
-      return finite_number(chart.get<std::string>(key, ""));
+  for(const Json& chart : member(report, "/atlas/charts")) {
+    const auto value = [&chart](const char* path) {
+      return finite_number(text_of_value(member(chart, path)));
     };
-    worst.push_back({summary.rows.size() - 1, number++, value("triangles"), value("share_of_area"),
-                     chart.get<std::string>("method", ""),
-                     value("l2_stretch").value_or(std::numeric_limits<double>::infinity())});
+    worst.push_back({summary.rows.size() - 1, number++, value("/triangles"), value("/share_of_area"),
+                     text_of_value(member(chart, "/method")),
+                     value("/l2_stretch").value_or(std::numeric_limits<double>::infinity())});
   }
   std::stable_sort(worst.begin(), worst.end(), [](const Summarized_chart& a, const Summarized_chart& b) {
     return a.l2_stretch > b.l2_stretch;
@@ -159,7 +175,7 @@ inline void add_charts(const Report_tree& report, Reports_summary& summary)
 // Adds a file, as a report with a name or as one that is left out.
 inline void add_report(const std::string& name, const std::string& file, Reports_summary& summary)
 {
-  const std::optional<Report_tree> report = read_report(file);
+  const std::optional<Json> report = read_report(file);
   const Reports_summary::Row row = report ? internal::row_of_report(name, *report) : Reports_summary::Row();
   if(report && internal::has_numbers(row)) {
     summary.rows.push_back(row);

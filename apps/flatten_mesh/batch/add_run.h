@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_ADD_RUN_H
 
 #include "flatten_mesh/Exit_status.h"
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 
 #include <string>
 #include <vector>
@@ -17,11 +17,11 @@ namespace flatten_mesh {
 namespace internal {
 
 // What `--resume` and `--summary` ask the report for programs
-inline void add_run(Json_object& json, const Exit_status status, const std::vector<std::string>& options)
+inline void add_run(Json& json, const Exit_status status, const std::vector<std::string>& options)
 {
-  json.add("exit_status", json_number(static_cast<int>(status)));
-  json.add("version", json_text(ABF_VERSION));
-  json.add("options", json_texts(options));
+  json["exit_status"] = static_cast<int>(status);
+  json["version"] = ABF_VERSION;
+  json["options"] = options;
 }
 
 } // namespace internal
@@ -31,12 +31,9 @@ inline std::string failure_json(const std::string& status, const Exit_status exi
                                 const std::string& message, const std::string& input,
                                 const std::vector<std::string>& options)
 {
-  internal::Json_object json;
-  json.add("status", internal::json_text(status));
-  json.add("message", internal::json_text(message));
-  json.add("input", internal::json_text(input));
+  Json json = {{"status", status}, {"message", message}, {"input", input}};
   internal::add_run(json, exit_status, options);
-  return json.text() + "\n";
+  return json_report_text(json);
 }
 
 } // namespace flatten_mesh

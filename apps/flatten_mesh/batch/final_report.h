@@ -11,16 +11,11 @@
 #include "flatten_mesh/batch/add_run.h"
 #include "flatten_mesh/batch/read_report.h"
 #include "flatten_mesh/file_names.h"
-#include "flatten_mesh/json.h"
-
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -47,17 +42,6 @@ inline bool is_newer(const std::string& report, const Command_line& command)
   });
 }
 
-// As they are once they have been written and read
-inline Report_tree tree_of_options(const std::vector<std::string>& options)
-{
-  Json_object json;
-  add_run(json, SUCCESS, options);
-  std::istringstream stream(json.text());
-  Report_tree tree;
-  boost::property_tree::read_json(stream, tree);
-  return tree;
-}
-
 } // namespace internal
 
 // The exit status of an earlier run of the same version with the same options on the same input, if it is final: what
@@ -68,19 +52,21 @@ inline std::optional<Exit_status> final_status(const Command_line& command)
   if(!std::filesystem::is_regular_file(command.json, ignored) || !internal::is_newer(command.json, command)) {
     return std::nullopt;
   }
-  const std::optional<Report_tree> report = read_report(command.json);
+  const std::optional<Json> report = read_report(command.json);
   if(!report) {
     return std::nullopt;
   }
-  const Report_tree expected = internal::tree_of_options(command.batch.recorded), none;
+  // Bytes that are no UTF-8 change when they are written.
+  Json expected;
+  internal::add_run(expected, SUCCESS, command.batch.recorded);
+  expected = Json::parse(internal::json_text(expected));
   const std::array<std::string, 4> passing = {"TIMED_OUT", "OUT_OF_MEMORY", "CRASHED", "CANNOT_WRITE"};
   const bool is_final =
-      report->get_child("version", none) == expected.get_child("version") &&
-      report->get_child("options", none) == expected.get_child("options") &&
-      std::find(passing.begin(), passing.end(), report->get<std::string>("status")) == passing.end();
-  return is_final
-             ? std::optional(static_cast<Exit_status>(report->get<int>("exit_status", COMPUTATION_FAILED)))
-             : std::nullopt;
+      report->value("version", Json()) == expected["version"] &&
+      report->value("options", Json()) == expected["options"] &&
+      std::find(passing.begin(), passing.end(), report->at("status").get<std::string>()) == passing.end();
+  return is_final ? std::optional(static_cast<Exit_status>(report->at("exit_status").get<int>()))
+                  : std::nullopt;
 }
 
 } // namespace flatten_mesh

@@ -6,42 +6,34 @@
 #ifndef FLATTEN_MESH_SUMMARY_PAGE_H
 #define FLATTEN_MESH_SUMMARY_PAGE_H
 
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/batch/Reports_summary.h"
-#include "flatten_mesh/json.h"
 #include "flatten_mesh/report/page_text.h"
 
-#include <boost/algorithm/string/replace.hpp>
-
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace flatten_mesh {
 
 namespace internal {
 
-inline std::string json_optional(const std::optional<double>& number)
+inline Json summary_row_json(const Reports_summary::Row& row)
 {
-  return number ? json_number(*number) : "null";
+  Json json = Json::array();
+  for(std::size_t i = 0; i < row.size(); ++i) {
+    json.push_back(summary_columns()[i].is_number ? json_optional(finite_number(row[i])) : Json(row[i]));
+  }
+  return json;
 }
 
-inline std::string summary_row_json(const Reports_summary::Row& row)
+inline Json worst_chart_json(const Summarized_chart& chart)
 {
-  return json_array(row, [&row](const std::size_t i) {
-    return summary_columns()[i].is_number ? json_optional(finite_number(row[i])) : json_text(row[i]);
-  });
-}
-
-inline std::string worst_chart_json(const Summarized_chart& chart)
-{
-  Json_object json;
-  json.add("row", json_number(chart.row));
-  json.add("number", json_number(chart.number));
-  json.add("triangles", json_optional(chart.triangles));
-  json.add("share_of_area", json_optional(chart.share_of_area));
-  json.add("method", json_text(chart.method));
-  json.add("l2_stretch", json_number(chart.l2_stretch));
-  return json.text();
+  return {{"row", chart.row},
+          {"number", chart.number},
+          {"triangles", json_optional(chart.triangles)},
+          {"share_of_area", json_optional(chart.share_of_area)},
+          {"method", chart.method},
+          {"l2_stretch", chart.l2_stretch}};
 }
 
 } // namespace internal
@@ -50,22 +42,16 @@ inline std::string worst_chart_json(const Summarized_chart& chart)
 inline std::string summary_page(const std::string& folder, const Reports_summary& summary)
 {
   using internal::json_array;
-  using internal::json_text;
-  internal::Json_object json;
-  json.add("folder", json_text(folder));
-  json.add("version", json_text(ABF_VERSION));
-  json.add("columns", json_array(summary_columns(),
-                                 [](const std::size_t i) { return json_text(summary_columns()[i].name); }));
-  json.add("rows", json_array(summary.rows, [&summary](const std::size_t i) {
-             return internal::summary_row_json(summary.rows[i]);
-           }));
-  json.add("worst", json_array(summary.worst, [&summary](const std::size_t i) {
-             return internal::worst_chart_json(summary.worst[i]);
-           }));
-  json.add("left_out", internal::json_texts(summary.left_out));
+  const auto name = [](const Summary_column& column) { return column.name; };
+  const Json json = {{"folder", folder},
+                     {"version", ABF_VERSION},
+                     {"columns", json_array(summary_columns(), name)},
+                     {"rows", json_array(summary.rows, internal::summary_row_json)},
+                     {"worst", json_array(summary.worst, internal::worst_chart_json)},
+                     {"left_out", summary.left_out}};
   return page_text(summary_page_parts, "Reports in " + folder,
-                   "<script type=\"application/json\" id=\"summary\">" +
-                       boost::replace_all_copy(json.text(), "<", "\\u003c") + "</script>\n");
+                   "<script type=\"application/json\" id=\"summary\">" + internal::json_for_html(json) +
+                       "</script>\n");
 }
 
 } // namespace flatten_mesh

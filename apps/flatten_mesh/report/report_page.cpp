@@ -51,8 +51,9 @@ std::string page_data(const Report_contents& contents)
           ? whole_surface(mesh, measures)
           : thinned_surface(mesh, measures, worst_triangles(all.summaries), most_triangles);
   const Display_factors factors = display_factors(mesh, contents.box);
-  return "<script type=\"application/json\" id=\"report\">" + page_json(contents, all, shown, factors) +
-         "</script>\n" + page_arrays(shown, factors, contents.faces);
+  return "<script type=\"application/json\" id=\"report\">" +
+         internal::json_for_html(page_json(contents, all, shown, factors)) + "</script>\n" +
+         page_arrays(shown, factors, contents.faces);
 }
 
 } // namespace

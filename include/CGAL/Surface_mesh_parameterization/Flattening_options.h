@@ -48,7 +48,7 @@ struct Flattening_options
   /// (`Hierarchical_report::relaxed_angles`).
   double barrier = 0.1;
 
-  /// Number of threads that work at once, 0 for one on each processor. It has no effect unless the program is linked
+  /// Number of threads that work at once, at most 1024; 0 for one on each processor. It has no effect unless the program is linked
   /// with `CGAL::TBB_support`. It never changes the result.
   int threads = 0;
 
@@ -122,7 +122,7 @@ struct ABF_plus_plus_options : Flattening_options
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
-  /// Largest accepted violation of a constraint at a vertex, in radians; at least 1e-14. For the reconstruction
+  /// Largest accepted violation of a constraint at a vertex, in radians; finite and at least 1e-14. For the reconstruction
   /// constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap relative to
   /// its circumference; for seams of equal lengths, also twice the largest difference of the logarithms of both
   /// lengths. The layout closes the remaining gap. With the default value, measures of distortion have at least four

@@ -74,26 +74,26 @@ class Atlas_visitor;
 ///
 /// Options of `make_atlas()`, where `Seam_options::stretch_bound` bounds the stretch of each chart.
 ///
-/// The constructor takes what the atlas is for, and sets options accordingly. Each of them can be changed afterwards.
-/// `make_atlas(mesh, uv, Atlas_options::TEXTURE)` works; with named parameters, write
-/// `Atlas_options(Atlas_options::TEXTURE)`.
+/// The constructor takes what the atlas is for, and sets options accordingly: a texture, unless something else is given.
+/// Each option can be changed afterwards. `make_atlas(mesh, uv, Atlas_options::FEW_CHARTS)` works; with named parameters,
+/// write `Atlas_options(Atlas_options::FEW_CHARTS)`.
 ///
-/// | option                | `FEW_CHARTS` | `CONFORMAL` | `TEXTURE` |
-/// | :-------------------- | :----------- | :---------- | :-------- |
-/// | `stretch_bound`       | 1.1          | 1.1         | 1.07      |
-/// | `separate_overlaps`   | `false`      | `true`      | `true`    |
-/// | `isometric_charts`    | `false`      | `false`     | `true`    |
-/// | `area_weight`         | 0.02         | 0.02        | 1         |
-/// | `equal_seam_lengths`  | `true`       | `true`      | `false`   |
-/// | `seam_price`          | infinity     | 0.04        | 0.04      |
+/// | option                | `TEXTURE` | `FEW_CHARTS` | `CONFORMAL` |
+/// | :-------------------- | :-------- | :----------- | :---------- |
+/// | `stretch_bound`       | 1.07      | 1.1          | 1.1         |
+/// | `separate_overlaps`   | `true`    | `false`      | `true`      |
+/// | `isometric_charts`    | `true`    | `false`      | `false`     |
+/// | `area_weight`         | 1         | 0.02         | 0.02        |
+/// | `equal_seam_lengths`  | `false`   | `true`       | `true`      |
+/// | `seam_price`          | 0.04      | infinity     | 0.04        |
 struct Atlas_options : Seam_options, Packing_options
 {
   /// What an atlas is for.
   enum Purpose
   {
+    TEXTURE, ///< Many and even texels: charts are as isometric as possible, and cut so that they cover the square.
     FEW_CHARTS, ///< As few charts and seams as possible: one chart for each component where that gives an even scale.
-    CONFORMAL, ///< The angles of ABF++ wherever it has a valid map; charts are split where it would overlap itself.
-    TEXTURE ///< Many and even texels: charts are as isometric as possible, and cut so that they cover the square.
+    CONFORMAL ///< The angles of ABF++ wherever it has a valid map; charts are split where it would overlap itself.
   };
 
   /// What becomes of coordinates that `uv` has already. Edges whose two sides have different ones are seams, and each
@@ -111,25 +111,25 @@ struct Atlas_options : Seam_options, Packing_options
 
   /// How much injective maps preserve areas, from 0 to 1 (see `Flattening_options::area_weight`). The default is larger
   /// than for single charts, because an atlas should have even texels.
-  double area_weight = 0.02;
+  double area_weight = 1;
 
   /// Whether a map of ABF++ that overlaps itself is split into several charts, as by `split_overlaps()`. Otherwise, an
   /// injective map replaces it.
-  bool separate_overlaps = false;
+  bool separate_overlaps = true;
 
   /// Whether all charts get injective maps that are as isometric as possible, in place of those of ABF++. Charts whose
   /// map is nearly isometric already keep it.
-  bool isometric_charts = false;
+  bool isometric_charts = true;
 
   /// What a seam costs: at least 0. Charts are cut in two as long as they then cover more of the square: by a factor of
   /// \f$e^{pl}\f$, where \f$p\f$ is this price and \f$l\f$ the length of the new seams, in units of the square root of the
   /// area of all charts. With infinity, without `pack_into_square`, and if there are more than 256 charts, none is cut.
-  double seam_price = std::numeric_limits<double>::infinity();
+  double seam_price = 0.04;
 
   /// Whether both sides of each seam edge within a chart get equal lengths in the plane, as by
   /// `ABF_plus_plus_options::equal_seam_lengths`. Hierarchical and injective maps ignore this option. If the solver
   /// does not reach equal lengths, the chart is mapped without them (`Atlas_report::Chart::seam_lengths`).
-  bool equal_seam_lengths = true;
+  bool equal_seam_lengths = false;
 
   /// Whether the charts are packed into the unit square. Otherwise, each chart has the same area as on the surface, and
   /// the lower left corner of its bounding box is the origin.
@@ -146,18 +146,19 @@ struct Atlas_options : Seam_options, Packing_options
   Atlas_visitor* visitor = nullptr;
 
   /// sets the options for a purpose.
-  Atlas_options(Purpose purpose = FEW_CHARTS) // implicit: `make_atlas()` takes the name of a purpose
+  Atlas_options(Purpose purpose = TEXTURE) // implicit: `make_atlas()` takes the name of a purpose
   {
-    if(purpose == FEW_CHARTS)
+    if(purpose == TEXTURE) {
+      stretch_bound = 1.07;
       return;
-    separate_overlaps = true;
-    seam_price = 0.04;
-    if(purpose == CONFORMAL)
-      return;
-    stretch_bound = 1.07;
-    area_weight = 1;
-    isometric_charts = true;
-    equal_seam_lengths = false;
+    }
+    area_weight = 0.02;
+    isometric_charts = false;
+    equal_seam_lengths = true;
+    if(purpose == FEW_CHARTS) {
+      separate_overlaps = false;
+      seam_price = std::numeric_limits<double>::infinity();
+    }
   }
 };
 

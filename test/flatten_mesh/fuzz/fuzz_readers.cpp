@@ -9,7 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/model/read_model.h"
 
 #include <boost/locale/utf.hpp>

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_GLTF_FILE_H
 #define FLATTEN_MESH_GLTF_FILE_H
 
-#include "flatten_mesh/model/gltf/Json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/texts.h"
 
 #include <tiny_gltf.h>

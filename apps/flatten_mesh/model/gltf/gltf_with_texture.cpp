@@ -6,7 +6,7 @@
 #include "flatten_mesh/model/gltf/Gltf_accessors.h"
 #include "flatten_mesh/model/gltf/Gltf_elements.h"
 #include "flatten_mesh/model/gltf/Gltf_file.h"
-#include "flatten_mesh/model/gltf/Json.h"
+#include "flatten_mesh/Json.h"
 #include "flatten_mesh/model/gltf/next_texture.h"
 #include "flatten_mesh/model/gltf/other_accessors.h"
 #include "flatten_mesh/model/gltf_surface.h"

@@ -15,7 +15,7 @@
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -65,25 +65,6 @@ inline Hierarchical_options hierarchical_options(const Atlas_settings& options, 
     result.energy_tolerance = 0.01;
   }
   return result;
-}
-
-inline std::string wrong_price(const Atlas_options& options)
-{
-  return options.seam_price >= 0
-             ? std::string()
-             : "the seam price is " + std::to_string(options.seam_price) + ", and must be at least 0";
-}
-
-inline std::string wrong_option(const Atlas_settings& options)
-{
-  const Seam_options& seams = options;
-  const Packing_options& packing = options;
-  for(const std::string& wrong :
-      {wrong_option(seams), wrong_option(flattening_options(options)),
-       options.pack_into_square ? wrong_option(packing) : std::string(), wrong_price(options)})
-    if(!wrong.empty())
-      return wrong;
-  return "";
 }
 
 } // namespace CGAL::Texture_atlas::internal

@@ -17,6 +17,7 @@
 #include <CGAL/Texture_atlas/internal/baking/shaded_surfaces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -87,21 +88,8 @@ private:
 
   bool check_options()
   {
-    const auto is_wrong = [this](const char* what, int value, int least, int most) {
-      return (value < least || value > most) &&
-             !fail(Diagnosis::WRONG_OPTION, std::string("the ") + what + " is " + std::to_string(value) +
-                                                ", and must be from " + std::to_string(least) + " to " +
-                                                std::to_string(most));
-    };
-    if(is_wrong("resolution", m_options.resolution, 1, largest_baked_resolution) ||
-       is_wrong("height", m_options.number_of_rows(), 1, largest_baked_resolution) ||
-       is_wrong("gutter", m_options.gutter, 0, largest_baked_gutter))
-      return false;
-    if(m_options.threads < 0)
-      return fail(Diagnosis::WRONG_OPTION, "the number of threads must not be negative");
-    if(m_options.ray_length && !(*m_options.ray_length > 0 && std::isfinite(*m_options.ray_length)))
-      return fail(Diagnosis::WRONG_OPTION, "the ray length must be finite and above 0");
-    return true;
+    const std::string wrong = wrong_option(m_options);
+    return wrong.empty() || fail(Diagnosis::WRONG_OPTION, wrong);
   }
 
   bool read_simple()

@@ -22,8 +22,6 @@ namespace CGAL::Texture_atlas::internal {
 
 typedef Eigen::Vector3d Space_vector;
 
-inline constexpr int largest_baked_resolution = 1 << 14, largest_baked_gutter = 1 << 10;
-
 // Triangles in space with a normal at each vertex
 struct Shaded_surface
 {

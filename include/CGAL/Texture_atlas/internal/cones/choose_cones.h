@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ inline std::string wrong_option(std::size_t number_of_cones, const Cone_options&
     return "2 pi is not a multiple of the angle " + std::to_string(options.angle_multiple);
   if(options.angle_multiple != 0 && options.angles == Cone_angles::FREE)
     return "free angles of cones cannot be multiples of an angle";
-  return wrong_time_limit(options.parameterizer.time_limit);
+  return wrong_option(options.parameterizer);
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chosen_cones choose_cones(const Chart& surface,

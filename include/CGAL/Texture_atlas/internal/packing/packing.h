@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/Atlas_options.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -23,36 +24,7 @@
 
 namespace CGAL::Texture_atlas::internal {
 
-inline constexpr int largest_resolution = 1 << 15, largest_gutter = 1 << 10, largest_block = 1 << 10,
-                     most_rotations = 1 << 10, most_pages = 10000;
-
-// What is wrong with the options, or nothing
-inline std::string wrong_option(const Packing_options& options)
-{
-  const auto text = [](const char* what, int value, int least, int most) {
-    return value >= least && value <= most
-               ? std::string()
-               : std::string("the ") + what + " is " + std::to_string(value) + ", and must be from " +
-                     std::to_string(least) + " to " + std::to_string(most);
-  };
-  std::string wrong = text("resolution", options.resolution, 1, largest_resolution);
-  if(wrong.empty())
-    wrong = text("height", options.number_of_rows(), 1, largest_resolution);
-  if(wrong.empty())
-    wrong = text("block", options.block, 1, largest_block);
-  for(const int side : {options.resolution, options.number_of_rows()})
-    if(wrong.empty() && side % options.block != 0)
-      wrong = "the block of " + std::to_string(options.block) + " texels does not divide the " +
-              std::to_string(side) + " texels along a side of the page";
-  if(wrong.empty() && !(options.texels_per_unit >= 0 && std::isfinite(options.texels_per_unit)))
-    wrong = "the number of texels per unit is " + std::to_string(options.texels_per_unit) +
-            ", and must be finite and at least 0";
-  if(wrong.empty())
-    wrong = text("gutter", options.number_of_gutter_texels(), 0, largest_gutter);
-  if(wrong.empty())
-    wrong = text("number of rotations", options.number_of_rotations, 1, most_rotations);
-  return wrong;
-}
+inline constexpr int largest_resolution = 1 << 15, most_pages = 10000;
 
 // The same page whose texels are the blocks. Where charts are apart there, no block belongs to two of them.
 inline Packing_options in_blocks(const Packing_options& options)

@@ -16,25 +16,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <string>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
-
-// What is wrong with the options, or nothing
-inline std::string wrong_option(const Seam_options& options)
-{
-  if(!(options.stretch_bound >= 1))
-    return "the bound of the stretch is " + std::to_string(options.stretch_bound) +
-           ", and must be at least 1";
-  if(options.maximum_number_of_terminals < 0)
-    return "the number of terminals is at most " + std::to_string(options.maximum_number_of_terminals) +
-           ", and must not be negative";
-  return wrong_time_limit(options.time_limit);
-}
 
 struct Seams
 {

@@ -12,17 +12,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/inline.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
-
-// Functions of flat arrays that the compiled library has
-#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE
-#else
-#define CGAL_ANGLE_BASED_FLATTENING_INLINE inline
-#endif
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_OPTIONS_WRONG_OPTION_IMPL_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_OPTIONS_WRONG_OPTION_IMPL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
+
+#include <string>
+
+namespace CGAL::Texture_atlas::internal {
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Seam_options& options)
+{
+  return option_out_of_range(options);
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_options& options)
+{
+  std::string wrong = option_out_of_range(options);
+  for(const int side : {options.resolution, options.number_of_rows()})
+    if(wrong.empty() && side % options.block != 0)
+      wrong = "the block of " + std::to_string(options.block) + " texels does not divide the " +
+              std::to_string(side) + " texels along a side of the page";
+  return wrong;
+}
+
+// Charts that are not packed have no page.
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options& options)
+{
+  Atlas_options checked = options;
+  if(!options.pack_into_square)
+    static_cast<Packing_options&>(checked) = Packing_options();
+  const std::string wrong = option_out_of_range(checked);
+  return wrong.empty() ? wrong_option(static_cast<const Packing_options&>(checked)) : wrong;
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Baking_options& options)
+{
+  return option_out_of_range(options);
+}
+
+} // namespace CGAL::Texture_atlas::internal
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_OPTIONS_WRONG_OPTION_IMPL_H
