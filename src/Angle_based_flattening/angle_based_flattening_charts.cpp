@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reading charts, certifying maps with points of doubles, and separating their overlaps
+// Reading charts, certifying maps with points of doubles, separating their overlaps, and filling holes
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/one_to_one_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/holes/fill_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/overlaps/separate_overlaps.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
