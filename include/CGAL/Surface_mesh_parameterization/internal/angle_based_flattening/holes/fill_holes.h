@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a disk of a chart with holes: covers the holes with triangles of a chosen weight in Eq. 1. Called by
-// `hole_strategies.h` and `flatten_chart_hierarchically.h`. Patches come from `patch.h`.
+// Makes a disk of a chart with holes: covers the holes with triangles of a chosen weight in Eq. 1. Patches come from
+// `patch.h`. `strategies/flatten_chart.h` declares it; the compiled library has it, as it takes long to compile.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_HOLES_FILL_HOLES_H
@@ -27,9 +27,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// The weight of patches that hardly stiffen a chart. With 1e-2 and less Newton's method does not converge.
-inline constexpr double soft_patch_weight = 0.1;
 
 // The targets of patches are at least this large, even if the surface leaves no rest of the full turn.
 inline constexpr double least_patch_angle = 0.02;
@@ -208,7 +205,7 @@ private:
 
 // A disk whose first vertices and triangles are those of a chart with holes that `diagnose()` found flawless. The
 // weight of a patch is `weight` times the mean of that of the triangles around it.
-inline Chart fill_holes(const Chart& chart, double weight)
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart fill_holes(const Chart& chart, double weight)
 {
   return Hole_filler(chart).run(weight);
 }

@@ -10,7 +10,8 @@
 //    `lay_out_angles.h` ends each with a map, and `hole_strategies.h` is for charts with holes.
 // 2. Hierarchical: `flatten_chart_hierarchically.h` has the coarse chart solved, polishes and certifies;
 //    `coarse_to_fine.h` is Section 5 of the paper.
-// 3. Injective: `make_injective.h` takes over where the direct map overlaps itself.
+// 3. Injective: `make_injective.h` takes over where the direct map overlaps itself; `injective/flatten_injectively.h`
+//    makes the other map.
 // 4. Pins: `pin_map.h` moves a finished map.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H
@@ -48,6 +49,13 @@ flatten_chart_hierarchically(Chart chart, const Hierarchical_options& options,
 // hold such a map.
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::optional<std::vector<Chart::Point_2>>
 progressive_embedding(Chart chart, const ABF_plus_plus_options& options);
+
+// The weight of patches that hardly stiffen a chart. With 1e-2 and less Newton's method does not converge.
+inline constexpr double soft_patch_weight = 0.1;
+
+// Makes a disk of a chart with holes, by patches of this weight behind its own triangles. The body is in
+// `holes/fill_holes.h`.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Chart fill_holes(const Chart& chart, double weight);
 
 // Moves the map `result` of a chart with pins to these, rounds it, and certifies it again.
 CGAL_ANGLE_BASED_FLATTENING_INLINE void pin_map(const Chart& chart, const Flattening_options& options,
