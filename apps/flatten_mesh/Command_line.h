@@ -8,12 +8,14 @@
 
 #include "flatten_mesh/batch/Batch_options.h"
 
-#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/option_table.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
-#include <optional>
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,14 +24,11 @@ namespace flatten_mesh {
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace TA = CGAL::Texture_atlas;
 
-// Options of an atlas: its input, and how it is packed.
-struct Atlas_options
+// An atlas: the options of `make_atlas()`, and what the program does before and after that
+struct Atlas_command : TA::Atlas_options
 {
   bool is_shared = false; // all inputs have one atlas
   std::string purpose = "texture";
-  std::string separates; // "on", "off", or empty: as the purpose says
-  std::string isometric; // likewise
-  std::optional<double> seam_price;
   std::string seams = "auto"; // or "length", "near-creases", "creases", "creases:DEGREES", "hidden"
   std::string seams_from;     // a file, "uv", or empty
   bool charts_from_materials = false;
@@ -39,22 +38,31 @@ struct Atlas_options
   int uv_set = 0;              // which set of texture coordinates the atlas becomes
   std::string only_materials;  // names with commas between them, or empty; likewise:
   std::string ignored;
-  bool is_packed = true;
+  bool is_not_packed = false;
   std::string units = "square";
-  std::string page =
-      "1024"; // the texels along its sides, also as in "2048x1024"; check_pages() sets both numbers
-  int resolution = 1024;
-  int height = 1024;
-  int block = 1;
-  double texels_per_unit = 0; // 0: the charts fill one page
-  int gutter = 0;             // set by check_gutter(), unless it is given
+  std::string page = "1024"; // the texels along its sides, also as in "2048x1024"
   int mip_levels = 0;
-  int rotations = 32;
   std::string bake_from;        // a file, or empty
   int simplified_triangles = 0; // 0: the surface stays as it is
 
   bool is_in_world_units() const { return units == "world"; }
   bool keeps_all_charts() const { return repacks && !repairs_charts; }
+
+  // Sets the options of `make_atlas()` to what follows from the purpose and from all that stands here. Options that are
+  // given come later.
+  void set_defaults()
+  {
+    const std::vector<std::string> purposes = TA::internal::words_of_purposes().words;
+    const auto found = std::find(purposes.begin(), purposes.end(), purpose);
+    TA::Atlas_options& options = *this;
+    options = found == purposes.end() ? TEXTURE : static_cast<Purpose>(found - purposes.begin());
+    given_charts = keeps_all_charts() ? KEEP : repacks ? REPAIR : REPLACE;
+    stretch_bound = keeps_all_charts() ? 2 : stretch_bound;
+    pack_into_square = !is_not_packed;
+    if(!seams_from.empty() || charts_from_materials) { // who gives charts wants these
+      seam_price = std::numeric_limits<double>::infinity();
+    }
+  }
 };
 
 // What the user asks for.
@@ -73,13 +81,12 @@ struct Command_line
   std::string json;
   std::string seams_to;
   bool is_plain = false;
-  Atlas_options atlas;
+  Atlas_command atlas;
   Batch_options batch;
   int component = 0;
   bool asks_for_component = false; // whether it is given
   double stretch_bound = 1.1;      // with --plain; an atlas has its own default
   bool asks_for_stretch = false;   // whether the bound is given
-  std::string equal_seams;         // "on", "off", or empty: where ABF++ maps a surface that is cut directly
   std::string repair = "on";
   std::string weld; // "on", "off", a distance, or empty: see `welding_of()`
   bool unique_instances = false;
@@ -93,14 +100,9 @@ struct Command_line
   int cones = 0;
   bool asks_for_cones = false;    // whether their number is given
   double cone_angle_multiple = 0; // degrees; 0: any angles
-  std::string holes = "solve";
   std::string method = "auto";
   std::string solver = "superlu";
-  std::string layout = "auto";
-  std::string step = "newton";
-  std::string linear_solver = "iterative";
-  bool asks_for_area_weight = false;  // whether it is given
-  SMP::ABF_plus_plus_options options; // an atlas takes area_weight and threads of these
+  SMP::ABF_plus_plus_options options; // an atlas takes `threads` of these
   SMP::Hierarchical_options hierarchical;
 
   bool verbose = false;

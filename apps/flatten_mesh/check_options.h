@@ -8,6 +8,8 @@
 
 #include "flatten_mesh/plain/corner_numbers.h"
 #include "flatten_mesh/Command_line.h"
+#include "flatten_mesh/Option_table.h"
+#include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/describe_options.h"
@@ -17,10 +19,7 @@
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
-#include <CGAL/Texture_atlas/Atlas_options.h>
-
-#include <boost/algorithm/string/join.hpp>
-#include <boost/program_options.hpp>
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,22 +30,6 @@
 namespace flatten_mesh {
 
 namespace internal {
-
-using Values = boost::program_options::variables_map;
-
-inline bool is_given(const Values& values, const std::string& option)
-{
-  return values.count(option) != 0 && !values[option].defaulted();
-}
-
-inline void check_name(const std::string& option, const std::string& name,
-                       const std::vector<std::string>& known)
-{
-  if(std::find(known.begin(), known.end(), name) == known.end()) {
-    throw Usage_error("unknown --" + option + " '" + name + "': it is one of " +
-                      boost::algorithm::join(known, ", "));
-  }
-}
 
 inline void check_files(Command_line& command)
 {
@@ -89,61 +72,23 @@ inline void check_files(Command_line& command)
 #endif
 }
 
-inline void check_numbers(const Command_line& command)
+inline void check_gutter(const Values& values, Atlas_command& atlas)
 {
-  const auto check = [](const bool is_right, const std::string& rule) {
-    if(!is_right) {
-      throw Usage_error(rule + "; see --help");
-    }
-  };
-  const SMP::ABF_plus_plus_options& abf = command.options;
-  const Atlas_options& atlas = command.atlas;
-  const SMP::Hierarchical_options& hierarchical = command.hierarchical;
-  const double rate = hierarchical.simplification_rate;
-  check(std::isfinite(command.stretch_bound) && command.stretch_bound > 1,
-        "--stretch-bound takes a number above 1");
-  check(command.component >= 0, "--component counts from 0");
-  check(command.border >= 0, "--border counts from 0");
-  check(std::isfinite(abf.barrier) && abf.barrier >= 0, "--barrier takes a number of at least 0");
-  check(std::isfinite(abf.tolerance) && abf.tolerance >= 1e-14,
-        "--tolerance takes a number of at least 1e-14");
-  check(rate > 0 && rate < 1, "--simplification-rate takes a number between 0 and 1");
-  check(hierarchical.sweeps >= 0 && hierarchical.sweeps <= 1000, "--sweeps takes a number from 0 to 1000");
-  check(hierarchical.angle_sweeps >= 0 && hierarchical.angle_sweeps <= 1000,
-        "--angle-sweeps takes a number from 0 to 1000");
-  check(abf.area_weight >= 0 && abf.area_weight <= 1, "--area-weight takes a number from 0 to 1");
-  check(abf.clearance > 0 && abf.clearance <= 1, "--clearance takes a number above 0 and at most 1");
-  check(abf.threads >= 0 && abf.threads <= 1024, "--threads takes a number from 0 to 1024");
-  check(abf.max_iterations >= 1, "--max-iterations takes a number of at least 1");
-  check(atlas.rotations >= 1 && atlas.rotations <= 1024, "--rotations takes a number from 1 to 1024");
-}
-
-// Sets the gutter where it is not given.
-inline void check_gutter(const Values& values, Atlas_options& atlas)
-{
-  const int shorter_side = (std::min)(atlas.resolution, atlas.height);
   if(is_given(values, "mip-levels")) {
     if(is_given(values, "gutter")) {
       throw Usage_error("--mip-levels and --gutter exclude each other: N levels are a gutter of 2^N texels");
     }
-    if(atlas.mip_levels < 0 || atlas.mip_levels > 10 || 1 << atlas.mip_levels > shorter_side / 4) {
-      throw Usage_error("--mip-levels takes a number N from 0 to 10, where 2^N is at most a quarter of "
-                        "--resolution; see --help");
-    }
     atlas.gutter = 1 << atlas.mip_levels;
-  } else if(!is_given(values, "gutter")) {
-    TA::Packing_options options;
-    options.resolution = shorter_side;
-    atlas.gutter = options.number_of_gutter_texels();
   }
-  if(atlas.gutter < 0 || atlas.gutter > shorter_side / 4) {
-    throw Usage_error("--gutter takes a number from 0 to a quarter of --resolution; see --help");
+  if(const std::string wrong = wrong_gutter(atlas); !wrong.empty()) {
+    throw Usage_error((is_given(values, "gutter") ? "--" : "--mip-levels: the ") + wrong + "; see --help");
   }
 }
 
 inline void check_seams(const Values& values, Command_line& command)
 {
   command.asks_for_stretch = is_given(values, "stretch-bound");
+  command.stretch_bound = command.asks_for_stretch ? command.atlas.stretch_bound : command.stretch_bound;
   if(command.asks_for_stretch && command.cut != "auto") {
     throw Usage_error("--stretch-bound goes with --cut auto only");
   }
@@ -185,7 +130,7 @@ inline void check_angles(const Command_line& command)
         " goes with --method direct or auto: the hierarchical method cannot prescribe angles");
   check((command.cut == "auto" || command.cut == "none") && !command.asks_for_stretch,
         " goes with a surface that is not cut open");
-  check(command.layout != "least-squares",
+  check(command.options.layout != SMP::ABF_plus_plus_options::LEAST_SQUARES_LAYOUT,
         " goes with --layout exact or auto: least squares bend straight sides");
 }
 
@@ -210,7 +155,6 @@ inline void check_cones(const Values& values, Command_line& command)
       throw Usage_error(rule);
     }
   };
-  check(command.cones >= 0 && command.cones <= 1000, "--cones takes a number from 0 to 1000; see --help");
   check(!has_multiple || divides_turn(command.cone_angle_multiple),
         "--cone-angle-multiple takes an angle in degrees that divides 360, as 90, 60 or 45 do");
   check(command.rectangle.empty(), "--cones and --rectangle exclude each other");
@@ -218,25 +162,20 @@ inline void check_cones(const Values& values, Command_line& command)
   check(!is_given(values, "cut"), "--cones and --cut exclude each other: seams lead to the cones");
   check(!is_given(values, "stretch-bound"),
         "--cones and --stretch-bound exclude each other: more cones reduce the stretch");
-  check(command.equal_seams != "off",
+  check(command.options.equal_seam_lengths.value_or(true),
         "--cones and --equal-seams off exclude each other: both sides of a seam are equal");
   check(command.method != "hierarchical",
         "--cones goes with --method direct or auto: the hierarchical method cannot prescribe angles");
   check(!command.options.injective,
         "--cones and --injective exclude each other: injective maps do not keep the angles of cones");
-  check(command.layout != "least-squares",
+  check(command.options.layout != SMP::ABF_plus_plus_options::LEAST_SQUARES_LAYOUT,
         "--cones goes with --layout exact or auto: least squares leave gaps between both sides of a seam");
   command.options.equal_seam_lengths = true;
 }
 
-inline void check_equal_seams(Command_line& command)
+inline void check_equal_seams(const Values& values, const Command_line& command)
 {
-  if(command.equal_seams.empty()) {
-    return;
-  }
-  check_name("equal-seams", command.equal_seams, {"on", "off"});
-  command.options.equal_seam_lengths = command.equal_seams == "on";
-  if(!command.is_plain || !*command.options.equal_seam_lengths) {
+  if(!is_given(values, "equal-seams") || !command.is_plain || !*command.options.equal_seam_lengths) {
     return;
   }
   if(command.method == "hierarchical") {
@@ -250,7 +189,6 @@ inline void check_equal_seams(Command_line& command)
 
 inline void check_up(const Values& values, const Command_line& command)
 {
-  check_name("up", command.up, {"auto", "x", "y", "z"});
   if(is_given(values, "up") && command.picture.empty() && command.report.empty()) {
     throw Usage_error("--up goes with --picture or --report: it says which axis points upwards there");
   }
@@ -285,10 +223,7 @@ inline void check_kind(const Values& values, const Command_line& command)
 
 inline void check_baking(const Values& values, const Command_line& command)
 {
-  const Atlas_options& atlas = command.atlas;
-  if(is_given(values, "simplify") && atlas.simplified_triangles < 4) {
-    throw Usage_error("--simplify takes a number of at least 4; see --help");
-  }
+  const Atlas_command& atlas = command.atlas;
   if(is_given(values, "simplify") && (!atlas.seams_from.empty() || atlas.charts_from_materials)) {
     throw Usage_error(
         "--simplify excludes --seams-from and --charts-from-materials: the simplified surface has neither "
@@ -302,9 +237,10 @@ inline void check_baking(const Values& values, const Command_line& command)
       "this program was built without libpng, which --bake-from needs: install libpng-dev and build "
       "it again");
 #endif
-  if(!atlas.is_packed || atlas.is_in_world_units()) {
+  if(!atlas.pack_into_square || atlas.is_in_world_units()) {
     throw Usage_error(std::string("--bake-from goes without ") +
-                      (atlas.is_packed ? "--units world" : "--no-pack") + ": textures cover the unit square");
+                      (atlas.pack_into_square ? "--units world" : "--no-pack") +
+                      ": textures cover the unit square");
   }
 }
 
@@ -314,15 +250,13 @@ inline void check_way_of_seams(const std::string& seams)
     throw Usage_error("--seams says where seams run: give --seams-to '" + seams +
                       "' to write them, or --seams-from '" + seams + "' to keep them");
   }
-  if(!crease_angle(seams)) {
-    check_name("seams", seams,
-               {"auto", "length", "near-creases", "creases",
-                "creases:DEGREES with an angle above 0 and below 180", "hidden"});
+  if(const std::string wrong = wrong_way_of_seams(seams); !wrong.empty()) {
+    throw Usage_error("--" + wrong);
   }
 }
 
 // Seams that are given stay where they are.
-inline void check_symmetric(const Values& values, const Atlas_options& atlas)
+inline void check_symmetric(const Values& values, const Atlas_command& atlas)
 {
   if(!atlas.is_symmetric) {
     return;
@@ -335,7 +269,7 @@ inline void check_symmetric(const Values& values, const Atlas_options& atlas)
 }
 
 // Charts that are kept are neither cut nor flattened.
-inline void check_repack(const Values& values, const Atlas_options& atlas)
+inline void check_repack(const Values& values, const Atlas_command& atlas)
 {
   if(!atlas.repacks) {
     if(atlas.repairs_charts) {
@@ -359,17 +293,7 @@ inline void check_repack(const Values& values, const Atlas_options& atlas)
 
 inline void check_atlas(const Values& values, Command_line& command)
 {
-  Atlas_options& atlas = command.atlas;
-  check_name("units", atlas.units, {"square", "world"});
-  check_name("for", atlas.purpose, {"texture", "few-charts", "conformal"});
-  for(const auto& [option, word] : {std::pair("separate", atlas.separates), {"isometric", atlas.isometric}}) {
-    if(is_given(values, option)) {
-      check_name(option, word, {"on", "off"});
-    }
-  }
-  if(atlas.seam_price && !(*atlas.seam_price >= 0)) {
-    throw Usage_error("--seam-price takes a number of at least 0, or inf; see --help");
-  }
+  Atlas_command& atlas = command.atlas;
   check_way_of_seams(atlas.seams);
   if(is_given(values, "seams-from") && atlas.seams_from != "uv" && !is_selection_file(atlas.seams_from)) {
     throw Usage_error("--seams-from takes the name of a .selection.txt file, or 'uv' for the texture "
@@ -379,9 +303,9 @@ inline void check_atlas(const Values& values, Command_line& command)
   check_symmetric(values, atlas);
   check_repack(values, atlas);
   check_page_size(atlas);
-  check_pages(is_given(values, "texels-per-unit"), command);
+  check_pages(command);
   check_gutter(values, atlas);
-  if(atlas.is_packed) {
+  if(atlas.pack_into_square) {
     return;
   }
   for(const char* option :
@@ -397,33 +321,16 @@ inline void check_atlas(const Values& values, Command_line& command)
   atlas.units = "world";
 }
 
-// Turns the names of methods into the parameterizer's options.
-inline void understand_names(Command_line& command)
+inline void check_method(const Command_line& command)
 {
-  using Options = SMP::ABF_plus_plus_options;
-  const auto check = check_name;
-  check("method", command.method, {"direct", "hierarchical", "auto"});
   if(!is_selection_file(command.cut)) {
-    check("cut", command.cut, {"auto", "topology", "none", "the name of a .selection.txt file"});
+    check_name("cut", command.cut, {"auto", "topology", "none", "the name of a .selection.txt file"});
   }
-  check("holes", command.holes, {"solve", "fill", "refuse"});
-  check("solver", command.solver, {"superlu", "eigen", "cholmod"});
-  check("layout", command.layout, {"auto", "exact", "least-squares"});
-  check("step", command.step, {"newton", "sqp"});
-  check("linear-solver", command.linear_solver, {"iterative", "direct"});
 #ifndef ABF_WITH_CHOLMOD
   if(command.solver == "cholmod") {
     throw Usage_error("this program was built without CHOLMOD: use --solver superlu or --solver eigen");
   }
 #endif
-  command.options.layout = command.layout == "exact"           ? Options::EXACT_LAYOUT
-                           : command.layout == "least-squares" ? Options::LEAST_SQUARES_LAYOUT
-                                                               : Options::AUTOMATIC_LAYOUT;
-  command.options.linear_solver = command.linear_solver == "direct" ? Options::DIRECT : Options::ITERATIVE;
-  command.options.step = command.step == "sqp" ? Options::SEQUENTIAL_LINEARLY_CONSTRAINED : Options::NEWTON;
-  command.options.holes = command.holes == "solve"  ? Options::SOLVE
-                          : command.holes == "fill" ? Options::FILL
-                                                    : Options::REFUSE;
 }
 
 // Options that are not given are chosen for a result close to that of the direct method.
@@ -444,11 +351,13 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
   if(std::count(command.inputs.begin(), command.inputs.end(), "") != 0) {
     empty.push_back("input");
   }
-  for(const char* option :
-      {"output", "svg", "picture", "report", "chart-image", "seams-to", "json", "bake-from"}) {
-    if(values.count(option) != 0 && values[option].as<std::string>().empty()) {
-      empty.push_back(option);
+  for(const Output_option& option : output_options()) {
+    if(values.count(option.name) != 0 && (command.*option.file).empty()) {
+      empty.push_back(option.name);
     }
+  }
+  if(values.count("bake-from") != 0 && command.atlas.bake_from.empty()) {
+    empty.push_back("bake-from");
   }
   if(!empty.empty()) {
     throw Usage_error("the name after --" + empty.front() + " is empty: give the name of a file");
@@ -457,14 +366,14 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
 
 inline void check_plain(const Values& values, Command_line& command)
 {
-  understand_names(command);
+  check_method(command);
   check_seams(values, command);
   if(command.is_plain) {
     check_injective(values, command);
     check_angles(command);
     check_cones(values, command);
   }
-  check_equal_seams(command);
+  check_equal_seams(values, command);
   if(command.method == "auto" && !command.options.injective) {
     refine_method(values, command.hierarchical);
   }

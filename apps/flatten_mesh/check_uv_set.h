@@ -19,10 +19,7 @@ namespace internal {
 
 inline void check_uv_set(const Command_line& command)
 {
-  const Atlas_options& atlas = command.atlas;
-  if(atlas.uv_set != 0 && atlas.uv_set != 1) {
-    throw Usage_error("--uv-set takes 0 or 1; see --help");
-  }
+  const Atlas_command& atlas = command.atlas;
   if(atlas.uv_set == 0) {
     return;
   }

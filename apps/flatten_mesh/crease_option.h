@@ -8,8 +8,10 @@
 
 #include <CGAL/Texture_atlas/Crease_report.h>
 #include <CGAL/Texture_atlas/Symmetry_report.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/option_table.h>
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -79,6 +81,16 @@ inline std::optional<double> crease_angle(const std::string& seams)
   const auto [end, error] = std::from_chars(seams.data() + name.size() + 1, last, degrees);
   const bool is_angle = error == std::errc() && end == last && degrees > 0 && degrees < 180;
   return is_angle ? std::optional<double>(degrees / 180 * CGAL_PI) : std::nullopt;
+}
+
+// What is wrong with `--seams`, or nothing
+inline std::string wrong_way_of_seams(const std::string& seams)
+{
+  const CGAL::Surface_mesh_parameterization::internal::ABF::Option_words ways{
+      {"auto", "length", "near-creases", "creases", "creases:DEGREES with an angle above 0 and below 180",
+       "hidden"}};
+  const bool is_known = crease_angle(seams) || std::count(ways.words.begin(), ways.words.end(), seams) > 0;
+  return is_known ? "" : "seams is '" + seams + "', and must be " + ways.text();
 }
 
 } // namespace flatten_mesh

@@ -37,7 +37,7 @@ inline std::vector<std::string> separate_names(const std::string& text)
 } // namespace internal
 
 // What `--only-material` and `--ignore` say
-inline Face_choice face_choice_of(const Atlas_options& atlas)
+inline Face_choice face_choice_of(const Atlas_command& atlas)
 {
   return {internal::separate_names(atlas.only_materials), internal::separate_names(atlas.ignored)};
 }
@@ -45,7 +45,7 @@ inline Face_choice face_choice_of(const Atlas_options& atlas)
 namespace internal {
 
 template <class Values>
-void check_face_choice(const Values& values, const Atlas_options& atlas)
+void check_face_choice(const Values& values, const Atlas_command& atlas)
 {
   for(const char* option : {"only-material", "ignore"}) {
     if(values.count(option) == 0) {

@@ -22,7 +22,7 @@ inline std::string help_text()
          "flattens it without overlap by angle-based flattening (ABF++), and packs the charts into the unit\n"
          "square.\n\n"
          "usage: flatten_mesh FILE... [options]\n"
-      << internal::all_options(defaults)
+      << internal::all_options(defaults).description()
       << "\nExamples:\n"
          "  flatten_mesh cow.off --output cow.obj --report cow.html\n"
          "  flatten_mesh scan.ply --for few-charts --resolution 4096 --output scan.obj --svg scan.svg\n"

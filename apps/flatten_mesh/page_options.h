@@ -9,15 +9,20 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/Texture_atlas/Baked_textures.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
 namespace flatten_mesh {
 
 namespace internal {
+
+namespace abf = SMP::internal::ABF;
 
 // Reads "2048", or "2048x1024". Returns whether the text is one of these.
 inline bool read_page_size(const std::string& text, int& width, int& height)
@@ -30,32 +35,47 @@ inline bool read_page_size(const std::string& text, int& width, int& height)
 }
 
 // Sets the numbers of texels of a page.
-inline void check_page_size(Atlas_options& atlas)
+inline void check_page_size(Atlas_command& atlas)
 {
-  const auto is_side = [](const int side) { return side >= 16 && side <= 16384; };
-  if(!read_page_size(atlas.page, atlas.resolution, atlas.height) || !is_side(atlas.resolution) ||
-     !is_side(atlas.height)) {
-    throw Usage_error(
-        "--resolution takes a number from 16 to 16384, or two of them, as in 2048x1024; see --help");
+  int height = 0;
+  if(!read_page_size(atlas.page, atlas.resolution, height)) {
+    throw Usage_error("--resolution takes a number, or two of them, as in 2048x1024; see --help");
   }
-  if(atlas.block < 1 || atlas.resolution % atlas.block != 0 || atlas.height % atlas.block != 0) {
-    throw Usage_error("--block takes a number of at least 1 that divides both sides of the page, " +
-                      std::to_string(atlas.resolution) + " and " + std::to_string(atlas.height) +
-                      "; see --help");
+  atlas.height = height;
+  const std::string wrong = abf::wrong_option(static_cast<const TA::Packing_options&>(atlas));
+  if(!wrong.empty()) {
+    const bool is_divided = atlas.resolution % atlas.block == 0 && height % atlas.block == 0;
+    throw Usage_error((is_divided ? "--resolution " + atlas.page : "--block " + std::to_string(atlas.block)) +
+                      ": " + wrong + "; see --help");
+  }
+  TA::Baking_options baking;
+  baking.resolution = atlas.resolution;
+  baking.height = height;
+  if(const std::string too_large = abf::wrong_option(baking);
+     !atlas.bake_from.empty() && !too_large.empty()) {
+    throw Usage_error("--bake-from with --resolution " + atlas.page + ": " + too_large + "; see --help");
   }
 }
 
-inline void check_pages(const bool asks_for_density, const Command_line& command)
+// What is wrong with the gutter of a page, or nothing
+inline std::string wrong_gutter(const TA::Packing_options& options)
 {
-  const Atlas_options& atlas = command.atlas;
-  if(asks_for_density && !(atlas.texels_per_unit > 0 && std::isfinite(atlas.texels_per_unit))) {
-    throw Usage_error("--texels-per-unit takes a number above 0; see --help");
-  }
-  if(!command.chart_image.empty() && (command.is_plain || !atlas.is_packed || atlas.is_in_world_units())) {
+  const int most = (std::min)(options.resolution, options.number_of_rows()) / 4;
+  return options.gutter.value_or(0) <= most
+             ? ""
+             : "gutter is " + std::to_string(*options.gutter) + ", and must be from 0 to " +
+                   std::to_string(most) + ", a quarter of the shorter side of a page";
+}
+
+inline void check_pages(const Command_line& command)
+{
+  const Atlas_command& atlas = command.atlas;
+  if(!command.chart_image.empty() &&
+     (command.is_plain || !atlas.pack_into_square || atlas.is_in_world_units())) {
     throw Usage_error(std::string("--chart-image goes without ") +
-                      (command.is_plain  ? "--plain"
-                       : atlas.is_packed ? "--units world"
-                                         : "--no-pack") +
+                      (command.is_plain         ? "--plain"
+                       : atlas.pack_into_square ? "--units world"
+                                                : "--no-pack") +
                       ": it has the texels of the unit square");
   }
 }

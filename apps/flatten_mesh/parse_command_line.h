@@ -24,11 +24,11 @@ namespace flatten_mesh {
 
 namespace internal {
 
-inline Values values_of(const int argc, const char* const argv[], Command_line& command)
+inline Values values_of(const int argc, const char* const argv[], const Option_table& table,
+                        Command_line& command)
 {
-  namespace po = boost::program_options;
   namespace style = po::command_line_style;
-  const po::options_description options = all_options(command);
+  const po::options_description options = table.description();
   po::positional_options_description positional;
   positional.add("input", -1);
   po::variables_map values;
@@ -38,7 +38,7 @@ inline Values values_of(const int argc, const char* const argv[], Command_line& 
                                         .style(style::unix_style & ~style::allow_guessing)
                                         .run();
   po::store(parsed, values);
-  command.batch.recorded = recorded_options(parsed);
+  command.batch.recorded = recorded_options(parsed, table);
   po::notify(values);
   return values;
 }
@@ -61,9 +61,10 @@ inline void find_json(const int argc, const char* const argv[], Command_line& co
 // Throws a `Usage_error` for wrong usage. `command` contains what was understood until then.
 inline void parse_command_line(const int argc, const char* const argv[], Command_line& command)
 {
+  const internal::Option_table table = internal::all_options(command);
   internal::Values values;
   try {
-    values = internal::values_of(argc, argv, command);
+    values = internal::values_of(argc, argv, table, command);
   } catch(const boost::program_options::error& error) {
     internal::find_json(argc, argv, command);
     throw Usage_error(std::string(error.what()) + "; see --help");
@@ -72,7 +73,6 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
     return;
   }
   command.asks_for_component = internal::is_given(values, "component");
-  command.asks_for_area_weight = internal::is_given(values, "area-weight");
   internal::check_names_of_files(values, command);
   if(!command.batch.summary.empty()) {
     internal::check_summary(values, command);
@@ -81,10 +81,10 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   internal::gather_inputs(command);
   internal::check_one_atlas(values, command);
   internal::check_files(command);
-  internal::check_numbers(command);
+  command.atlas.set_defaults();
+  table.take(values);
   internal::check_batch_numbers(command.batch);
   internal::check_kind(values, command);
-  internal::check_name("repair", command.repair, {"on", "off"});
   internal::check_up(values, command);
   internal::check_weld(values, command);
   if(command.verbose && command.quiet) {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -12,8 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
-
-SEAMS = ("auto", "length", "near-creases", "creases", "hidden")
 
 
 @dataclass(frozen=True)
@@ -67,37 +64,6 @@ def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, number: int | 
     return _core.GivenMesh(vertices, offsets, indices, marked_seams, uv, ignored_faces), offsets, indices
 
 
-def _seams(seams: str) -> str:
-    name, colon, degrees = seams.partition(":")
-    if colon and name == "creases":
-        try:
-            _options.number("the angle of seams", float(degrees), 0, 180, open_below=True)
-        except ValueError:
-            raise ValueError(f"seams is {seams!r}, and its angle must be above 0 and below 180 degrees") from None
-        return seams
-    return _options.choice("seams", seams, SEAMS + ("creases:DEGREES",))
-
-
-def _checked(options: dict[str, Any]) -> dict[str, Any]:
-    """Those of the options that are given, in the types of the compiled part."""
-    bounds = {
-        "stretch_bound": (1.0, math.inf), "area_weight": (0.0, 1.0), "seam_price": (0.0, math.inf),
-        "texels_per_unit": (0.0, math.inf), "resolution": (1, 32768), "height": (1, 32768), "gutter": (0, 1024),
-        "block": (1, 1024), "number_of_rotations": (1, 1024), "threads": (0, 1024)}
-    result = {name: value for name, value in options.items() if value is not None}
-    for name, (least, most) in bounds.items():
-        if name in result:
-            check = _options.integer if isinstance(least, int) else _options.number
-            result[name] = check(name, result[name], least, most)
-    for name in ("separate_overlaps", "isometric_charts", "equal_seam_lengths", "symmetric", "weld", "repair",
-                 "pack_into_square"):
-        if name in result:
-            result[name] = _options.switch(name, result[name])
-    return result
-
-
-_DEFAULTS = {"purpose": "texture", "seams": "auto", "resolution": 1024, "block": 1, "texels_per_unit": 0,
-             "number_of_rotations": 32, "symmetric": False}
 _OF_PAGES = ("resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price")
 _OF_SEAMS = ("seams", "marked_seams", "seam_price", "symmetric")
 _OF_MAPS = ("purpose", "separate_overlaps", "isometric_charts", "stretch_bound", "area_weight", "equal_seam_lengths")
@@ -108,20 +74,18 @@ def _check_together(options: dict[str, Any]) -> None:
 
     def exclude(names, other, reason):
         for name in names:
-            if name in options and options[name] != _DEFAULTS.get(name):
+            if options.get(name) is not None:
                 raise ValueError(f"{name} is given, and goes without {other}: {reason}")
 
-    if not options["pack_into_square"]:
+    charts = options.get("given_charts")
+    if options.get("pack_into_square") is False:
         exclude(_OF_PAGES, "pack_into_square=False", "it says how charts are packed")
-    if options["symmetric"]:
+    if options.get("symmetric"):
         exclude(("marked_seams",), "symmetric=True", "seams that are given stay where they are")
-    if options["given_charts"] != "replace":
-        exclude(_OF_SEAMS, f'given_charts="{options["given_charts"]}"', "charts that are given are kept")
-    if options["given_charts"] == "keep":
+    if charts in ("keep", "repair"):
+        exclude(_OF_SEAMS, f'given_charts="{charts}"', "charts that are given are kept")
+    if charts == "keep":
         exclude(_OF_MAPS, 'given_charts="keep"', "charts that are given are kept")
-    most = min(options["resolution"], options.get("height", options["resolution"])) // 4
-    if options.get("gutter", 0) > most:
-        raise ValueError(f"gutter is {options['gutter']}, and must be from 0 to {most}, a quarter of the shorter side")
 
 
 def _per_mesh(values, what: str, count: int) -> list:
@@ -132,15 +96,12 @@ def _per_mesh(values, what: str, count: int) -> list:
     return list(values)
 
 
+@_options.takes("atlas")
 def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence[ArrayLike], *,
           purpose: str = "texture", seams: str = "auto", marked_seams: ArrayLike | None = None,
-          uv: ArrayLike | None = None, given_charts: str = "replace", ignored_faces: ArrayLike | None = None,
-          symmetric: bool = False, weld: bool = True, repair: bool = True, stretch_bound: float | None = None,
-          area_weight: float | None = None, seam_price: float | None = None, separate_overlaps: bool | None = None,
-          isometric_charts: bool | None = None, equal_seam_lengths: bool | None = None, resolution: int = 1024,
-          height: int | None = None, gutter: int | None = None, block: int = 1, texels_per_unit: float = 0,
-          number_of_rotations: int = 32, pack_into_square: bool = True, threads: int = 0,
-          timeout: float | None = None, progress: _options.Progress | None = None) -> Atlas | list[Atlas]:
+          uv: ArrayLike | None = None, ignored_faces: ArrayLike | None = None, symmetric: bool = False,
+          weld: bool = True, repair: bool = True, timeout: float | None = None,
+          progress: _options.Progress | None = None, **options: Any) -> Atlas | list[Atlas]:
     """Cuts any surface open, flattens it, and packs the charts, as ``flatten_mesh`` does.
 
     Args:
@@ -153,29 +114,14 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
             ``"hidden"``.
         marked_seams: (k, 2) integers, edges that are seams in any case.
         uv: (c, 2), coordinates of each corner that the mesh has already.
-        given_charts: with ``"keep"``, the charts of `uv` keep their shapes and are packed anew; with ``"repair"``,
-            those that are not injective are flattened anew.
         ignored_faces: (m,) bool, faces that get no chart. They keep the coordinates in `uv`.
         symmetric: whether seams are symmetric where the surface is; for one mesh without seams or charts of its own.
         weld: whether vertices at the same place are joined first.
         repair: whether faces that do not form a manifold are separated, turned or left out.
-        stretch_bound: the largest stretch of a chart, above 1; with infinity, the surface is only cut to disks.
-        area_weight: how much injective maps preserve areas, from 0 to 1.
-        seam_price: what seams cost; with infinity, no chart is cut for texels.
-        separate_overlaps: whether a map of ABF++ that overlaps itself is split.
-        isometric_charts: whether maps are as isometric as possible.
-        equal_seam_lengths: whether both sides of seams have equal lengths.
-        resolution: texels along the horizontal sides of a page, from 1 to 32768.
-        height: texels along its vertical sides; by default, as `resolution`.
-        gutter: free texels between charts, at most a quarter of the shorter side; by default, a 256th of it.
-        block: texels along the sides of a block of compressed textures.
-        texels_per_unit: texels per unit of length; the charts then take as many pages as they need. 0: one page.
-        number_of_rotations: directions that are tried for large charts, from 1 to 1024.
-        pack_into_square: with ``False``, charts keep their size and lie side by side.
-        threads: how many threads work at once; 0 for one on each processor. It never changes the result.
         timeout: seconds after which a `TimeoutError` is raised.
         progress: is called with the name of a stage and its share, from 0 to 1, twenty times a second, in the thread
             of the caller. If it returns ``False``, `Cancelled` is raised.
+        OPTIONS
 
     Returns:
         The atlas, or a list of atlases, one for each mesh. Parts that have no chart are in
@@ -186,20 +132,14 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         MeshError: no face has a chart; or, with ``given_charts="keep"``, a chart is not injective.
         TimeoutError, Cancelled, MemoryError: see above.
     """
-    options = {
-        "purpose": _options.choice("purpose", purpose, ("texture", "few-charts", "conformal")),
-        "seams": _seams(seams),
-        "given_charts": _options.choice("given_charts", given_charts, ("replace", "keep", "repair"))}
-    options |= _checked(dict(
-        symmetric=symmetric, weld=weld, repair=repair, stretch_bound=stretch_bound, area_weight=area_weight,
-        seam_price=seam_price, separate_overlaps=separate_overlaps, isometric_charts=isometric_charts,
-        equal_seam_lengths=equal_seam_lengths, resolution=resolution, height=height, gutter=gutter, block=block,
-        texels_per_unit=texels_per_unit, number_of_rotations=number_of_rotations, pack_into_square=pack_into_square,
-        threads=threads))
-    _check_together(options if marked_seams is None else options | {"marked_seams": True})
+    choices = {"purpose": purpose, "seams": seams, "symmetric": _options.switch("symmetric", symmetric),
+               "weld": _options.switch("weld", weld), "repair": _options.switch("repair", repair)}
+    _check_together(options | {
+        "purpose": None if purpose == "texture" else purpose, "seams": None if seams == "auto" else seams,
+        "marked_seams": marked_seams, "symmetric": choices["symmetric"] or None})
     is_shared = isinstance(vertices, (list, tuple)) and len(vertices) > 0 and np.ndim(vertices[0]) == 2
     meshes = list(vertices) if is_shared else [vertices]
-    if is_shared and options["symmetric"]:
+    if is_shared and symmetric:
         raise ValueError("symmetric is True, and goes with one mesh only")
     if is_shared:
         faces = _per_mesh(faces, "faces", len(meshes))
@@ -208,11 +148,12 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         ignored_faces = _per_mesh(ignored_faces, "ignored_faces", len(meshes))
     else:
         faces, marked_seams, uv, ignored_faces = [faces], [marked_seams], [uv], [ignored_faces]
-    if given_charts == "keep" and any(each is None for each in uv):
+    if options.get("given_charts") == "keep" and any(each is None for each in uv):
         raise ValueError('given_charts is "keep", and uv is not given')
     given = [_given_mesh(*each, i if is_shared else None)
              for i, each in enumerate(zip(meshes, faces, marked_seams, uv, ignored_faces))]
-    results, text = _core.atlas([each[0] for each in given], is_shared, options, _options.watch(progress, timeout))
+    results, text = _core.atlas([each[0] for each in given], is_shared, choices, options,
+                                _options.watch(progress, timeout))
     report = json.loads(text)
     atlases = [Atlas(*result, report, indices, offsets)
                for result, (_, offsets, indices) in zip(results, given)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -12,21 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
-
-_COMMON = {
-    "barrier": (0.0, math.inf), "area_weight": (0.0, 1.0), "clearance": (0.0, 1.0), "pin_weight": (0.0, math.inf),
-    "threads": (0, 1024)}
-_OF_METHOD = {
-    "direct": {"tolerance": (1e-14, math.inf), "energy_tolerance": (0.0, math.inf), "max_iterations": (1, 10**6)},
-    "hierarchical": {
-        "simplification_rate": (0.0, 1.0), "coarse_triangles": (0, 2**31 - 1), "extreme_angle": (0.0, math.pi / 3),
-        "sweeps": (0, 1000), "angle_sweeps": (0, 1000), "max_retries": (0, 1000)}}
-_WORDS = {
-    "direct": {"step": ("newton", "sequential-linearly-constrained"), "linear_solver": ("iterative", "direct"),
-               "layout": ("automatic", "exact", "least-squares")},
-    "hierarchical": {}}
-_SWITCHES = {"direct": ("fallbacks", "warm_start"), "hierarchical": ("polish",)}
-
 
 @dataclass(frozen=True)
 class Flattening:
@@ -84,25 +68,6 @@ def corner_coordinates(uv: ArrayLike, vertices: ArrayLike, faces) -> np.ndarray:
     return uv[indices]
 
 
-def _checked(method: str, options: dict[str, Any]) -> dict[str, Any]:
-    """The options of a method. Unknown ones are a `TypeError`, as for any function."""
-    result = {}
-    for name, value in options.items():
-        bounds = _COMMON.get(name) or _OF_METHOD[method].get(name)
-        if bounds is not None:
-            check = _options.integer if isinstance(bounds[0], int) else _options.number
-            result[name] = check(name, value, *bounds)
-        elif name == "holes":
-            result[name] = _options.choice(name, value, ("solve", "fill", "refuse"))
-        elif name in _WORDS[method]:
-            result[name] = _options.choice(name, value, _WORDS[method][name])
-        elif name in _SWITCHES[method] or name == "injective":
-            result[name] = _options.switch(name, value)
-        else:
-            raise TypeError(f"{name!r} is not an option of the {method} method")
-    return result
-
-
 def _rows_of_vertices(given, what: str, columns: int) -> list:
     if given is None:
         return []
@@ -132,8 +97,7 @@ class Flattener:
         aspect_ratio: the ratio of the sides of the rectangle, if its corners are to be chosen.
         angles: a pair (vertices, radians): the sums of planar angles at some vertices (direct method).
         pins: a pair (vertices, positions (k, 2)) of vertices with given places (direct method).
-        options: the members of the C++ structs ``Flattening_options``, ``ABF_plus_plus_options`` and
-            ``Hierarchical_options``, with the same names and bounds: ``injective``, ``area_weight``, ``holes``, ...
+        options: those of `flatten()`.
     """
 
     def __init__(self, faces, *, method: str = "direct", boundary: str = "free",
@@ -142,7 +106,6 @@ class Flattener:
                  pins: tuple[ArrayLike, ArrayLike] | None = None, **options):
         _options.choice("method", method, ("direct", "hierarchical"))
         _options.choice("boundary", boundary, ("free", "rectangle"))
-        checked = _checked(method, options)
         if method == "hierarchical" and (boundary != "free" or angles is not None or pins is not None):
             raise ValueError('boundary, angles and pins need method="direct"')
         if boundary == "rectangle" and (corners is None) == (aspect_ratio is None):
@@ -158,7 +121,7 @@ class Flattener:
         ratio = 0.0 if aspect_ratio is None else _options.number("aspect_ratio", aspect_ratio, 0, open_below=True)
         given, _ = given_mesh(np.zeros((0, 3)), faces)
         self._flattener = _core.Flattener(
-            given, method == "hierarchical", checked,
+            given, method == "hierarchical", options,
             _core.Prescriptions([] if corners is None else corners.tolist(), ratio,
                                 _rows_of_vertices(angles, "angles", 1), _rows_of_vertices(pins, "pins", 2)))
 
@@ -177,6 +140,7 @@ class Flattener:
         return Flattening(uv, json.loads(text))
 
 
+@_options.takes("direct", "hierarchical")
 def flatten(vertices: ArrayLike, faces, *, timeout: float | None = None, progress: _options.Progress | None = None,
             **options) -> Flattening:
     """Flattens a disk with ABF++. If the surface has several components, the one with the longest border is mapped.
@@ -185,7 +149,8 @@ def flatten(vertices: ArrayLike, faces, *, timeout: float | None = None, progres
         vertices: (n, 3) float32 or float64.
         faces: (m, 3) integers, or a tuple (offsets, indices), as of `atlas()`.
         timeout, progress: as of `atlas()`.
-        options: those of `Flattener`.
+        options: those of `Flattener`, and of its method:
+        OPTIONS
 
     Raises:
         ValueError: an option or an array is wrong; the message names it.
@@ -242,26 +207,18 @@ class Packing:
     report: dict[str, Any]
 
 
-def pack(charts: Sequence[tuple], *, resolution: int = 1024, height: int | None = None, gutter: int | None = None,
-         block: int = 1, texels_per_unit: float = 0, number_of_rotations: int = 32) -> Packing:
+@_options.takes("packing")
+def pack(charts: Sequence[tuple], **options: Any) -> Packing:
     """Packs charts into a page, or into as many as they take, at one density of texels.
 
     Args:
         charts: tuples (faces (m, 3), uv (k, 2)), or (faces, uv, vertices (k, 3)): with vertices, a chart gets as many
             texels as its area on the surface asks for, otherwise in the plane.
-        resolution, height, gutter, block, texels_per_unit, number_of_rotations: as of `atlas()`.
+        OPTIONS
 
     Raises:
         MeshError: there is no chart, a chart has no area, or the pages cannot hold it.
     """
-    options = {"resolution": _options.integer("resolution", resolution, 1, 32768),
-               "block": _options.integer("block", block, 1, 1024),
-               "texels_per_unit": _options.number("texels_per_unit", texels_per_unit, 0),
-               "number_of_rotations": _options.integer("number_of_rotations", number_of_rotations, 1, 1024)}
-    if height is not None:
-        options["height"] = _options.integer("height", height, 1, 32768)
-    if gutter is not None:
-        options["gutter"] = _options.integer("gutter", gutter, 0, 1024)
     all_faces, all_uv, all_vertices, first_faces, first_vertices = [], [], [], [], [0]
     for i, chart in enumerate(charts):
         faces = _arrays.integers(chart[0], f"faces of chart {i}", 3).astype(np.int64)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __version__: str
+OPTIONS: dict[str, list[tuple[str, str, str, str, str]]]  # name, kind, default, values, and what it does
 
 class Watch:
     def __init__(self, progress: Callable[[str, float], Any] | None, timeout: float) -> None: ...
@@ -38,7 +39,7 @@ class Flattener:
     def solve(self, vertices: NDArray[np.floating], watch: Watch) -> tuple[NDArray[np.float64], str]: ...
 
 def atlas(
-    meshes: Sequence[GivenMesh], is_shared: bool, options: dict[str, Any], watch: Watch
+    meshes: Sequence[GivenMesh], is_shared: bool, choices: dict[str, Any], options: dict[str, Any], watch: Watch
 ) -> tuple[list[tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int64]]], str]: ...
 def lscm(mesh: GivenMesh, watch: Watch) -> tuple[NDArray[np.float64], str]: ...
 def measure(mesh: GivenMesh, watch: Watch) -> str: ...
@@ -50,7 +51,7 @@ def unshared(
     indices: NDArray[np.integer], uv: NDArray[np.floating]
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint32], NDArray[np.float32]]: ...
 def seams(
-    mesh: GivenMesh, way: str, stretch_bound: float, maximum_number_of_terminals: int, watch: Watch
+    mesh: GivenMesh, way: str, options: dict[str, Any], watch: Watch
 ) -> tuple[NDArray[np.int64], str]: ...
 def cones(
     mesh: GivenMesh, number: int, angle_multiple: float, is_flattened: bool, threads: int, watch: Watch

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import math
+import re
+import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -48,6 +51,47 @@ def switch(name: str, value: Any) -> bool:
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} is a {type(value).__name__}, and must be True or False")
     return bool(value)
+
+
+def _default(kind: str, text: str) -> Any:
+    """A default of the table of options. None stands for one that depends on other options."""
+    if text == "" or ":" in text:
+        return None
+    return {"bool": lambda: text == "on", "str": lambda: text, "int": lambda: int(text), "float": lambda: float(text)}[
+        kind]()
+
+
+def _row(name: str, kind: str, default: str, values: str, help: str) -> str:
+    """What a docstring says on an option."""
+    if kind == "bool":
+        help, default, values = (re.sub(r"\boff\b", "False", re.sub(r"\bon\b(?=[:;,]|$| or off)", "True", text))
+                                 for text in (help, default, values))
+    values = values.replace("from 0 to 2147483647", "at least 0")
+    default = f"; default {default}" if default else ""
+    return textwrap.fill(f"{name}: {help} ({values}{default}).", 120, initial_indent=" " * 8,
+                         subsequent_indent=" " * 12, break_on_hyphens=False)
+
+
+def takes(*tables: str) -> Callable:
+    """Decorates a function whose `options` are those of tables: its signature has them all, and its docstring too."""
+    rows: dict[str, tuple[str, str, str, str, str]] = {}
+    for table in tables:
+        for name, kind, default, values, help in _core.OPTIONS[table]:
+            first = rows.setdefault(name, (name, kind, default, values, help))
+            if first[2] != default:  # each method has its own
+                rows[name] = (name, kind, f"{tables[0]}: {first[2]}; {table}: {default}", first[3], first[4])
+
+    def decorate(function):
+        signature = inspect.signature(function)
+        before = [p for p in signature.parameters.values() if p.kind != inspect.Parameter.VAR_KEYWORD]
+        keywords = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_default(kind, default))
+                    for name, kind, default, *_ in rows.values()]
+        function.__signature__ = signature.replace(parameters=before + keywords)
+        described = "\n".join(_row(*row) for row in rows.values())
+        function.__doc__ = function.__doc__.replace("        OPTIONS", described)
+        return function
+
+    return decorate
 
 
 def watch(progress: Progress | None = None, timeout: float | None = None) -> _core.Watch:

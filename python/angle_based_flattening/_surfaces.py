@@ -27,21 +27,19 @@ class Seams:
     report: dict[str, Any]
 
 
-def seams(vertices: ArrayLike, faces, *, stretch_bound: float = 1.1, maximum_number_of_terminals: int = 100,
-          along: str = "length", marked_seams: ArrayLike | None = None) -> Seams:
+@_options.takes("seams")
+def seams(vertices: ArrayLike, faces, *, along: str = "length", marked_seams: ArrayLike | None = None,
+          **options: Any) -> Seams:
     """Chooses seams that cut a surface to disks with little stretch, as the C++ function ``select_seams()`` does.
 
     Args:
         vertices, faces: as of `atlas()`.
-        stretch_bound: the largest predicted stretch of a disk, at least 1; with infinity, the surface is only cut.
-        maximum_number_of_terminals: of each part, vertices that seams lead to because of their scale.
         along: what makes an edge cheap: ``"length"``, ``"creases"`` or ``"hidden"``.
         marked_seams: (k, 2) integers, edges that are seams in any case.
+        OPTIONS
     """
     given, _ = given_mesh(vertices, faces, marked_seams)
-    edges, text = _core.seams(given, _options.choice("along", along, ("length", "creases", "hidden")),
-                              _options.number("stretch_bound", stretch_bound, 1),
-                              _options.integer("maximum_number_of_terminals", maximum_number_of_terminals, 0, 10**6),
+    edges, text = _core.seams(given, _options.choice("along", along, ("length", "creases", "hidden")), options,
                               _options.watch())
     return Seams(edges, json.loads(text))
 
@@ -105,9 +103,9 @@ class Baked:
     report: dict[str, Any]
 
 
+@_options.takes("baking")
 def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fine_faces, *,
-         fine_colors: ArrayLike | None = None, resolution: int = 1024, height: int | None = None, gutter: int = 2,
-         ray_length: float | None = None, normals_in_object_space: bool = False, threads: int = 0) -> Baked:
+         fine_colors: ArrayLike | None = None, **options: Any) -> Baked:
     """Bakes the normals, the distance and the colours of a fine surface into textures of a simple one.
 
     Args:
@@ -115,11 +113,7 @@ def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fi
         uv: its coordinates in the unit square, of each vertex or corner; faces with NaN are left out.
         fine_vertices, fine_faces: the fine surface, in the same place.
         fine_colors: (n, 3) uint8, a colour of each vertex of the fine surface.
-        resolution, height: texels along the sides of the texture, from 1 to 16384.
-        gutter: texels around charts that are filled, from 0 to 1024.
-        ray_length: of rays to each side; by default, a twentieth of the diagonal of the simple surface.
-        normals_in_object_space: whether normals are in the coordinates of the surface.
-        threads: as of `atlas()`.
+        OPTIONS
     """
     given, _ = given_mesh(vertices, faces, uv=corner_coordinates(uv, vertices, faces))
     fine, _ = given_mesh(fine_vertices, fine_faces, mesh="the fine mesh")
@@ -130,13 +124,6 @@ def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fi
             raise ValueError(f"fine_colors is an array of {array.dtype} with the shape {array.shape}, and must be one "
                              f"of uint8 with the shape ({len(fine_vertices)}, 3)")
         colors = array.tolist()
-    options = {
-        "resolution": _options.integer("resolution", resolution, 1, 16384),
-        "height": None if height is None else _options.integer("height", height, 1, 16384),
-        "gutter": _options.integer("gutter", gutter, 0, 1024),
-        "ray_length": None if ray_length is None else _options.number("ray_length", ray_length, 0, open_below=True),
-        "normals_in_object_space": _options.switch("normals_in_object_space", normals_in_object_space),
-        "threads": _options.integer("threads", threads, 0, 1024)}
     normals, displacements, found_colors, texels, text = _core.bake(given, fine, colors, options,
                                                                     _options.watch())
     return Baked(normals, displacements, found_colors, texels, json.loads(text))

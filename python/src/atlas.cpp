@@ -17,7 +17,9 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "flatten_mesh/atlas/texture_of_atlas.h"
+#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/face_options.h"
+#include "flatten_mesh/page_options.h"
 #include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/weld_option.h"
 
@@ -38,56 +40,30 @@ using namespace flatten_mesh;
 
 namespace {
 
-std::string on_or_off(const std::optional<bool>& is_on)
+// The command that asks the program for the same. `options` are those of `make_atlas()`.
+Command_line command_of(const py::dict& choices, const py::dict& options)
 {
-  return is_on ? (*is_on ? "on" : "off") : "";
-}
-
-// The command that asks the program for the same. Values are checked where the atlas is made.
-Command_line command_of(const py::dict& options)
-{
-  const Option_taker take(options);
-  const auto take_switch = [&options](const char* const name, std::string& value) {
-    if(options.contains(name)) {
-      value = on_or_off(options[name].cast<bool>());
-    }
-  };
   Command_line command;
-  Atlas_options& atlas = command.atlas;
+  Atlas_command& atlas = command.atlas;
+  TA::Atlas_options::Purpose purpose = TA::Atlas_options::TEXTURE;
+  take("purpose", choices["purpose"], purpose, TA::internal::words_of_purposes());
+  TA::Atlas_options given;
+  take_options(options, "atlases", given);
   command.quiet = true;
-  take("purpose", atlas.purpose);
-  take("seams", atlas.seams);
-  take("symmetric", atlas.is_symmetric);
-  take_switch("separate_overlaps", atlas.separates);
-  take_switch("isometric_charts", atlas.isometric);
-  take_switch("equal_seam_lengths", command.equal_seams);
-  take_switch("weld", command.weld);
-  command.weld = command.weld == "on" ? "" : command.weld;
-  take_switch("repair", command.repair);
-  take("seam_price", atlas.seam_price);
-  take("stretch_bound", command.stretch_bound);
-  command.asks_for_stretch = options.contains("stretch_bound");
-  take("area_weight", command.options.area_weight);
-  command.asks_for_area_weight = options.contains("area_weight");
-  take("resolution", atlas.resolution);
-  atlas.height = atlas.resolution;
-  take("height", atlas.height);
-  take("block", atlas.block);
-  take("texels_per_unit", atlas.texels_per_unit);
-  TA::Packing_options packing;
-  packing.resolution = atlas.resolution;
-  packing.height = atlas.height;
-  atlas.gutter = packing.number_of_gutter_texels();
-  take("gutter", atlas.gutter);
-  take("number_of_rotations", atlas.rotations);
-  take("pack_into_square", atlas.is_packed);
-  atlas.units = atlas.is_packed ? "square" : "world";
-  take("threads", command.options.threads);
-  std::string given = "replace";
-  take("given_charts", given);
-  atlas.repacks = given != "replace";
-  atlas.repairs_charts = given == "repair";
+  command.weld = choices["weld"].cast<bool>() ? "" : "off";
+  command.repair = choices["repair"].cast<bool>() ? "on" : "off";
+  command.options.threads = given.threads;
+  atlas.purpose = TA::internal::words_of_purposes().value_text(purpose);
+  atlas.seams = choices["seams"].cast<std::string>();
+  check_value(wrong_way_of_seams(atlas.seams));
+  atlas.is_symmetric = choices["symmetric"].cast<bool>();
+  atlas.repacks = given.given_charts != TA::Atlas_options::REPLACE;
+  atlas.repairs_charts = given.given_charts == TA::Atlas_options::REPAIR;
   atlas.ignored = ignored_material;
+  atlas.set_defaults();
+  take_options(options, "atlases", static_cast<TA::Atlas_options&>(atlas));
+  check_value(flatten_mesh::internal::wrong_gutter(atlas));
+  atlas.units = atlas.pack_into_square ? "square" : "world";
   return command;
 }
 
@@ -219,10 +195,10 @@ Result make_atlases(const Command_line& command, std::vector<Model>&& models,
   });
 }
 
-py::tuple atlas(const std::vector<Given_mesh>& meshes, const bool is_shared, const py::dict& options,
-                const Watch& watch)
+py::tuple atlas(const std::vector<Given_mesh>& meshes, const bool is_shared, const py::dict& choices,
+                const py::dict& options, const Watch& watch)
 {
-  Command_line command = command_of(options);
+  Command_line command = command_of(choices, options);
   command.atlas.is_shared = is_shared;
   command.title = is_shared ? std::to_string(meshes.size()) + " meshes" : "mesh";
   std::vector<Model> models;

@@ -39,45 +39,11 @@ using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh>;
 using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>;
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
-void take_common(const Option_taker& take, SMP::Flattening_options& options)
+template <class Options>
+Options options_of(const py::dict& given, const std::string& method)
 {
-  take("barrier", options.barrier);
-  take("threads", options.threads);
-  take("holes", options.holes, {"solve", "fill", "refuse"});
-  take("injective", options.injective);
-  take("area_weight", options.area_weight);
-  take("clearance", options.clearance);
-  take("pin_weight", options.pin_weight);
-}
-
-SMP::ABF_plus_plus_options direct_options(const py::dict& given)
-{
-  const Option_taker take(given);
-  SMP::ABF_plus_plus_options options;
-  take_common(take, options);
-  take("tolerance", options.tolerance);
-  take("energy_tolerance", options.energy_tolerance);
-  take("max_iterations", options.max_iterations);
-  take("fallbacks", options.fallbacks);
-  take("warm_start", options.warm_start);
-  take("step", options.step, {"newton", "sequential-linearly-constrained"});
-  take("linear_solver", options.linear_solver, {"iterative", "direct"});
-  take("layout", options.layout, {"automatic", "exact", "least-squares"});
-  return options;
-}
-
-SMP::Hierarchical_options hierarchical_options(const py::dict& given)
-{
-  const Option_taker take(given);
-  SMP::Hierarchical_options options;
-  take_common(take, options);
-  take("simplification_rate", options.simplification_rate);
-  take("coarse_triangles", options.coarse_triangles);
-  take("extreme_angle", options.extreme_angle);
-  take("sweeps", options.sweeps);
-  take("angle_sweeps", options.angle_sweeps);
-  take("max_retries", options.max_retries);
-  take("polish", options.polish);
+  Options options;
+  take_options(given, "the " + method + " method", options);
   return options;
 }
 
@@ -192,10 +158,11 @@ class Flattener
 public:
   Flattener(Given_mesh mesh, const bool is_hierarchical, const py::dict& options, Prescriptions prescriptions)
       : m_given(std::move(mesh)), m_prescriptions(std::move(prescriptions)),
-        m_hierarchical(is_hierarchical
-                           ? std::make_optional<Hierarchical>(watched(hierarchical_options(options)))
-                           : std::nullopt),
-        m_direct(watched(direct_options(options)))
+        m_hierarchical(is_hierarchical ? std::make_optional<Hierarchical>(watched(
+                                             options_of<SMP::Hierarchical_options>(options, "hierarchical")))
+                                       : std::nullopt),
+        m_direct(
+            watched(options_of<SMP::ABF_plus_plus_options>(is_hierarchical ? py::dict() : options, "direct")))
   {}
 
   Flattening solve(const py::array& vertices, const Watch& watch)

@@ -81,17 +81,11 @@ Certificate certify(const Given_mesh& given, const Watch& watch)
   });
 }
 
-TA::Packing_options packing_options(const py::dict& options)
+TA::Packing_options packing_options(const py::dict& given)
 {
-  TA::Packing_options packing;
-  const Option_taker take(options);
-  take("resolution", packing.resolution);
-  take("height", packing.height);
-  take("gutter", packing.gutter);
-  take("block", packing.block);
-  take("texels_per_unit", packing.texels_per_unit);
-  take("number_of_rotations", packing.number_of_rotations);
-  return packing;
+  TA::Packing_options options;
+  take_options(given, "packing", options);
+  return options;
 }
 
 std::string packing_json(const TA::Packing_report& report)

@@ -8,6 +8,7 @@
 #include "bindings.h"
 #include "failures.h"
 #include "interruptible.h"
+#include "option_taker.h"
 
 #include <CGAL/assertions.h>
 #include <CGAL/assertions_behaviour.h>
@@ -18,6 +19,8 @@
 #include <exception>
 
 namespace abf_python {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
 
 namespace {
 
@@ -57,6 +60,14 @@ PYBIND11_MODULE(_core, module)
   py::class_<Watch>(module, "Watch").def(py::init([](const py::object& progress, const double timeout) {
     return Watch{progress, timeout};
   }));
+  py::dict options;
+  options["atlas"] = rows_of_options<TA::Atlas_options>();
+  options["direct"] = rows_of_options<SMP::ABF_plus_plus_options>();
+  options["hierarchical"] = rows_of_options<SMP::Hierarchical_options>();
+  options["packing"] = rows_of_options<TA::Packing_options>();
+  options["seams"] = rows_of_options<TA::Seam_options>();
+  options["baking"] = rows_of_options<TA::Baking_options>();
+  module.attr("OPTIONS") = options;
   bind_atlas(module);
   bind_charts(module);
   bind_maps(module);

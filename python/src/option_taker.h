@@ -6,44 +6,133 @@
 #ifndef ABF_PYTHON_OPTION_TAKER_H
 #define ABF_PYTHON_OPTION_TAKER_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/option_table.h>
+
 #include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <string>
-#include <vector>
+#include <type_traits>
 
 namespace abf_python {
 
 namespace py = pybind11;
+namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
 
-// Takes options by their names.
-class Option_taker
+// Options that have no keyword: `timeout` bounds the time, and coordinates are not rounded.
+inline bool has_keyword(const std::string& name)
 {
-public:
-  explicit Option_taker(const py::dict& options) : m_options(options) {}
+  return name != "time_limit" && name != "float_coordinates";
+}
 
-  template <class Value>
-  void operator()(const char* const name, Value& value) const
-  {
-    if(m_options.contains(name)) {
-      value = m_options[name].cast<Value>();
+[[noreturn]] inline void fail_on_type(const std::string& name, const py::handle value,
+                                      const std::string& expected)
+{
+  throw py::type_error(name + " is a " + py::type::of(value).attr("__name__").cast<std::string>() +
+                       ", and must be " + expected);
+}
+
+inline void check_value(const std::string& wrong)
+{
+  if(!wrong.empty()) {
+    throw py::value_error(wrong);
+  }
+}
+
+inline double number_of(const std::string& name, const py::handle value)
+{
+  if(py::isinstance<py::bool_>(value) || !py::hasattr(value, "__float__")) {
+    fail_on_type(name, value, "a number");
+  }
+  return py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>();
+}
+
+// As a `double`, so that integers of any size are compared with the range
+inline double integer_of(const std::string& name, const py::handle value)
+{
+  if(py::isinstance<py::bool_>(value) || !py::hasattr(value, "__index__")) {
+    fail_on_type(name, value, "an integer");
+  }
+  return number_of(name, value.attr("__index__")());
+}
+
+template <class Member>
+void take(const std::string& name, const py::handle value, Member& member, const abf::Option_range& range)
+{
+  using Number = typename decltype(std::optional(member))::value_type;
+  const double number = std::is_same_v<Number, int> ? integer_of(name, value) : number_of(name, value);
+  check_value(abf::wrong_value(name, number, range));
+  member = static_cast<Number>(number);
+}
+
+template <class Member>
+void take(const std::string& name, const py::handle value, Member& member, const abf::Option_words& known)
+{
+  if(!py::isinstance<py::str>(value)) {
+    fail_on_type(name, value, known.text());
+  }
+  const std::string word = value.cast<std::string>();
+  const auto found = std::find(known.words.begin(), known.words.end(), word);
+  if(found == known.words.end()) {
+    throw py::value_error(name + " is '" + word + "', and must be " + known.text());
+  }
+  member = static_cast<Member>(found - known.words.begin());
+}
+
+template <class Member>
+void take(const std::string& name, const py::handle value, Member& member, const abf::Option_switch&)
+{
+  if(!py::isinstance<py::bool_>(value) &&
+     !py::isinstance(value, py::module_::import("numpy").attr("bool_"))) {
+    fail_on_type(name, value, "True or False");
+  }
+  member = value.cast<bool>();
+}
+
+// Sets the options that are given, by the table of all options; None stands for the default. `owner` is for the error
+// about an unknown name.
+template <class Options>
+void take_options(const py::dict& given, const std::string& owner, Options& options)
+{
+  std::set<std::string> known;
+  abf::visit_options(options, [&](const std::string& name, auto& member, const auto& values, const char*) {
+    if(has_keyword(name) && given.contains(name)) {
+      known.insert(name);
+      if(!given[name.c_str()].is_none()) {
+        take(name, given[name.c_str()], member, values);
+      }
+    }
+  });
+  for(const auto& item : given) {
+    const std::string name = py::str(item.first);
+    if(known.count(name) == 0) {
+      throw py::type_error("'" + name + "' is not an option of " + owner);
     }
   }
+}
 
-  // A word for each value of an enumeration, in their order
-  template <class Value>
-  void operator()(const char* const name, Value& value, const std::vector<std::string>& words) const
-  {
-    if(m_options.contains(name)) {
-      const auto word = std::find(words.begin(), words.end(), m_options[name].cast<std::string>());
-      value = static_cast<Value>(word - words.begin()); // the Python side has checked it
-    }
-  }
-
-private:
-  const py::dict& m_options;
-};
+// A row of the table for Python: the name, the kind of its values, its default, its values, and what it does
+template <class Options>
+py::list rows_of_options()
+{
+  py::list rows;
+  Options options;
+  abf::visit_options(
+      options, [&](const std::string& name, auto& member, const auto& values, const char* const help) {
+        using Values = std::decay_t<decltype(values)>;
+        using Number = typename decltype(std::optional(member))::value_type;
+        const char* const kind = std::is_same_v<Values, abf::Option_switch>  ? "bool"
+                                 : std::is_same_v<Values, abf::Option_words> ? "str"
+                                 : std::is_same_v<Number, int>               ? "int"
+                                                                             : "float";
+        if(has_keyword(name)) {
+          rows.append(py::make_tuple(name, kind, abf::text_of_default<Options>(name), values.text(), help));
+        }
+      });
+  return rows;
+}
 
 } // namespace abf_python
 

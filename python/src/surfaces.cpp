@@ -6,6 +6,7 @@
 // Surfaces of any topology: seams, cones, and textures of fine surfaces
 
 #include "bindings.h"
+#include "option_taker.h"
 #include "surfaces.h"
 
 #include "flatten_mesh/Json.h"
@@ -58,14 +59,11 @@ std::optional<Weights> weights_of(Surface& surface, const std::string& way)
   return weights;
 }
 
-Seams seams(const Given_mesh& given, const std::string& way, const double stretch_bound,
-            const int maximum_number_of_terminals, const Watch& watch)
+Seams seams(const Given_mesh& given, const std::string& way, const TA::Seam_options& options,
+            const Watch& watch)
 {
   Model model = model_of(given, "");
   const Vertex_pairs marked = pairs_of(given.marked_seams, model.points.size(), "");
-  TA::Seam_options options;
-  options.stretch_bound = stretch_bound;
-  options.maximum_number_of_terminals = maximum_number_of_terminals;
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
       namespace np = CGAL::parameters;
@@ -198,11 +196,13 @@ py::tuple tuple_of(TA::Baked_textures&& textures)
 
 void bind_surfaces(py::module_& module)
 {
-  module.def("seams", [](const Given_mesh& given, const std::string& way, const double stretch_bound,
-                         const int maximum_number_of_terminals, const Watch& watch) {
-    const Seams found = seams(given, way, stretch_bound, maximum_number_of_terminals, watch);
-    return py::make_tuple(array_of_pairs(found.pairs), found.json);
-  });
+  module.def("seams",
+             [](const Given_mesh& given, const std::string& way, const py::dict& values, const Watch& watch) {
+               TA::Seam_options options;
+               take_options(values, "seams", options);
+               const Seams found = seams(given, way, options, watch);
+               return py::make_tuple(array_of_pairs(found.pairs), found.json);
+             });
   module.def("cones", [](const Given_mesh& given, const std::size_t number, const double angle_multiple,
                          const bool is_flattened, const int threads, const Watch& watch) {
     const Cone_map map = cones(given, number, angle_multiple, is_flattened, threads, watch);
@@ -213,12 +213,7 @@ void bind_surfaces(py::module_& module)
                         const std::vector<std::array<std::uint8_t, 3>>& colors, const py::dict& values,
                         const Watch& watch) {
     TA::Baking_options options;
-    options.resolution = values["resolution"].cast<int>();
-    options.height = values["height"].cast<std::optional<int>>();
-    options.gutter = values["gutter"].cast<int>();
-    options.ray_length = values["ray_length"].cast<std::optional<double>>();
-    options.normals_in_object_space = values["normals_in_object_space"].cast<bool>();
-    options.threads = values["threads"].cast<int>();
+    take_options(values, "textures", options);
     return tuple_of(bake(given, fine, colors, options, watch));
   });
 }

@@ -8,10 +8,10 @@
 #ifndef ABF_TEST_OPTIONS_H
 #define ABF_TEST_OPTIONS_H
 
-#include <CGAL/Surface_mesh_parameterization/Atlas_options.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
 
 // Options of atlases whose charts are cut little, and keep the angles of ABF++
-struct Few_charts : CGAL::Surface_mesh_parameterization::Atlas_options
+struct Few_charts : CGAL::Texture_atlas::Atlas_options
 {
   Few_charts() : Atlas_options(FEW_CHARTS) {}
 };

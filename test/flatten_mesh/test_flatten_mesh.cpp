@@ -1383,7 +1383,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                    "--barrier x",
                                    "--tolerance 0",
                                    "--tolerance inf",
-                                   "--max-iterations 0",
+                                   "--max-iterations=-1",
                                    "--max-iterations 1.5",
                                    "--component -1",
                                    "--component=-1",
@@ -1404,7 +1404,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                    "--cut open",
                                    "--cut ''",
                                    "--cut none --stretch-bound 1.2",
-                                   "--stretch-bound 1",
+                                   "--stretch-bound 0.9",
                                    "--stretch-bound nan",
                                    "--seams-to seams.txt",
                                    "--injective --split-overlaps"}) {

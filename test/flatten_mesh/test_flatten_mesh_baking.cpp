@@ -384,7 +384,7 @@ BOOST_FIXTURE_TEST_CASE(wrong_uses_are_refused, Baking)
             quoted(write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")),
         {"line.off", "no face with an area"});
   check(input + output + " --bake-from ''", {"the name after --bake-from is empty"});
-  check(input + output + " --simplify 3", {"--simplify takes a number of at least 4"});
+  check(input + output + " --simplify 3", {"--simplify is 3, and must be at least 4"});
   check(input + output + " --simplify 50 --seams-from uv", {"--simplify excludes --seams-from"});
   check(quoted(file("fine.obj")) + " --bake-from " + quoted(file("fine.off")) + " --output " +
             quoted(file("fine.obj")),

@@ -237,10 +237,10 @@ BOOST_AUTO_TEST_CASE(wrong_options)
 {
   const std::string input = write("squares.off", squares(2));
   for(const std::string options :
-      {"--resolution 64x", "--resolution x64", "--resolution 64x64x64", "--resolution 64x8",
+      {"--resolution 64x", "--resolution x64", "--resolution 64x64x64", "--resolution 64x0",
        "--resolution 64x99999", "--resolution 64,64", "--block 0", "--block 3",
-       "--block 64 --resolution 64x96", "--resolution 1024x64 --gutter 17", "--texels-per-unit 0",
-       "--texels-per-unit=-1", "--texels-per-unit nan", "--texels-per-unit inf", "--no-pack --block 4",
+       "--block 64 --resolution 64x96", "--resolution 1024x64 --gutter 17", "--texels-per-unit=-1",
+       "--texels-per-unit nan", "--texels-per-unit inf", "--no-pack --block 4",
        "--no-pack --texels-per-unit 10", "--plain --block 4"}) {
     check_refused(input, options,
                   {options.find("--gutter") != std::string::npos   ? "--gutter"

@@ -249,8 +249,8 @@ class Commands(unittest.TestCase):
         self.assertGreaterEqual(checked, {"resolution", "rotations"})
         # What depends on the purpose, in words
         for name, told, written in [
-                ("stretch-bound", r"(\d+(?:\.\d+)?) for textures if it is not given, and otherwise (\d+(?:\.\d+)?)", "({1}; {0} for textures)"),
-                ("area-weight", r"given, (\d+(?:\.\d+)?) for textures, and (\d+(?:\.\d+)?) for other atlases; --plain: with --injective only, (\d+(?:\.\d+)?)",
+                ("stretch-bound", r"texture: (\d+(?:\.\d+)?); few-charts, conformal: (\d+(?:\.\d+)?)", "({1}; {0} for textures)"),
+                ("area-weight", r"texture: (\d+(?:\.\d+)?); few-charts, conformal: (\d+(?:\.\d+)?)\. --plain: with --injective only, (\d+(?:\.\d+)?)",
                  "({0} for textures, {1} for other atlases; with `--plain --injective`, {2})"),
                 ("seam-price", r"texture, conformal: (\d+(?:\.\d+)?)", "({0} for textures and conformal charts)")]:
             words = " ".join(next(option for option in options if option.startswith(name)).split())

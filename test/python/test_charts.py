@@ -15,7 +15,7 @@ MAPS = [
     (dict(injective=True), ["--method", "direct", "--injective"]),
     (dict(injective=True, area_weight=.3), ["--method", "direct", "--injective", "--area-weight", .3]),
     (dict(boundary="rectangle", corners=[0, 11, 143, 132]), ["--rectangle", "1,12,144,133"]),
-    (dict(barrier=0, layout="least-squares", step="sequential-linearly-constrained", linear_solver="direct"),
+    (dict(barrier=0, layout="least-squares", step="sqp", linear_solver="direct"),
      ["--barrier", 0, "--layout", "least-squares", "--step", "sqp", "--linear-solver", "direct"]),
 ]
 

@@ -42,7 +42,7 @@ struct Atlas_record
 
   std::string input;
   std::vector<Model> models; // empty if there is only the input
-  Atlas_options options;
+  Atlas_command options;
   double stretch_bound = 0;
   std::size_t vertices = 0; // these three are of the surface that the atlas is made of
   std::size_t triangles = 0;

@@ -115,12 +115,12 @@ void measure_charts(Atlas_record& record)
 void place_charts(const Command_line& command, const Mesh& mesh, const Atlas& atlas,
                   const TA::Atlas_report& report)
 {
-  const Atlas_options& options = command.atlas;
+  const Atlas_command& options = command.atlas;
   if(!options.is_in_world_units()) {
     return;
   }
-  if(options.is_packed) {
-    scale_charts(mesh, atlas, 1 / report.scale, options.height / report.scale / options.resolution);
+  if(options.pack_into_square) {
+    scale_charts(mesh, atlas, 1 / report.scale, options.number_of_rows() / report.scale / options.resolution);
   } else {
     place_in_rows(mesh, atlas, report.charts.size());
   }

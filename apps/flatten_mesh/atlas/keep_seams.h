@@ -68,7 +68,7 @@ inline void keep_seams_of_file(const std::string& file, Atlas_input& input, cons
 } // namespace internal
 
 // Marks the seams that are given. Throws an `Input_error` if there are none where they should be.
-inline void keep_seams(const Atlas_options& options, Atlas_input& input, const Edge_marks& seams)
+inline void keep_seams(const Atlas_command& options, Atlas_input& input, const Edge_marks& seams)
 {
   if(options.seams_from == "uv") {
     internal::keep_seams_of_texture("--seams-from uv", input, seams);

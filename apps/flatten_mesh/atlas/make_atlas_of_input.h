@@ -35,52 +35,10 @@
 
 namespace flatten_mesh {
 
-namespace internal {
-
-inline TA::Atlas_options::Purpose purpose_of(const std::string& name)
-{
-  return name == "texture"
-             ? TA::Atlas_options::TEXTURE
-             : (name == "conformal" ? TA::Atlas_options::CONFORMAL : TA::Atlas_options::FEW_CHARTS);
-}
-
-} // namespace internal
-
-// Those of the purpose, unless the command says otherwise
 inline TA::Atlas_options options_of_atlas(const Command_line& command)
 {
-  const Atlas_options& atlas = command.atlas;
-  TA::Atlas_options options(internal::purpose_of(atlas.purpose));
-  const auto choose = [](bool& option, const std::string& word) {
-    option = word.empty() ? option : word == "on";
-  };
-  choose(options.separate_overlaps, atlas.separates);
-  choose(options.isometric_charts, atlas.isometric);
-  choose(options.equal_seam_lengths, command.equal_seams);
-  if(!atlas.seams_from.empty() || atlas.charts_from_materials) { // who gives charts wants these
-    options.seam_price = std::numeric_limits<double>::infinity();
-  }
-  options.seam_price = atlas.seam_price.value_or(options.seam_price);
-  if(atlas.repacks) {
-    options.given_charts = atlas.repairs_charts ? TA::Atlas_options::REPAIR : TA::Atlas_options::KEEP;
-  }
-  if(atlas.keeps_all_charts()) {
-    options.stretch_bound = 2;
-  }
-  if(command.asks_for_stretch) {
-    options.stretch_bound = command.stretch_bound;
-  }
-  if(command.asks_for_area_weight) {
-    options.area_weight = command.options.area_weight;
-  }
-  options.resolution = atlas.resolution;
-  options.height = atlas.height;
-  options.block = atlas.block;
-  options.texels_per_unit = atlas.texels_per_unit;
-  options.gutter = atlas.gutter;
-  options.number_of_rotations = atlas.rotations;
-  options.pack_into_square = atlas.is_packed;
-  options.float_coordinates = !atlas.is_in_world_units() && writes_floats(command);
+  TA::Atlas_options options = command.atlas;
+  options.float_coordinates = !command.atlas.is_in_world_units() && writes_floats(command);
   options.threads = command.options.threads;
   return options;
 }

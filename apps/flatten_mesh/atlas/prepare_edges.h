@@ -63,7 +63,7 @@ inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Ed
 }
 
 // Finds out what `--seams` means for a mesh, and marks seams along creases if they are asked for.
-inline Seam_way choose_seams(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
+inline Seam_way choose_seams(const Atlas_command& options, Mesh& mesh, const Edge_marks& is_seam)
 {
   const std::optional<double> angle = crease_angle(options.seams);
   if(angle && !mesh.faces().empty()) {
@@ -108,7 +108,7 @@ inline bool has_weights(const Seam_way& way)
 }
 
 // Marks and weighs edges as `--seams` says.
-inline Seam_way prepare_edges(const Atlas_options& options, Mesh& mesh, const Edge_marks& is_seam)
+inline Seam_way prepare_edges(const Atlas_command& options, Mesh& mesh, const Edge_marks& is_seam)
 {
   if(options.repacks) {
     return {"given", std::nullopt, false, std::nullopt};

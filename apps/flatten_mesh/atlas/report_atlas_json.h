@@ -48,9 +48,9 @@ inline Json chart_json(const TA::Atlas_report::Chart& chart, const double share)
 inline Json packing_json(const Atlas_record& record)
 {
   return {{"resolution", record.options.resolution},
-          {"height", record.options.height},
+          {"height", record.options.number_of_rows()},
           {"block", record.options.block},
-          {"gutter", record.options.gutter},
+          {"gutter", record.options.number_of_gutter_texels()},
           {"pages", record.report.number_of_pages},
           {"texels_per_unit", record.report.scale * record.options.resolution},
           {"covered_share", record.report.covered_share},
@@ -92,7 +92,7 @@ inline Json atlas_json(const Atlas_record& record)
                {"purpose", record.options.keeps_all_charts() ? Json() : Json(record.options.purpose)},
                {"repacked", record.options.repacks},
                {"units", record.options.units},
-               {"packing", record.options.is_packed ? packing_json(record) : Json()},
+               {"packing", record.options.pack_into_square ? packing_json(record) : Json()},
                {"flipped_triangles", report.measures.flipped_triangles},
                {"injective", report.measures.border_is_simple}};
   add_measures(json, &report.measures);

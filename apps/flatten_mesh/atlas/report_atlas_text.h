@@ -126,13 +126,13 @@ inline Report_rows chart_rows(const Atlas_record& record)
   rows.push_back({"scale stretch", format_number("%.4g", worst),
                   "of the worst chart, by changes of area; " + bound + "best 1"});
   append(rows, seam_jump_rows(report));
-  if(record.options.is_packed) {
+  if(record.options.pack_into_square) {
     const std::string pages =
         report.number_of_pages > 1 ? count_text(report.number_of_pages, "page") : "the square";
     rows.push_back({"covered", format_number("%.1f %%", 100 * report.covered_share),
                     "of " + pages + "; " + std::to_string(record.options.resolution) + " x " +
-                        std::to_string(record.options.height) + " texels, gutter " +
-                        std::to_string(record.options.gutter)});
+                        std::to_string(record.options.number_of_rows()) + " texels, gutter " +
+                        std::to_string(record.options.number_of_gutter_texels())});
     if(record.options.texels_per_unit > 0) {
       rows.push_back({"texels per unit", format_number("%.6g", record.options.texels_per_unit), "as given"});
     }

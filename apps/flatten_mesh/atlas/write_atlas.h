@@ -173,14 +173,14 @@ inline void write_surface(const Written_model& written, const Baked_surface& bak
 }
 
 // In the plane of the pictures, where texels are squares
-inline std::vector<CGAL::Bbox_2> pages_of(const Atlas_options& options, const Mesh& mesh, const Atlas& atlas,
+inline std::vector<CGAL::Bbox_2> pages_of(const Atlas_command& options, const Mesh& mesh, const Atlas& atlas,
                                           const TA::Atlas_report& report)
 {
   if(options.is_in_world_units() && report.number_of_pages <= 1) {
     return {box_of(mesh, atlas)};
   }
   const double width = options.is_in_world_units() ? 1 / report.scale : 1;
-  return page_boxes(report.number_of_pages, width, width * options.height / options.resolution);
+  return page_boxes(report.number_of_pages, width, width * options.number_of_rows() / options.resolution);
 }
 
 inline void draw(const Command_line& command, const Atlas_input& input, const Atlas& atlas,
@@ -188,7 +188,7 @@ inline void draw(const Command_line& command, const Atlas_input& input, const At
 {
   Textured_surface surface = textured_atlas(input.mesh, atlas);
   if(!command.atlas.is_in_world_units()) {
-    make_texels_squares(command.atlas.resolution, command.atlas.height, surface);
+    make_texels_squares(command.atlas.resolution, command.atlas.number_of_rows(), surface);
   }
   const std::vector<CGAL::Bbox_2> pages = pages_of(command.atlas, input.mesh, atlas, record.report);
   const std::string up = up_axis(command, surface);

@@ -137,7 +137,7 @@ Baked_surface bake_textures(const Command_line& command, Atlas_input& input, con
   TA::Baking_options options;
   options.resolution = command.atlas.resolution;
   options.height = command.atlas.height;
-  options.gutter = command.atlas.gutter;
+  options.gutter = command.atlas.number_of_gutter_texels();
   options.threads = command.options.threads;
   const auto charts = np::face_patch_map(atlas.chart);
   baked.textures = fine.has_colors

@@ -65,12 +65,6 @@ inline void check_memory(const Batch_options& batch)
 
 inline void check_batch_numbers(Batch_options& batch)
 {
-  if(batch.jobs < 1 || batch.jobs > Child_processes::largest_number) {
-    throw Usage_error("--jobs takes a number from 1 to " + std::to_string(Child_processes::largest_number));
-  }
-  if(!(batch.timeout > 0)) {
-    throw Usage_error("--timeout takes a number of seconds above 0");
-  }
   batch.memory_bytes = batch.memory.empty() ? 0 : bytes_of(batch.memory);
   if(batch.memory_bytes > 0) {
     check_memory(batch);

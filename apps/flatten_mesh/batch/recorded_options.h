@@ -6,11 +6,12 @@
 #ifndef FLATTEN_MESH_RECORDED_OPTIONS_H
 #define FLATTEN_MESH_RECORDED_OPTIONS_H
 
+#include "flatten_mesh/Option_table.h"
+
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,13 @@ namespace flatten_mesh {
 
 namespace internal {
 
-// The options that the results of an input depend on, in the order of their names. Results are the same for any number
-// of threads.
-inline std::vector<std::string> recorded_options(const boost::program_options::parsed_options& parsed)
+// The options that the results of an input depend on, in the order of their names.
+inline std::vector<std::string> recorded_options(const boost::program_options::parsed_options& parsed,
+                                                 const Option_table& table)
 {
-  static const std::set<std::string> others = {"input", "list",    "null",    "shard",   "jobs",  "resume",
-                                               "quiet", "timeout", "verbose", "threads", "memory"};
   std::vector<std::string> result;
   for(const auto& option : parsed.options) {
-    if(others.count(option.string_key) == 0) {
+    if(table.is_recorded(option.string_key)) {
       result.push_back("--" + option.string_key + (option.value.empty() ? "" : "=") +
                        boost::algorithm::join(option.value, " "));
     }

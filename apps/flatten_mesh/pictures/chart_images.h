@@ -100,11 +100,10 @@ inline void write_chart_images(const Command_line& command, const Mesh& mesh, co
       faces_of_pages[static_cast<std::size_t>(report.charts[chart].page)].push_back(f);
     }
   }
-  const CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point size(command.atlas.resolution,
-                                                                              command.atlas.height);
+  const SMP::internal::ABF::Planar_point size(command.atlas.resolution, command.atlas.number_of_rows());
   for(std::size_t i = 0; i < faces_of_pages.size(); ++i) {
-    const auto page = CGAL::Texture_atlas::internal::corner_of_page(static_cast<int>(i));
-    internal::Chart_image image(command.atlas.resolution, command.atlas.height);
+    const auto page = SMP::internal::ABF::corner_of_page(static_cast<int>(i));
+    internal::Chart_image image(command.atlas.resolution, command.atlas.number_of_rows());
     for(const Face f : faces_of_pages[i]) {
       std::array<CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point, 3> corners;
       Halfedge h = mesh.halfedge(f);

@@ -32,7 +32,7 @@ inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_r
   contents.title = std::filesystem::path(record.input).filename().string();
   contents.rows = surface_rows(record);
   contents.notes = record.notes;
-  contents.is_packed = record.options.is_packed;
+  contents.is_packed = record.options.pack_into_square;
   contents.resolution = record.options.resolution;
   contents.box = box_around(pages);
   contents.pages = pages.size();
