@@ -10,7 +10,7 @@
 
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/option_table.h>
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

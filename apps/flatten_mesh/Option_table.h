@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/option_table.h>
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/program_options.hpp>

@@ -6,7 +6,7 @@
 #ifndef ABF_PYTHON_OPTION_TAKER_H
 #define ABF_PYTHON_OPTION_TAKER_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/option_table.h>
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
 
 #include <pybind11/pybind11.h>
 
