@@ -55,9 +55,7 @@ inline po::options_description file_options(Command_line& command)
       "keeps the rest of the model. PLY keeps normals and colours of points; texture coordinates are a "
       "list 'texcoord' of each face. GLB (where built with tinygltf) is binary glTF: triangles with "
       "normals, colours and materials, where v points down: 1 - v. From glTF to GLB, all else in the file "
-      "stays, too; textures keep their coordinates, which become the second ones. --plain writes the "
-      "repaired "
-      "surface as OBJ, without groups, materials, normals and colours");
+      "stays, too; textures keep their coordinates, which become the second ones");
   add("svg", po::value(&command.svg)->value_name("FILE.svg"),
       "draw the plane: each chart in a colour of its own, and both sides of a seam in the same colour. "
       "--plain: each triangle is coloured by the change of its angles");
@@ -236,8 +234,8 @@ inline po::options_description plain_options(Command_line& command)
   add("rectangle", po::value(&command.rectangle)->value_name("V1,V2,V3,V4|auto"),
       "the border becomes a rectangle with straight sides, whose corners are these four vertices, counted "
       "from 1, as in OBJ files. auto: the vertices nearest to the corners of the smallest rectangle around "
-      "the map without this option. Edges that would cut off flat triangles are split in their middle, "
-      "which only OBJ output can hold");
+      "the map without this option. Edges that would cut off flat triangles are split in their middle; the "
+      "output then has the triangles only");
   add("border-angles", po::value(&command.border_angles)->value_name("FILE"),
       "the border gets these inner angles in the plane. The file has a line for each vertex with an angle: "
       "its number, from 1, and its angle in degrees, 180 on straight sides");

@@ -66,10 +66,9 @@ inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
 inline std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
-                                            const Atlas& atlas, const SMP::Atlas_report& report,
-                                            const Float_grid& grid)
+                                            const Atlas& atlas, const Float_grid& grid)
 {
-  if(command.output.empty() || file_format(command.output) == "glb" || !report.has_atlas()) {
+  if(command.output.empty() || file_format(command.output) == "glb") {
     return {};
   }
   std::vector<bool> is_divided =
@@ -100,7 +99,10 @@ inline std::vector<Written_model> models_to_write(const Command_line& command, A
   std::vector<Written_model> models;
   const Float_grid grid = grid_of_outputs(command);
   const auto add = [&](const Command_line& own, const Atlas_input& model, const Atlas& charts) {
-    models.push_back({own, model, charts, polygons_to_divide(own, model, charts, report, grid)});
+    models.push_back({own, model, charts, {}});
+    if(report.has_atlas()) {
+      models.back().is_divided = polygons_to_divide(own, model, charts, grid);
+    }
   };
   if(input.joined.empty()) {
     add(command, input, atlas);

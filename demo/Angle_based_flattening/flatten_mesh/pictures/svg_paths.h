@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_SVG_PATHS_H
 
 #include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/plain/seam_chains.h"
+#include "flatten_mesh/pictures/seam_chains.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Bbox_2.h>

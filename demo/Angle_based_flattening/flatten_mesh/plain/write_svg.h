@@ -6,16 +6,14 @@
 #ifndef FLATTEN_MESH_WRITE_SVG_H
 #define FLATTEN_MESH_WRITE_SVG_H
 
-#include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/pictures/Distortion_scale.h"
 #include "flatten_mesh/Output_file.h"
-#include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/pictures/svg_paths.h"
 #include "flatten_mesh/texts.h"
-#include "flatten_mesh/plain/textured_chart.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/bounding_box.h>
 
 #include <algorithm>
 #include <array>
@@ -27,23 +25,26 @@
 
 namespace flatten_mesh {
 
+// A corner of a prescribed border, or a copy of a cone
+struct Angle_mark
+{
+  Kernel::Point_2 uv;
+  std::string title;
+};
+
 namespace internal {
 
 // One path for each colour: three corners a triangle, the last two relative to the one before.
-inline std::vector<std::string> triangle_paths(const Mesh& mesh, const Chart& chart,
-                                               const Flattening& flattening, const Svg_frame& frame,
+inline std::vector<std::string> triangle_paths(const Textured_surface& surface,
+                                               const std::vector<double>& distortions, const Svg_frame& frame,
                                                const Distortion_scale& scale)
 {
   std::vector<std::string> paths(Distortion_scale::number_of_colors);
-  for(const Face f : chart.faces) {
-    std::array<Svg_frame::Position, 3> p;
-    Halfedge h = mesh.halfedge(f);
-    for(Svg_frame::Position& position : p) {
-      position = frame(flattening.uv[mesh.target(h)]);
-      h = mesh.next(h);
-    }
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.uv[t];
+    const std::array<Svg_frame::Position, 3> p = {frame(b), frame(c), frame(a)};
     if(p[0] != p[1] || p[0] != p[2]) { // otherwise too small to be seen
-      std::string& path = paths[static_cast<std::size_t>(scale.color_index(flattening.distortion[f]))];
+      std::string& path = paths[static_cast<std::size_t>(scale.color_index(distortions[t]))];
       append_position(path, 'M', p[0].first, p[0].second);
       append_position(path, 'l', p[1].first - p[0].first, p[1].second - p[0].second);
       append_position(path, 'l', p[2].first - p[1].first, p[2].second - p[1].second);
@@ -81,32 +82,31 @@ inline std::string legend(const Distortion_scale& scale, const double left, cons
   return text + "</g>\n";
 }
 
-// A dot at each corner of a prescribed border, and at each copy of a cone. Viewers show its title.
-inline std::string angle_marks(const Chart& chart, const Flattening& flattening, const Svg_frame& frame)
+// A dot at each marked place. Viewers show its title.
+inline std::string angle_marks(const std::vector<Angle_mark>& marks, const Svg_frame& frame)
 {
   std::string text;
-  for(const auto& [v, angle] : chart.marks) {
-    const Svg_frame::Position position = frame(flattening.uv[v]);
+  for(const Angle_mark& mark : marks) {
+    const Svg_frame::Position position = frame(mark.uv);
     text += "<circle cx=\"" + std::to_string(position.first) + "\" cy=\"" + std::to_string(position.second) +
-            "\" r=\"900\" fill=\"#d22\" stroke=\"#fff\" stroke-width=\"250\"><title>" +
-            vertex_name(chart.input_vertex(v).idx()) + ": " + format_number("%.6g", angle * 180. / CGAL_PI) +
-            " degrees</title></circle>\n";
+            "\" r=\"900\" fill=\"#d22\" stroke=\"#fff\" stroke-width=\"250\"><title>" + mark.title +
+            "</title></circle>\n";
   }
   return text;
 }
 
-inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flattening& flattening,
-                               const Svg_frame& frame, const Distortion_scale& scale)
+inline std::string svg_drawing(const Textured_surface& surface, const std::vector<double>& distortions,
+                               const std::vector<Angle_mark>& marks, const Svg_frame& frame,
+                               const Distortion_scale& scale)
 {
   const int width_of_seams = 350;
-  const Textured_surface surface = textured_chart(mesh, chart, flattening.uv);
   std::string borders;
   for(const Textured_surface::Border& border : surface.borders) {
     append_border(borders, surface, border, frame);
   }
   // Strokes in the colour of the triangles close the hairlines between neighbours.
   std::string text = "<g transform=\"scale(.01)\" stroke-width=\"70\" stroke-linejoin=\"bevel\">\n";
-  const std::vector<std::string> paths = triangle_paths(mesh, chart, flattening, frame, scale);
+  const std::vector<std::string> paths = triangle_paths(surface, distortions, frame, scale);
   for(std::size_t i = 0; i < paths.size(); ++i) {
     if(!paths[i].empty()) {
       const std::string color = Distortion_scale::color(static_cast<int>(i));
@@ -114,32 +114,29 @@ inline std::string svg_drawing(const Mesh& mesh, const Chart& chart, const Flatt
     }
   }
   return text + "<path fill=\"none\" stroke=\"#222\" stroke-width=\"120\" d=\"" + borders + "\"/>\n" +
-         seam_lines(surface, frame, width_of_seams) + angle_marks(chart, flattening, frame) + "</g>\n";
+         seam_lines(surface, frame, width_of_seams) + angle_marks(marks, frame) + "</g>\n";
 }
 
 } // namespace internal
 
 // A picture of the chart, coloured by the change of angles, with a legend below. Seams are coloured lines.
-inline void write_svg(Output_file& file, const Mesh& mesh, const Chart& chart, const Flattening& flattening)
+inline void write_svg(Output_file& file, const Textured_surface& surface,
+                      const std::vector<double>& distortions, const std::vector<Angle_mark>& marks)
 {
   CGAL::Bbox_2 chart_box;
-  for(const Vertex v : chart.vertices) {
-    chart_box += flattening.uv[v].bbox();
+  for(const std::array<Kernel::Point_2, 3>& corners : surface.uv) {
+    chart_box += CGAL::bbox_2(corners.begin(), corners.end());
   }
   const Svg_frame frame(chart_box);
-  std::vector<double> distortions;
-  for(const Face f : chart.faces) {
-    distortions.push_back(flattening.distortion[f]);
-  }
-  const Distortion_scale scale(std::move(distortions));
+  const Distortion_scale scale(distortions);
 
   const double legend_width = 560;
   const double legend_height = 90;
   const double width = (std::max)(frame.width(), legend_width);
   const double height = frame.height() + legend_height;
   std::string text =
-      svg_head(width, height, "Angle-based flattening, " + count_text(chart.faces.size(), "triangle"));
-  text += internal::svg_drawing(mesh, chart, flattening, frame, scale);
+      svg_head(width, height, "Angle-based flattening, " + count_text(surface.triangles.size(), "triangle"));
+  text += internal::svg_drawing(surface, distortions, marks, frame, scale);
   text += internal::legend(scale, 0, frame.height() + 40, legend_width);
   file.write(text + "</svg>\n");
 }

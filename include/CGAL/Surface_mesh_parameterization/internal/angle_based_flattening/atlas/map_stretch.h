@@ -25,6 +25,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+// A map may exceed the bound of `select_seams()` by this factor, because the prediction is for a smooth surface.
+inline constexpr double stretch_tolerance = 1.03;
+
 // How much a map stretches a chart, or a piece of one
 struct Map_stretch
 {

@@ -103,9 +103,6 @@ inline std::vector<Stretch_sums> stretch_of_pieces(const Part_atlas& atlas)
   return sums;
 }
 
-// A map may exceed the bound of `select_seams()` by this factor, because the prediction is for a smooth surface.
-inline constexpr double stretch_tolerance = 1.03;
-
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
 #endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ATLAS_PART_ATLAS_H
