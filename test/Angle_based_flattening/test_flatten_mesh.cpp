@@ -87,7 +87,8 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
   BOOST_TEST(tree.get<int>("triangles") > 5000);
   BOOST_TEST(lines_with(obj(), "vt").size() == tree.get<std::size_t>("vertices"));
   const std::string svg = content(file("flat.svg"));
-  BOOST_TEST(svg.compare(0, 4, "<svg") == 0);
+  BOOST_TEST(svg.find("<svg") < 100u);
+  BOOST_TEST(count_in_svg(svg, "fill:rgb(") > 20u); // the colours of the triangles
   BOOST_TEST(svg.size() > 10000u);
   BOOST_TEST((svg.find("nan") == std::string::npos));
 }
@@ -110,12 +111,6 @@ BOOST_AUTO_TEST_CASE(picture_shows_a_checkerboard)
   BOOST_TEST(light > pixels.size() / 10);
   BOOST_TEST(dark > light / 2);
   BOOST_TEST(dark < light * 2);
-}
-#else
-BOOST_AUTO_TEST_CASE(picture_needs_libpng)
-{
-  run(quoted(write("sheet.off", off(Sheet()))) + " --picture " + quoted(file("flat.png")));
-  check_refusal({"libpng"});
 }
 #endif
 
@@ -661,7 +656,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
       BOOST_TEST(tree.get<double>("seconds.seams") >= 0);
       BOOST_TEST((standard_output.find("terminals") != std::string::npos));
       BOOST_TEST((standard_output.find("scale stretch") != std::string::npos));
-      BOOST_TEST((content(file("flat.svg")).find("stroke-linecap") != std::string::npos));
+      BOOST_TEST(count_in_svg(content(file("flat.svg")), "stroke:rgb(100%,0%,0%)") == 1u); // the first seam
 
       std::vector<bool> has_texture;
       BOOST_TEST((obj_faces(obj(), has_texture) == block.faces));

@@ -62,7 +62,7 @@ inline po::options_description file_options(Command_line& command)
   add("picture", po::value(&command.picture)->value_name("FILE.png"),
       "draw the surface from six sides, with a checkerboard in the colour of each chart, and the plane "
       "beside it: squares remain squares where shapes are preserved, and are equally large where sizes are "
-      "preserved. --plain: from one side (where built with libpng)");
+      "preserved. --plain: from one side");
   add("up", name_option(command.up),
       "x, y or z: the axis that points upwards in the picture and the report. auto: y or z, by the shape "
       "of the surface, or else by the format of the file");

@@ -14,7 +14,6 @@
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
-#include "flatten_mesh/atlas/write_atlas_svg.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/face_options.h"
@@ -27,6 +26,8 @@
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/process_memory.h"
+#include "flatten_mesh/pictures/draw_atlas.h"
+#include "flatten_mesh/pictures/draw_plane.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/texts.h"
@@ -34,7 +35,6 @@
 #ifdef ABF_WITH_PNG
 #include "flatten_mesh/bake/write_baked_model.h"
 #include "flatten_mesh/pictures/chart_images.h"
-#include "flatten_mesh/pictures/draw_atlas.h"
 #endif
 
 #ifdef ABF_WITH_THREE
@@ -195,14 +195,11 @@ inline void draw(const Command_line& command, const Atlas_input& input, const At
   const std::vector<CGAL::Bbox_2> pages = pages_of(command.atlas, input.mesh, atlas, record.report);
   const std::string up = up_axis(command, surface);
   if(!command.svg.empty()) {
-    write_atlas_svg(files.open(command.svg), surface, pages,
-                    "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
+    files.open(command.svg).write(atlas_svg(surface, pages));
   }
-#ifdef ABF_WITH_PNG
   if(!command.picture.empty()) {
     files.open(command.picture).write(atlas_picture(surface, Upright::of(up), pages));
   }
-#endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty()) {
     files.open(command.report)

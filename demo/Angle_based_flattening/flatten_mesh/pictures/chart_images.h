@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -44,8 +45,10 @@ public:
   // The corners are in texels.
   void draw(const std::array<SMP::internal::ABF::Planar_point, 3>& corners, const int chart)
   {
-    const auto [red, green, blue] = light_color_of_chart(chart);
-    const std::array<unsigned char, 4> color = {red, green, blue, 255};
+    std::array<unsigned char, 4> color = {0, 0, 0, 255};
+    const Color light = light_color_of_chart(chart);
+    std::transform(light.begin(), light.end(), color.begin(),
+                   [](const double part) { return static_cast<unsigned char>(std::lround(255 * part)); });
     SMP::internal::ABF::visit_texels(
         corners, SMP::internal::ABF::rounding_tolerance, [&](const int y, const int first, const int last) {
           for(int x = (std::max)(first, 0); y >= 0 && y < m_height && x <= last && x < m_width; ++x) {

@@ -13,6 +13,9 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/output_floats.h"
+#include "flatten_mesh/pictures/draw_plane.h"
+#include "flatten_mesh/pictures/draw_surface.h"
+#include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/plain/cut_surface.h"
 #include "flatten_mesh/plain/flatten_sheet.h"
 #include "flatten_mesh/plain/prescribe_angles.h"
@@ -22,16 +25,11 @@
 #include "flatten_mesh/plain/settle_coordinates.h"
 #include "flatten_mesh/plain/Sheet.h"
 #include "flatten_mesh/plain/stray_vertex.h"
-#include "flatten_mesh/plain/write_svg.h"
 #include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/report_skipped.h"
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
-
-#ifdef ABF_WITH_PNG
-#include "flatten_mesh/pictures/draw_surface.h"
-#endif
 
 #ifdef ABF_WITH_THREE
 #include "flatten_mesh/report/contents_of_chart.h"
@@ -381,13 +379,11 @@ private:
         marks.push_back({flattening().uv[v], vertex_name(m_sheet.input_vertex(v).idx()) + ": " +
                                                  format_number("%.6g", angle * 180. / CGAL_PI) + " degrees"});
       }
-      write_svg(m_files.open(m_command.svg), surface, m_distortions, marks);
+      m_files.open(m_command.svg).write(chart_svg(surface, m_distortions, marks));
     }
-#ifdef ABF_WITH_PNG
     if(!m_command.picture.empty()) {
       m_files.open(m_command.picture).write(checkerboard_picture(surface, Upright::of(up)));
     }
-#endif
 #ifdef ABF_WITH_THREE
     if(!m_command.report.empty()) {
       m_files.open(m_command.report)
