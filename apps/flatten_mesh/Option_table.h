@@ -30,7 +30,7 @@ namespace internal {
 
 namespace po = boost::program_options;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace abf = SMP::internal::ABF;
+namespace abf = CGAL::Texture_atlas::internal;
 
 using Values = po::variables_map;
 
@@ -101,18 +101,17 @@ public:
   void of_library(const std::string& member, const std::string& placeholder, const std::string& more,
                   Options& options, Others&... others)
   {
-    abf::visit_options(
-        options, [&](const std::string& name, auto& value, const auto& values, const std::string& help) {
-          if(name == member) {
-            using Described =
-                std::conditional_t<std::is_base_of_v<TA::Atlas_options, Options>, TA::Atlas_options,
-                                   Options>; // their defaults depend on a purpose
-            const std::string given = abf::text_of_default<Described>(name);
-            const bool is_shown = given.find(':') == std::string::npos;
-            add(flag_of(name), value_of_library(placeholder, value, is_shown ? given : "", values),
-                with_flags(help) + (is_shown ? "" : ". " + given) + (more.empty() ? "" : ". " + more));
-          }
-        });
+    abf::visit_options(options, [&](const std::string& name, auto& value, const auto& values,
+                                    const std::string& help) {
+      if(name == member) {
+        using Described = std::conditional_t<std::is_base_of_v<TA::Atlas_options, Options>, TA::Atlas_options,
+                                             Options>; // their defaults depend on a purpose
+        const std::string given = abf::text_of_default<Described>(name);
+        const bool is_shown = given.find(':') == std::string::npos;
+        add(flag_of(name), value_of_library(placeholder, value, is_shown ? given : "", values),
+            with_flags(help) + (is_shown ? "" : ". " + given) + (more.empty() ? "" : ". " + more));
+      }
+    });
     take_of_library(member, options);
     (take_of_library(member, others), ...);
   }

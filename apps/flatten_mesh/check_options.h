@@ -57,10 +57,10 @@ inline void check_files(Command_line& command)
   }
   check_outputs_of_inputs(command);
 #ifndef ABF_WITH_PNG
-  if(!command.picture.empty() || !command.chart_image.empty()) {
-    throw Usage_error(std::string("this program was built without libpng, which --") +
-                      (command.picture.empty() ? "chart-image" : "picture") +
-                      " needs: install libpng-dev and build it again, or use --svg");
+  if(!command.chart_image.empty()) {
+    throw Usage_error(
+        "this program was built without libpng, which --chart-image needs: install libpng-dev and "
+        "build it again, or use --svg");
   }
 #endif
 #ifndef ABF_WITH_THREE

@@ -35,9 +35,7 @@ inline void describe_file_options(Command_line& command, Option_table& table)
       "keeps the rest of the model. PLY keeps normals and colours of points; texture coordinates are a "
       "list 'texcoord' of each face. GLB (where built with tinygltf) is binary glTF: triangles with "
       "normals, colours and materials, where v points down: 1 - v. From glTF to GLB, all else in the file "
-      "stays, too; textures keep their coordinates, which become the second ones. --plain writes the "
-      "repaired "
-      "surface as OBJ, without groups, materials, normals and colours");
+      "stays, too; textures keep their coordinates, which become the second ones.");
   table.text(
       "svg", command.svg, "FILE.svg",
       "draw the plane: each chart in a colour of its own, and both sides of a seam in the same colour. "
@@ -46,7 +44,7 @@ inline void describe_file_options(Command_line& command, Option_table& table)
       "picture", command.picture, "FILE.png",
       "draw the surface from six sides, with a checkerboard in the colour of each chart, and the plane "
       "beside it: squares remain squares where shapes are preserved, and are equally large where sizes are "
-      "preserved. --plain: from one side (where built with libpng)");
+      "preserved. --plain: from one side");
   table.word(
       "up", command.up, {"auto", "x", "y", "z"},
       "x, y or z: the axis that points upwards in the picture and the report. auto: y or z, by the shape "
@@ -222,8 +220,8 @@ inline void describe_plain_options(Command_line& command, Option_table& table)
       "rectangle", command.rectangle, "V1,V2,V3,V4|auto",
       "the border becomes a rectangle with straight sides, whose corners are these four vertices, counted "
       "from 1, as in OBJ files. auto: the vertices nearest to the corners of the smallest rectangle around "
-      "the map without this option. Edges that would cut off flat triangles are split in their middle, "
-      "which only OBJ output can hold");
+      "the map without this option. Edges that would cut off flat triangles are split in their middle; "
+      "the output then has the triangles only");
   table.text(
       "border-angles", command.border_angles, "FILE",
       "the border gets these inner angles in the plane. The file has a line for each vertex with an angle: "

@@ -22,7 +22,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-namespace abf = SMP::internal::ABF;
+namespace abf = CGAL::Texture_atlas::internal;
 
 // Reads "2048", or "2048x1024". Returns whether the text is one of these.
 inline bool read_page_size(const std::string& text, int& width, int& height)

@@ -10,11 +10,12 @@
 #include "flatten_mesh/pictures/Surface_view.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/pictures/draw_checkerboard.h"
-#include "flatten_mesh/plain/textured_chart.h"
+#include "flatten_mesh/pictures/Textured_surface.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace flatten_mesh {
@@ -68,6 +69,25 @@ void draw_face(Canvas& canvas, const Mesh& mesh, const Face f, const Projected_s
   const Halfedge h = mesh.halfedge(f);
   canvas.draw_triangle(corners[mesh.source(h)], corners[mesh.target(h)], corners[mesh.target(mesh.next(h))],
                        color);
+}
+
+// Faces with coordinates at their vertices, as one chart without borders. All points of the mesh are kept.
+template <class UV_map>
+Textured_surface textured_faces(const Mesh& mesh, const std::vector<Face>& faces, const UV_map& uv)
+{
+  Textured_surface surface;
+  surface.points.assign(mesh.points().begin(), mesh.points().end());
+  surface.charts.assign(faces.size(), 0);
+  for(const Face f : faces) {
+    surface.triangles.emplace_back();
+    surface.uv.emplace_back();
+    Halfedge h = mesh.halfedge(f);
+    for(std::size_t i = 0; i < 3; ++i, h = mesh.next(h)) {
+      surface.triangles.back()[i] = mesh.source(h).idx();
+      surface.uv.back()[i] = uv[mesh.source(h)];
+    }
+  }
+  return surface;
 }
 
 // Draws the surface with a checkerboard in the plane of its map; the squares have the given side there.

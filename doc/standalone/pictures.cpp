@@ -161,7 +161,7 @@ Color color_of_face(const Flat_mesh& flat, const Face f, const Distortion_scale&
 {
   if(flat.flipped[f.idx()])
     return {0.9, 0.1, 0.1};
-  return color_of(Distortion_scale::color(scale.color_index(flat.angle_change[f.idx()])));
+  return Distortion_scale::color(scale.color_index(flat.angle_change[f.idx()]));
 }
 
 void draw_plane(Canvas& canvas, const Flat_mesh& flat, const Mesh& plane, const Distortion_scale& scale,

@@ -19,7 +19,7 @@
 namespace abf_python {
 
 namespace py = pybind11;
-namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
+namespace abf = CGAL::Texture_atlas::internal;
 
 // Options that have no keyword: `timeout` bounds the time, and coordinates are not rounded.
 inline bool has_keyword(const std::string& name)

@@ -178,6 +178,22 @@ def differences_of_text(old, new):
             yield f"a number of a line {kind!r} differs by {most[kind]}, where the largest is {size}"
 
 
+def by_corners(text):
+    """An OBJ file with the texture coordinates of each corner on a line of its own: their order and numbers are free"""
+    lines, uv = [], []
+    for line in text.split("\n"):
+        word, *rest = line.split() or [""]
+        if word == "vt":
+            uv.append(" ".join(rest))
+        elif word == "f":
+            corners = [(corner + "//").split("/") for corner in rest]
+            lines.append(" ".join(["f", *(f"{v}/{n}" for v, _, n, *_ in corners)]))
+            lines += [f"corner {uv[int(t) - 1] if t else ''}" for _, t, *_ in corners]
+        elif not line.startswith("#"):
+            lines.append(line)
+    return "\n".join(lines)
+
+
 def glb(data):
     """The JSON of a GLB file, and its other chunk as numbers"""
     length = struct.unpack_from("<I", data, 12)[0]
@@ -203,7 +219,9 @@ def differences(name, old, new):
         return differences_of_glb(old, new)
     if name.endswith((".png", ".html")):
         return ["other bytes"]
-    return differences_of_text(old.decode("utf-8", "replace"), new.decode("utf-8", "replace"))
+    old, new = old.decode("utf-8", "replace"), new.decode("utf-8", "replace")
+    return differences_of_text(by_corners(old), by_corners(new)) if name.endswith(".obj") \
+        else differences_of_text(old, new)
 
 
 def compare(old_folder, new_folder):

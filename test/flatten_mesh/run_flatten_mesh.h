@@ -589,6 +589,20 @@ inline std::string obj_input(const Sheet& sheet)
   return text;
 }
 
+// How often an SVG file has a property, such as "stroke:rgb(60%,60%,60%)". Versions of Cairo write it as an attribute or
+// as a part of the style, with or without blanks.
+inline std::size_t count_in_svg(std::string svg, const std::string& property)
+{
+  svg.erase(std::remove_if(svg.begin(), svg.end(), [](const char c) { return c == ' ' || c == '"'; }),
+            svg.end());
+  std::replace(svg.begin(), svg.end(), '=', ':');
+  std::size_t count = 0;
+  for(std::size_t at = svg.find(property); at != std::string::npos; at = svg.find(property, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
 #ifdef ABF_WITH_PNG
 using Pixel = std::array<png_byte, 3>; // red, green, blue
 

@@ -87,7 +87,8 @@ BOOST_AUTO_TEST_CASE(bundled_mesh)
   BOOST_TEST(tree.get<int>("triangles") > 5000);
   BOOST_TEST(lines_with(obj(), "vt").size() == tree.get<std::size_t>("vertices"));
   const std::string svg = content(file("flat.svg"));
-  BOOST_TEST(svg.compare(0, 4, "<svg") == 0);
+  BOOST_TEST(svg.find("<svg") < 100u);
+  BOOST_TEST(count_in_svg(svg, "fill:rgb(") > 20u); // the colours of the triangles
   BOOST_TEST(svg.size() > 10000u);
   BOOST_TEST((svg.find("nan") == std::string::npos));
 }
@@ -110,12 +111,6 @@ BOOST_AUTO_TEST_CASE(picture_shows_a_checkerboard)
   BOOST_TEST(light > pixels.size() / 10);
   BOOST_TEST(dark > light / 2);
   BOOST_TEST(dark < light * 2);
-}
-#else
-BOOST_AUTO_TEST_CASE(picture_needs_libpng)
-{
-  run(quoted(write("sheet.off", off(Sheet()))) + " --picture " + quoted(file("flat.png")));
-  check_refusal({"libpng"});
 }
 #endif
 
@@ -300,6 +295,7 @@ BOOST_AUTO_TEST_CASE(obj_lines)
   const std::string text = obj_input(sheet);
   flatten(write("silent.obj", "\xEF\xBB\xBFmtllib a.mtl\n" + text + "vt 0 0 # comment\ns off\n"));
   check_success();
+  BOOST_TEST(lines_with(obj(), "mtllib").size() == 1u); // the rest of the model stays
 
   flatten(write("skipped.obj", "call other.obj\n" + text + "l 1 2\np 3\ncurve 7\n"));
   BOOST_TEST(status == 0);
@@ -394,7 +390,8 @@ BOOST_AUTO_TEST_CASE(bow_tie_is_repaired)
   BOOST_TEST((standard_error.find("separated at 1 vertex, for example at vertex 1") != std::string::npos),
              standard_error);
   BOOST_TEST(json().get<int>("components") == 2);
-  BOOST_TEST(lines_with(obj(), "v").size() == 6u);
+  BOOST_TEST(lines_with(obj(), "v").size() == 5u); // as in the file
+  BOOST_TEST(lines_with(obj(), "vt").size() == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(layouts_are_named)
@@ -659,7 +656,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces_are_cut)
       BOOST_TEST(tree.get<double>("seconds.seams") >= 0);
       BOOST_TEST((standard_output.find("terminals") != std::string::npos));
       BOOST_TEST((standard_output.find("scale stretch") != std::string::npos));
-      BOOST_TEST((content(file("flat.svg")).find("stroke-linecap") != std::string::npos));
+      BOOST_TEST(count_in_svg(content(file("flat.svg")), "stroke:rgb(100%,0%,0%)") == 1u); // the first seam
 
       std::vector<bool> has_texture;
       BOOST_TEST((obj_faces(obj(), has_texture) == block.faces));

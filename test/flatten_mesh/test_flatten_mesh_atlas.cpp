@@ -736,7 +736,7 @@ BOOST_AUTO_TEST_CASE(same_bytes_on_any_number_of_threads)
   BOOST_TEST((results[0] == results[1]));
 }
 
-// An SVG element of each chart, and lines in as many colours as there are seams
+// A filled path for each chart, and lines in the colours of the seams
 BOOST_AUTO_TEST_CASE(drawn_plane)
 {
   Collection all;
@@ -744,16 +744,11 @@ BOOST_AUTO_TEST_CASE(drawn_plane)
   all.add(Sheet());
   flatten(write("all.off", all.text()));
   const std::string svg = content(file("flat.svg"));
-  BOOST_TEST(svg.compare(0, 4, "<svg") == 0);
+  BOOST_TEST(svg.find("<svg") < 100u);
   BOOST_TEST((svg.find("2 charts") != std::string::npos));
   BOOST_TEST((svg.find("nan") == std::string::npos));
-  std::size_t charts = 0, seams = 0;
-  for(const std::string& line : lines_of(svg)) {
-    charts += line.compare(0, 13, "<path fill=\"#") == 0;
-    seams += line.find("stroke-linecap") != std::string::npos;
-  }
-  BOOST_TEST(charts == 2u);
-  BOOST_TEST(seams > 0u);
+  BOOST_TEST(count_in_svg(svg, "fill:rgb(") == 2u);
+  BOOST_TEST(count_in_svg(svg, "stroke:rgb(100%,0%,0%)") == 1u); // the first seam
 }
 
 #ifdef ABF_WITH_PNG

@@ -181,14 +181,15 @@ struct Cone_folder : Folder
     BOOST_TEST(json().get<int>("flipped_triangles") == 0);
   }
 
-  // One for each copy of each cone, with its title
+  // One for each place of each cone, with its title. Pieces of a split chart have the same places.
   void check_dots(const Obj_map& map, const std::map<int, double>& angles) const
   {
-    std::set<int> copies;
+    std::set<std::array<double, 3>> copies; // with the vertex
     for(const std::vector<Obj_corner>& face : map.faces) {
       for(const Obj_corner& corner : face) {
         if(angles.count(corner.vertex) != 0 && corner.texture >= 0) {
-          copies.insert(corner.texture);
+          const std::complex<double> place = map.uv[static_cast<std::size_t>(corner.texture)];
+          copies.insert({double(corner.vertex), place.real(), place.imag()});
         }
       }
     }

@@ -12,7 +12,6 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/model_seams.h"
-#include "flatten_mesh/seam_file.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Texture_atlas/seam_selection.h>
@@ -49,6 +48,14 @@ inline void keep_seams_of_materials(Atlas_input& input, const Edge_marks& seams)
                                  materials[input.mesh.face(input.mesh.opposite(h)).idx()];
     }
   }
+}
+
+// Vertices count from 0.
+[[noreturn]] inline void refuse_diagonal(const std::string& file, const Vertex v, const Vertex w)
+{
+  throw Input_error("'" + file + "': there is no edge between vertices " + std::to_string(v.idx()) + " and " +
+                    std::to_string(w.idx()) +
+                    ", counted from 0: both are corners of a larger polygon, but not next to each other");
 }
 
 inline void keep_seams_of_file(const std::string& file, Atlas_input& input, const Edge_marks& seams)

@@ -9,7 +9,7 @@
 #include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/model/build_mesh.h"
-#include "flatten_mesh/plain/seam_chains.h"
+#include "flatten_mesh/pictures/seam_chains.h"
 
 #include <array>
 #include <cstdint>
@@ -37,13 +37,18 @@ inline Halfedge next_on_chart_border(const Mesh& mesh, const Atlas& atlas, Halfe
 
 } // namespace internal
 
-// All triangles of a mesh, whose halfedges begin with the one that the mesh gives for the face
-inline Textured_surface textured_atlas(const Mesh& mesh, const Atlas& atlas)
+// All triangles of a mesh, or only those in charts. Their halfedges begin with the one that the mesh gives for the face.
+inline Textured_surface textured_atlas(const Mesh& mesh, const Atlas& atlas, const bool has_all = true)
 {
   Textured_surface surface;
   surface.points.assign(mesh.points().begin(), mesh.points().end());
   std::vector<std::uint8_t> corner(mesh.number_of_halfedges(), 0); // at the source of each halfedge
+  std::vector<Textured_surface::Index> number(mesh.number_of_faces());
   for(const Face f : mesh.faces()) {
+    number[f.idx()] = static_cast<Textured_surface::Index>(surface.triangles.size());
+    if(atlas.chart[f] < 0 && !has_all) {
+      continue;
+    }
     surface.triangles.emplace_back();
     surface.uv.emplace_back();
     surface.charts.push_back(atlas.chart[f]);
@@ -65,7 +70,7 @@ inline Textured_surface textured_atlas(const Mesh& mesh, const Atlas& atlas)
     for(Halfedge h = start; !is_done[h.idx()]; h = internal::next_on_chart_border(mesh, atlas, h)) {
       is_done[h.idx()] = true;
       surface.borders.back().sides.push_back(
-          {mesh.face(h).idx(), corner[h.idx()], seams[mesh.edge(h).idx()]});
+          {number[mesh.face(h).idx()], corner[h.idx()], seams[mesh.edge(h).idx()]});
     }
   }
   return surface;

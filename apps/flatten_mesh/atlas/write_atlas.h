@@ -14,7 +14,6 @@
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
-#include "flatten_mesh/atlas/write_atlas_svg.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/face_options.h"
@@ -27,6 +26,8 @@
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/process_memory.h"
+#include "flatten_mesh/pictures/draw_atlas.h"
+#include "flatten_mesh/pictures/draw_plane.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/texts.h"
@@ -34,7 +35,6 @@
 #ifdef ABF_WITH_PNG
 #include "flatten_mesh/bake/write_baked_model.h"
 #include "flatten_mesh/pictures/chart_images.h"
-#include "flatten_mesh/pictures/draw_atlas.h"
 #endif
 
 #ifdef ABF_WITH_THREE
@@ -66,10 +66,9 @@ inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
 inline std::vector<bool> polygons_to_divide(const Command_line& command, const Atlas_input& input,
-                                            const Atlas& atlas, const TA::Atlas_report& report,
-                                            const Float_grid& grid)
+                                            const Atlas& atlas, const Float_grid& grid)
 {
-  if(command.output.empty() || file_format(command.output) == "glb" || !report.has_atlas()) {
+  if(command.output.empty() || file_format(command.output) == "glb") {
     return {};
   }
   std::vector<bool> is_divided =
@@ -100,7 +99,10 @@ inline std::vector<Written_model> models_to_write(const Command_line& command, A
   std::vector<Written_model> models;
   const Float_grid grid = grid_of_outputs(command);
   const auto add = [&](const Command_line& own, const Atlas_input& model, const Atlas& charts) {
-    models.push_back({own, model, charts, polygons_to_divide(own, model, charts, report, grid)});
+    models.push_back({own, model, charts, {}});
+    if(report.has_atlas()) {
+      models.back().is_divided = polygons_to_divide(own, model, charts, grid);
+    }
   };
   if(input.joined.empty()) {
     add(command, input, atlas);
@@ -193,14 +195,11 @@ inline void draw(const Command_line& command, const Atlas_input& input, const At
   const std::vector<CGAL::Bbox_2> pages = pages_of(command.atlas, input.mesh, atlas, record.report);
   const std::string up = up_axis(command, surface);
   if(!command.svg.empty()) {
-    write_atlas_svg(files.open(command.svg), surface, pages,
-                    "Texture atlas, " + count_text(record.report.charts.size(), "chart"));
+    files.open(command.svg).write(atlas_svg(surface, pages));
   }
-#ifdef ABF_WITH_PNG
   if(!command.picture.empty()) {
     files.open(command.picture).write(atlas_picture(surface, Upright::of(up), pages));
   }
-#endif
 #ifdef ABF_WITH_THREE
   if(!command.report.empty()) {
     files.open(command.report)

@@ -7,6 +7,7 @@
 #define FLATTEN_MESH_COMPONENTS_H
 
 #include "flatten_mesh/model/build_mesh.h"
+#include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -93,6 +95,53 @@ inline std::string other_component_text(Mesh& mesh, const std::size_t failed)
     }
   }
   return "";
+}
+
+// A connected component of a mesh.
+struct Component
+{
+  std::vector<Face> faces;
+  std::vector<Vertex> vertices; // by rising number
+  std::size_t number;           // by falling number of faces, from 0
+  std::size_t components;       // of the whole mesh
+};
+
+namespace internal {
+
+inline std::vector<Vertex> vertices_of_faces(const Mesh& mesh, const std::vector<Face>& faces)
+{
+  std::vector<bool> is_used(mesh.number_of_vertices(), false);
+  for(const Face f : faces) {
+    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      is_used[v.idx()] = true;
+    }
+  }
+  std::vector<Vertex> vertices;
+  std::copy_if(mesh.vertices_begin(), mesh.vertices_end(), std::back_inserter(vertices),
+               [&is_used](const Vertex v) { return is_used[v.idx()]; });
+  return vertices;
+}
+
+// "there is 1 border, number 0", "there are 3 borders, numbers 0 to 2".
+inline std::string choice_text(const std::size_t count, const std::string& noun)
+{
+  return count == 1 ? "there is 1 " + noun + ", number 0"
+                    : "there are " + std::to_string(count) + " " + noun + "s, numbers 0 to " +
+                          std::to_string(count - 1);
+}
+
+} // namespace internal
+
+// The component that `--component` chooses. Throws an `Input_error` if there is none.
+inline Component choose_component(Mesh& mesh, const std::size_t component)
+{
+  std::vector<std::vector<Face>> components = components_by_size(mesh);
+  if(component >= components.size()) {
+    throw Input_error("no component " + std::to_string(component) + ": " +
+                      internal::choice_text(components.size(), "component") + "; choose with --component");
+  }
+  const std::vector<Vertex> vertices = internal::vertices_of_faces(mesh, components[component]);
+  return {std::move(components[component]), vertices, component, components.size()};
 }
 
 } // namespace flatten_mesh

@@ -6,64 +6,20 @@
 #ifndef FLATTEN_MESH_CANVAS_H
 #define FLATTEN_MESH_CANVAS_H
 
-#include <png.h>
+#include "flatten_mesh/pictures/Drawing.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace flatten_mesh {
 
-// Red, green and blue, from 0 to 1.
-using Color = std::array<double, 3>;
-
-inline Color mix(const Color& a, const Color& b, const double part)
-{
-  return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
-}
-
-// The colours of a picture, row by row: red, green, blue
-struct Pixels
-{
-  int width, height;
-  std::vector<png_byte> bytes;
-};
-
-// The picture as a PNG file
-inline std::string png_file(const Pixels& pixels)
-{
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(pixels.width);
-  image.height = static_cast<png_uint_32>(pixels.height);
-  image.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = 0;
-  std::string file;
-  if(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.bytes.data(), 0, nullptr) != 0) {
-    file.resize(size);
-    if(png_image_write_to_memory(&image, &file[0], &size, 0, pixels.bytes.data(), 0, nullptr) != 0) {
-      file.resize(size);
-      return file;
-    }
-  }
-  throw std::runtime_error(std::string("libpng: ") + image.message);
-}
-
-// Puts a picture into a larger one.
-inline void paste(const Pixels& part, const int left, const int top, Pixels& whole)
-{
-  for(int y = 0; y < part.height; ++y) {
-    std::copy_n(part.bytes.begin() + 3 * static_cast<std::ptrdiff_t>(y) * part.width, 3 * part.width,
-                whole.bytes.begin() + 3 * (static_cast<std::ptrdiff_t>(top + y) * whole.width + left));
-  }
-}
-
-// A picture of triangles with a depth buffer. It needs no display.
+// A picture of triangles with a depth buffer, which Cairo does not have.
 class Canvas
 {
 public:
@@ -133,10 +89,12 @@ public:
     Pixels result{m_width, m_height, {}};
     for(int y = 0; y < m_height; ++y) {
       for(int x = 0; x < m_width; ++x) {
+        std::uint32_t color = 0;
         for(const double part : averaged(x, y)) {
-          const double level = std::round(levels * (std::min)((std::max)(part, 0.), 1.));
-          result.bytes.push_back(static_cast<png_byte>(std::lround(255 * level / levels)));
+          const double level = std::round(levels * std::clamp(part, 0., 1.));
+          color = 256 * color + static_cast<std::uint32_t>(std::lround(255 * level / levels));
         }
+        result.colors.push_back(color);
       }
     }
     return result;

@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_DISTORTION_SCALE_H
 #define FLATTEN_MESH_DISTORTION_SCALE_H
 
+#include "flatten_mesh/pictures/Drawing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <string>
 #include <vector>
 
 namespace flatten_mesh {
@@ -46,8 +46,8 @@ public:
     return (std::min)((std::max)(static_cast<int>(part * number_of_colors), 0), number_of_colors - 1);
   }
 
-  // "#rrggbb". Lightness increases evenly, so equal differences look equal, also in grey.
-  static std::string color(const int index)
+  // Lightness increases evenly, so equal differences look equal, also in grey.
+  static Color color(const int index)
   {
     const double part = (index + 0.5) / number_of_colors;
     const double lightness = 0.30 + 0.63 * part;
@@ -66,24 +66,20 @@ private:
   }
 
   // Converts a colour from Oklab, where distances are visual differences, to sRGB.
-  static std::string oklab_color(const double lightness, const double a, const double b)
+  static Color oklab_color(const double lightness, const double a, const double b)
   {
     const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
     const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
     const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
-    char text[8];
-    std::snprintf(text, sizeof(text), "#%02x%02x%02x",
-                  srgb_byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
-                  srgb_byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-                  srgb_byte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s));
-    return text;
+    return {srgb(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+            srgb(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+            srgb(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
   }
 
-  static unsigned srgb_byte(const double linear)
+  static double srgb(const double linear)
   {
-    const double x = (std::min)((std::max)(linear, 0.), 1.);
-    const double gamma = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1. / 2.4) - 0.055;
-    return static_cast<unsigned>(std::lround(255. * gamma)) & 255u;
+    const double x = std::clamp(linear, 0., 1.);
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1. / 2.4) - 0.055;
   }
 
   int m_first_decade = -6;

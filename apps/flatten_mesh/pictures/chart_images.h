@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -45,8 +46,10 @@ public:
   void draw(const std::array<CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point, 3>& corners,
             const int chart)
   {
-    const auto [red, green, blue] = light_color_of_chart(chart);
-    const std::array<unsigned char, 4> color = {red, green, blue, 255};
+    std::array<unsigned char, 4> color = {0, 0, 0, 255};
+    const Color light = light_color_of_chart(chart);
+    std::transform(light.begin(), light.end(), color.begin(),
+                   [](const double part) { return static_cast<unsigned char>(std::lround(255 * part)); });
     CGAL::Texture_atlas::internal::visit_texels(
         corners, CGAL::Texture_atlas::internal::rounding_tolerance,
         [&](const int y, const int first, const int last) {

@@ -7,12 +7,9 @@
 #define FLATTEN_MESH_DRAW_SURFACE_H
 
 #include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/plain/Chart.h"
 #include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/pictures/draw_checkerboard.h"
-#include "flatten_mesh/plain/textured_chart.h"
+#include "flatten_mesh/pictures/Textured_surface.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -25,15 +22,12 @@ namespace flatten_mesh {
 
 // A picture of the chart with a checkerboard, as a PNG file. Seams are dark lines. The square root of the surface's
 // area is about `squares` squares long.
-template <class UV_map>
-std::string checkerboard_picture(const Command_line& command, const Mesh& mesh, const Chart& chart,
-                                 const UV_map& uv)
+inline std::string checkerboard_picture(const Textured_surface& surface, const Upright& upright)
 {
   const int size = 900, squares = 20, width_of_seams = 3;
-  const Textured_surface surface = textured_chart(mesh, chart, uv);
   Canvas canvas(size, size);
   const Frame frame{20, 20, size - 40., size - 40.};
-  const Surface_view view = Surface_view::of(surface, Upright::of(up_axis(command, surface)));
+  const Surface_view view = Surface_view::of(surface, upright);
   const Projection projection(view, box_of(surface, view), frame);
   const double side = std::sqrt(textured_areas(surface).space) / squares;
   draw_checkerboard(canvas, surface, point_normals(surface), side, projection);

@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_RUN_RECORD_H
 
 #include "flatten_mesh/Exit_status.h"
-#include "flatten_mesh/plain/Chart.h"
+#include "flatten_mesh/plain/Sheet.h"
 #include "flatten_mesh/model/Skipped_part.h"
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
@@ -41,8 +41,9 @@ struct Flattening
   bool is_polished = false;
   std::vector<std::pair<std::string, double>> stages; // of the parameterizer, with their seconds
   SMP::Flattening_measures measures;                  // only if it succeeded
-  std::string place;                                  // the vertices and faces at fault, if it failed
-  std::string note;                                   // what else there is to say
+  double scale_stretch = 1; // how much areas vary in the plane, as a stretch of lengths; 1 is perfect
+  std::string place;        // the vertices and faces at fault, if it failed
+  std::string note;         // what else there is to say
   double parameterize_seconds = 0;
   double measure_seconds = 0;
 

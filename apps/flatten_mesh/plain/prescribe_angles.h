@@ -8,24 +8,22 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Progress.h"
-#include "flatten_mesh/model/Corner_origins.h"
-#include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/model/Edge_marks.h"
-#include "flatten_mesh/plain/Chart.h"
-#include "flatten_mesh/plain/border_angles.h"
+#include "flatten_mesh/plain/Sheet.h"
 #include "flatten_mesh/plain/choose_corners.h"
-#include "flatten_mesh/plain/flatten_chart.h"
+#include "flatten_mesh/plain/corner_numbers.h"
+#include "flatten_mesh/plain/flatten_sheet.h"
+#include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <map>
+#include <fstream>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -37,12 +35,57 @@ inline bool prescribes_angles(const Command_line& command)
 
 namespace internal {
 
+// A vertex on the outer border of a sheet, by its number from 1. `place` says where the number is.
+inline Vertex border_vertex(const std::size_t number, const std::vector<Vertex>& border,
+                            const std::string& place)
+{
+  const auto found = std::find_if(border.begin(), border.end(),
+                                  [&](const Vertex v) { return std::size_t(v.idx()) + 1 == number; });
+  if(found == border.end()) {
+    throw Input_error(place + ": vertex " + std::to_string(number) +
+                      " is not on the outer border of the surface; vertices count from 1, as in OBJ files");
+  }
+  return *found;
+}
+
+// Reads a line for each vertex: its number, from 1, and its angle in degrees. Lines that start with '#' are comments.
+inline SMP::Vertex_angles<Mesh> read_border_angles(const std::string& file, const std::vector<Vertex>& border)
+{
+  std::ifstream in(file);
+  if(!in) {
+    throw Input_error("cannot open '" + file + "'");
+  }
+  SMP::Vertex_angles<Mesh> angles;
+  std::string line;
+  for(std::size_t i = 1; std::getline(in, line); ++i) {
+    const std::vector<std::string> words = words_of(line, " \t");
+    if(words.empty() || words.front().front() == '#') {
+      continue;
+    }
+    const std::string place = "'" + file + "', line " + std::to_string(i);
+    const auto number = number_of<std::size_t>(words.front());
+    const auto degrees = number_of<double>(words.back());
+    if(words.size() != 2 || !number || !degrees || !std::isfinite(*degrees)) {
+      throw Input_error(place + ": expected the number of a vertex and an angle in degrees, as in '17 90'");
+    }
+    const Vertex v = border_vertex(*number, border, place);
+    if(angles[v]) {
+      throw Input_error(place + ": vertex " + std::to_string(*number) + " has an angle already");
+    }
+    angles.set(v, *degrees == 180 ? CGAL_PI : *degrees / 180 * CGAL_PI);
+  }
+  if(in.bad()) {
+    throw Input_error("cannot read '" + file + "'");
+  }
+  return angles;
+}
+
 // The corners that are asked for. A map without prescribed angles tells where to put them otherwise; if there is none,
 // returns nothing, and why in `attempt`.
-inline std::optional<std::array<Vertex, 4>> corners(Mesh& mesh, const Chart& chart, Command_line command,
+inline std::optional<std::array<Vertex, 4>> corners(const Sheet& sheet, Command_line command,
                                                     Progress& progress, std::optional<Flattening>& attempt)
 {
-  const std::vector<Vertex> border = outer_border(mesh, chart);
+  const std::vector<Vertex> border = sheet.outer_border();
   if(const auto numbers = corner_numbers(command.rectangle)) {
     std::array<Vertex, 4> result;
     for(std::size_t i = 0; i < result.size(); ++i) {
@@ -55,97 +98,55 @@ inline std::optional<std::array<Vertex, 4>> corners(Mesh& mesh, const Chart& cha
                       count_text(border.size(), "vertex", "vertices"));
   }
   command.options.injective = false;
-  attempt = flatten_chart(mesh, chart, command, progress);
+  attempt = flatten_sheet(sheet, command, progress);
   if(!attempt->succeeded()) {
     return std::nullopt;
   }
   return choose_corners(border, attempt->uv);
 }
 
-// Splits edges that are in the way. The new edges are no sides of polygons, as far as seams are concerned.
-inline void split_edges(Mesh& mesh, Chart& chart)
+// Splits edges that would make triangles flat. The new edges are no sides of polygons, as far as seams are concerned.
+inline void split_edges(Sheet& sheet)
 {
+  Mesh& mesh = sheet.mesh();
   const auto is_diagonal = diagonals(mesh);
   const auto old_faces = mesh.number_of_faces();
-  chart.split_edges = SMP::split_flat_chords(mesh, chart.border, *chart.angles).edges;
-  for(const auto& split : chart.split_edges) {
-    chart.vertices.push_back(split.middle);
+  sheet.split_edges = SMP::split_flat_chords(mesh, sheet.border, *sheet.angles).edges;
+  for(const auto& split : sheet.split_edges) {
+    sheet.vertices.push_back(split.middle);
     for(const Halfedge h : CGAL::halfedges_around_target(split.middle, mesh)) {
       is_diagonal[mesh.edge(h)] = true;
     }
   }
   for(auto f = old_faces; f < mesh.number_of_faces(); ++f) {
-    chart.faces.push_back(Face(f));
+    sheet.faces.push_back(Face(f));
   }
 }
 
 } // namespace internal
 
-// Sets the angles of a chart that are asked for, and splits edges that would make triangles flat. Returns why that is
-// not possible, or nothing.
-inline std::optional<Flattening> prescribe_angles(Mesh& mesh, Chart& chart, const Command_line& command,
+// Sets the angles of an uncut sheet that are asked for, and splits edges that are in their way. Vertices with other
+// angles than those inside of straight sides are marked. Returns why that is not possible, or nothing.
+inline std::optional<Flattening> prescribe_angles(Sheet& sheet, const Command_line& command,
                                                   Progress& progress)
 {
   if(command.rectangle.empty()) {
-    chart.angles = read_border_angles(command.border_angles, outer_border(mesh, chart));
+    sheet.angles = internal::read_border_angles(command.border_angles, sheet.outer_border());
   } else {
     std::optional<Flattening> attempt;
-    const auto corners = internal::corners(mesh, chart, command, progress, attempt);
+    const auto corners = internal::corners(sheet, command, progress, attempt);
     if(!corners) {
       return attempt;
     }
-    chart.angles = SMP::rectangle_angles(mesh, *corners).angles;
+    sheet.angles = SMP::rectangle_angles(sheet.mesh(), *corners).angles;
   }
-  chart.corners = corners_of(*chart.angles, outer_border(mesh, chart));
-  for(const Vertex v : chart.corners) {
-    chart.marks[v] = *(*chart.angles)[v];
-  }
-  internal::split_edges(mesh, chart);
-  return std::nullopt;
-}
-
-// The polygons of the faces, after edges were split. The parts of a triangle lie side by side at the halves of its
-// sides, and one of them has its number.
-inline std::vector<Index> polygons_of_parts(std::vector<Index> polygons, const Mesh& mesh, const Chart& chart)
-{
-  CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets triangles(mesh.number_of_faces());
-  for(const auto& split : chart.split_edges) {
-    const Halfedge first = mesh.halfedge(split.source, split.middle),
-                   second = mesh.halfedge(split.middle, split.target);
-    triangles.union_set(mesh.face(first).idx(), mesh.face(second).idx());
-    triangles.union_set(mesh.face(mesh.opposite(first)).idx(), mesh.face(mesh.opposite(second)).idx());
-  }
-  std::vector<Index> of_triangle(mesh.number_of_faces());
-  for(std::size_t f = 0; f < polygons.size(); ++f) {
-    of_triangle[triangles.find_set(f)] = polygons[f];
-  }
-  for(std::size_t f = polygons.size(); f < mesh.number_of_faces(); ++f) {
-    polygons.push_back(of_triangle[triangles.find_set(f)]);
-  }
-  return polygons;
-}
-
-// The soup with the new vertices of the chart, each as a corner of the polygons whose side was split there
-inline Polygon_soup with_split_sides(Polygon_soup soup, const Mesh& mesh, const Chart& chart)
-{
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
-  for(const auto& split : chart.split_edges) {
-    soup.points.push_back(mesh.point(split.middle));
-    middles[{split.source.idx(), split.target.idx()}] = split.middle.idx();
-    middles[{split.target.idx(), split.source.idx()}] = split.middle.idx();
-  }
-  for(Polygon& polygon : soup.polygons) {
-    Polygon divided;
-    for(std::size_t i = 0; i < polygon.size(); ++i) {
-      divided.push_back(polygon[i]);
-      const auto middle = middles.find({polygon[i], polygon[(i + 1) % polygon.size()]});
-      if(middle != middles.end()) {
-        divided.push_back(middle->second);
-      }
+  for(const Vertex v : sheet.outer_border()) {
+    if(const auto angle = (*sheet.angles)[v]; angle && std::abs(*angle - CGAL_PI) > 1e-9) {
+      sheet.marks[v] = *angle;
     }
-    polygon = std::move(divided);
   }
-  return soup;
+  internal::split_edges(sheet);
+  return std::nullopt;
 }
 
 } // namespace flatten_mesh

@@ -26,6 +26,9 @@
 
 namespace CGAL::Texture_atlas::internal {
 
+// A map may exceed the bound of `select_seams()` by this factor, because the prediction is for a smooth surface.
+inline constexpr double stretch_tolerance = 1.03;
+
 // How much a map stretches a chart, or a piece of one
 struct Map_stretch
 {

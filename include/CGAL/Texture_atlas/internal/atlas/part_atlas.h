@@ -104,9 +104,6 @@ inline std::vector<Stretch_sums> stretch_of_pieces(const Part_atlas& atlas)
   return sums;
 }
 
-// A map may exceed the bound of `select_seams()` by this factor, because the prediction is for a smooth surface.
-inline constexpr double stretch_tolerance = 1.03;
-
 } // namespace CGAL::Texture_atlas::internal
 
 #endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_H

@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/add_terminals.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Texture_atlas/internal/atlas/flatten_atlas_chart.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
 #include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/reduce_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
@@ -175,26 +175,14 @@ private:
       take(std::move(map), m_best);
   }
 
-  bool misses_bound(double stretch) const { return stretch > stretch_tolerance * m_options.stretch_bound; }
+  bool misses_bound(double stretch) const { return misses_stretch_bound(stretch, m_options.stretch_bound); }
 
   void add_seams()
   {
-    const int max_rounds = 5;
-    int weak_rounds = 0;
-    for(int round = 0; misses_bound(m_best.stretch.scale) && weak_rounds < 2 && round < max_rounds; ++round) {
-      const double before = m_best.stretch.scale;
-      add_seams_in_round(std::size_t(3) << round);
-      m_rounds += m_best.stretch.scale < before;
-      weak_rounds = m_best.stretch.scale > (1 - least_gain) * before ? weak_rounds + 1 : 0;
-    }
-  }
-
-  void add_seams_in_round(std::size_t count)
-  {
-    const double before = m_best.stretch.scale;
-    for(Stretch_criterion criterion : {Stretch_criterion::LOG_SCALE, Stretch_criterion::AREA})
-      if(m_best.stretch.scale > (1 - least_gain) * before)
-        improve(criterion, count);
+    m_rounds = add_seams_in_rounds(
+                   m_options.stretch_bound, [&] { return m_best.stretch.scale; },
+                   [&](Stretch_criterion criterion, std::size_t count) { improve(criterion, count); })
+                   .successful;
   }
 
   // Takes the map with more seams if it stretches less.
@@ -286,8 +274,6 @@ private:
                : failure(Diagnosis::LINEAR_SYSTEM_FAILED,
                          "the linear system that predicts the scale could not be solved for " + where);
   }
-
-  static constexpr double least_gain = 0.02;
 
   const Chart& m_surface;
   const std::vector<double>& m_cost;

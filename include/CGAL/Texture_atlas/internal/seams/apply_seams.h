@@ -113,6 +113,13 @@ public:
     return is_seam;
   }
 
+  // The one to a corner of a part
+  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_to(const Surface_part& part,
+                                                                              int corner) const
+  {
+    return m_reader.halfedge_to(3 * part.first_triangle + corner);
+  }
+
   // The vertices of a part that seams have to reach
   std::vector<int> terminals_of(const Surface_part& part) const
   {

@@ -24,6 +24,7 @@ struct Cut_mesh
   Mesh mesh;
   std::vector<Vertex> origins;    // of each vertex: the vertex it is a copy of
   std::vector<Edge> edge_origins; // of each edge: the edge it is a copy of, or one side of
+  std::vector<Vertex> copies;     // of each halfedge before the cut: the copy of its target in its face
 };
 
 namespace internal {
@@ -34,8 +35,10 @@ class Vertex_splitter
 {
 public:
   Vertex_splitter(const Mesh& mesh, const Is_seam& is_seam, Cut_mesh& result)
-      : m_mesh(mesh), m_is_seam(is_seam), m_result(result), m_copies(mesh.number_of_halfedges())
-  {}
+      : m_mesh(mesh), m_is_seam(is_seam), m_result(result)
+  {
+    m_result.copies.resize(mesh.number_of_halfedges());
+  }
 
   void add_vertex(const Vertex v)
   {
@@ -63,9 +66,6 @@ public:
     }
   }
 
-  // The copy of the target of a halfedge at its face.
-  Vertex copy(const Halfedge h) const { return m_copies[h.idx()]; }
-
 private:
   bool is_cut(const Halfedge h) const
   {
@@ -79,7 +79,7 @@ private:
     m_result.origins.push_back(origin);
     Halfedge h = start;
     do {
-      m_copies[h.idx()] = copy;
+      m_result.copies[h.idx()] = copy;
       h = m_mesh.opposite(m_mesh.next(h));
     } while(h != start && !is_cut(h));
   }
@@ -87,26 +87,23 @@ private:
   const Mesh& m_mesh;
   const Is_seam& m_is_seam;
   Cut_mesh& m_result;
-  std::vector<Vertex> m_copies;
   std::vector<Halfedge> m_later; // first halfedges of further sectors
 };
 
-template <class Vertex_splitter>
-void add_cut_faces(const Mesh& mesh, const std::vector<Face>& faces, const Vertex_splitter& splitter,
-                   Cut_mesh& result)
+inline void add_cut_faces(const Mesh& mesh, const std::vector<Face>& faces, Cut_mesh& result)
 {
   std::vector<std::array<Vertex, 3>> corners;
+  const auto copy = [&result](const Halfedge h) { return result.copies[h.idx()]; };
   for(const Face f : faces) {
     const Halfedge h = mesh.halfedge(f);
-    corners.push_back(
-        {splitter.copy(h), splitter.copy(mesh.next(h)), splitter.copy(mesh.next(mesh.next(h)))});
+    corners.push_back({copy(h), copy(mesh.next(h)), copy(mesh.next(mesh.next(h)))});
   }
   CGAL::Euler::add_faces(corners, result.mesh);
   result.edge_origins.resize(result.mesh.number_of_edges());
   for(std::size_t i = 0; i < faces.size(); ++i) {
     for(const Halfedge side : mesh.halfedges_around_face(mesh.halfedge(faces[i]))) {
       Halfedge h = result.mesh.halfedge(Face(static_cast<Mesh::size_type>(i)));
-      while(result.mesh.target(h) != splitter.copy(side)) {
+      while(result.mesh.target(h) != copy(side)) {
         h = result.mesh.next(h);
       }
       result.edge_origins[result.mesh.edge(h).idx()] = mesh.edge(side);
@@ -128,7 +125,7 @@ Cut_mesh cut_open(const Mesh& mesh, const std::vector<Face>& faces, const std::v
     splitter.add_vertex(v);
   }
   splitter.add_further_copies();
-  internal::add_cut_faces(mesh, faces, splitter, result);
+  internal::add_cut_faces(mesh, faces, result);
   return result;
 }
 

@@ -3,19 +3,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "flatten_mesh/plain/flatten_chart.h"
+#include "flatten_mesh/plain/flatten_sheet.h"
 
 #include "flatten_mesh/plain/Chosen_solver.h"
-#include "flatten_mesh/plain/seam_jump.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/squared_distance_2.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,11 +26,11 @@ namespace flatten_mesh {
 namespace {
 
 // The numbers of the first few of many vertices, as in "vertices 3, 17, ...".
-std::string vertices_text(const Chart& chart, const std::vector<Vertex>& vertices)
+std::string vertices_text(const Sheet& sheet, const std::vector<Vertex>& vertices)
 {
   std::vector<std::size_t> numbers; // a vertex on a seam has several copies
   for(const Vertex v : vertices) {
-    const std::size_t number = chart.input_vertex(v).idx() + 1;
+    const std::size_t number = sheet.input_vertex(v).idx() + 1;
     if(numbers.size() < 7 && std::find(numbers.begin(), numbers.end(), number) == numbers.end()) {
       numbers.push_back(number);
     }
@@ -45,16 +46,17 @@ std::string vertices_text(const Chart& chart, const std::vector<Vertex>& vertice
 // Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons
 // were divided.
 template <class Parameterizer>
-std::string place_text(const Mesh& mesh, const Chart& chart, const Parameterizer& parameterizer)
+std::string place_text(const Sheet& sheet, const Parameterizer& parameterizer)
 {
   if(!parameterizer.report().offending_vertices.empty()) {
-    return " (" + vertices_text(chart, parameterizer.report().offending_vertices) + ")";
+    return " (" + vertices_text(sheet, parameterizer.report().offending_vertices) + ")";
   }
   if(!parameterizer.report().offending_faces.empty()) {
+    const Mesh& mesh = sheet.mesh();
     const Halfedge h = mesh.halfedge(parameterizer.report().offending_faces.front());
     const auto vertices = mesh.vertices_around_face(h);
     return " (the triangle of " +
-           vertices_text(chart, std::vector<Vertex>(vertices.begin(), vertices.end())) +
+           vertices_text(sheet, std::vector<Vertex>(vertices.begin(), vertices.end())) +
            (parameterizer.report().offending_faces.size() > 1 ? ", and others)" : ")");
   }
   return "";
@@ -92,51 +94,52 @@ void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
 }
 
 template <class Parameterizer>
-void run_parameterizer(Mesh& mesh, const Chart& chart, Parameterizer& parameterizer, const UV_map& uv,
+void run_parameterizer(const Sheet& sheet, Parameterizer& parameterizer, const UV_map& uv,
                        Flattening& flattening)
 {
+  Mesh& mesh = sheet.mesh();
   const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
   CGAL::Real_timer timer;
   timer.start();
-  parameterizer.parameterize(mesh, chart.border, uv, get(boost::vertex_index, mesh), is_parameterized);
+  parameterizer.parameterize(mesh, sheet.border, uv, get(boost::vertex_index, mesh), is_parameterized);
   timer.stop();
   flattening.parameterize_seconds += timer.time();
   take_report(parameterizer.report(), flattening);
-  flattening.place = place_text(mesh, chart, parameterizer);
+  flattening.place = place_text(sheet, parameterizer);
 }
 
-void flatten_directly(Mesh& mesh, const Chart& chart, const Chosen_solver& solver,
+void flatten_directly(const Sheet& sheet, const Chosen_solver& solver,
                       const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
 {
   flattening.method = "direct";
   flattening.has_equal_seams = options.equal_seam_lengths.value_or(false);
   SMP::ABF_plus_plus_parameterizer_3<Mesh, Chosen_solver> direct(options, solver);
-  if(chart.angles) {
-    direct.set_angle_sums(*chart.angles);
+  if(sheet.angles) {
+    direct.set_angle_sums(*sheet.angles);
   }
-  if(!chart.seam_sides.empty()) {
+  if(!sheet.seam_sides.empty()) {
     direct.set_seam_sides(boost::make_function_property_map<Halfedge>(
-        [&chart](const Halfedge h) { return chart.seam_sides[h.idx()]; }));
+        [&sheet](const Halfedge h) { return sheet.seam_sides[h.idx()]; }));
   }
-  run_parameterizer(mesh, chart, direct, uv, flattening);
+  run_parameterizer(sheet, direct, uv, flattening);
 }
 
 // Both sides of seams get equal lengths, unless something else is asked for, or that fails.
-void flatten_with_equal_seams(Mesh& mesh, const Chart& chart, const Chosen_solver& solver,
+void flatten_with_equal_seams(const Sheet& sheet, const Chosen_solver& solver,
                               SMP::ABF_plus_plus_options options, const UV_map& uv, Flattening& flattening)
 {
-  const bool is_default = !options.equal_seam_lengths && !chart.seam_sides.empty();
+  const bool is_default = !options.equal_seam_lengths && !sheet.seam_sides.empty();
   if(is_default) {
     options.equal_seam_lengths = true;
   }
-  flatten_directly(mesh, chart, solver, options, uv, flattening);
+  flatten_directly(sheet, solver, options, uv, flattening);
   if(!is_default || flattening.succeeded() || !is_failure_of_computation(flattening.report)) {
     return;
   }
   const std::string message = flattening.report.message;
   const double seconds = flattening.parameterize_seconds;
   options.equal_seam_lengths = false;
-  flatten_directly(mesh, chart, solver, options, uv, flattening);
+  flatten_directly(sheet, solver, options, uv, flattening);
   flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
   flattening.note +=
       std::string(flattening.note.empty() ? "" : "; ") +
@@ -155,7 +158,7 @@ bool is_close_to_direct(const SMP::Hierarchical_report& report, const SMP::ABF_p
 }
 
 // Returns whether `auto` takes the result: if it comes close to the direct one, or if the direct method would fail too.
-bool flatten_hierarchically(Mesh& mesh, const Chart& chart, const Chosen_solver& solver,
+bool flatten_hierarchically(const Sheet& sheet, const Chosen_solver& solver,
                             SMP::Hierarchical_options hierarchical, const SMP::ABF_plus_plus_options& options,
                             const UV_map& uv, Flattening& flattening)
 {
@@ -165,7 +168,7 @@ bool flatten_hierarchically(Mesh& mesh, const Chart& chart, const Chosen_solver&
   hierarchical.visitor = nullptr; // the coarse parameterizer tells its steps
   hierarchical.polish_options = options;
   SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(hierarchical, Coarse(options, solver));
-  run_parameterizer(mesh, chart, parameterizer, uv, flattening);
+  run_parameterizer(sheet, parameterizer, uv, flattening);
   if(!flattening.succeeded()) {
     return !is_failure_of_computation(flattening.report);
   }
@@ -177,18 +180,17 @@ bool flatten_hierarchically(Mesh& mesh, const Chart& chart, const Chosen_solver&
 // From more triangles on, the direct method takes several seconds, and the other one a third to a half of that.
 constexpr std::size_t direct_is_slow = 200000;
 
-void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
-                   const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
+void choose_method(const Sheet& sheet, const Command_line& command, const SMP::ABF_plus_plus_options& options,
+                   const UV_map& uv, Flattening& flattening)
 {
-  const Chosen_solver solver = choose_solver(command.solver);
-  const bool is_direct_fast = chart.faces.size() <= direct_is_slow && !options.injective;
-  if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || chart.angles ||
+  const Chosen_solver solver(command.solver);
+  const bool is_direct_fast = sheet.faces.size() <= direct_is_slow && !options.injective;
+  if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || sheet.angles ||
      options.equal_seam_lengths.value_or(false)) {
-    flatten_with_equal_seams(mesh, chart, solver, options, uv, flattening);
+    flatten_with_equal_seams(sheet, solver, options, uv, flattening);
     return;
   }
-  const bool is_taken =
-      flatten_hierarchically(mesh, chart, solver, command.hierarchical, options, uv, flattening);
+  const bool is_taken = flatten_hierarchically(sheet, solver, command.hierarchical, options, uv, flattening);
   if(is_taken || command.method != "auto") {
     return;
   }
@@ -197,36 +199,61 @@ void choose_method(Mesh& mesh, const Chart& chart, const Command_line& command,
           ? "the direct method replaced the hierarchical one, whose result was not close enough"
           : "the direct method replaced the hierarchical one, which failed: " + flattening.report.message;
   const double seconds = flattening.parameterize_seconds;
-  flatten_with_equal_seams(mesh, chart, solver, options, uv, flattening);
+  flatten_with_equal_seams(sheet, solver, options, uv, flattening);
   flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
+}
+
+// The largest difference between the logarithms of the lengths of both sides of an edge on a seam
+double seam_jump(const Sheet& sheet, const UV_map& uv)
+{
+  const Mesh& mesh = sheet.mesh();
+  const auto squared_length = [&](const Halfedge h) {
+    return CGAL::squared_distance(uv[mesh.source(h)], uv[mesh.target(h)]);
+  };
+  const auto is_in_sheet = [&](const Halfedge h) {
+    return std::binary_search(sheet.vertices.begin(), sheet.vertices.end(), mesh.target(h));
+  };
+  double jump = 0;
+  for(std::size_t i = 0; i < sheet.seam_sides.size(); ++i) {
+    const Halfedge h(static_cast<Mesh::size_type>(i)), other = sheet.seam_sides[i];
+    if(other != Mesh::null_halfedge() && is_in_sheet(h) && is_in_sheet(other)) {
+      jump = (std::max)(jump, std::abs(std::log(squared_length(h) / squared_length(other))) / 2);
+    }
+  }
+  return jump;
 }
 
 } // namespace
 
-void measure(Mesh& mesh, const Chart& chart, Flattening& flattening)
+void measure(const Sheet& sheet, Flattening& flattening)
 {
+  Mesh& mesh = sheet.mesh();
   CGAL::Real_timer timer;
   timer.start();
   flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
+  double area = 0, stretched = 0;
   flattening.measures = SMP::measure_flattening(
-      mesh, chart.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
+      mesh, sheet.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
         flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
+        area += measures.area;
+        stretched += measures.area > 0 ? measures.area / (measures.scale * measures.scale) : 0;
       });
+  flattening.scale_stretch = std::sqrt(stretched / area);
   if(flattening.method == "hierarchical") {
-    flattening.report.largest_seam_jump = seam_jump(mesh, chart, flattening.uv);
+    flattening.report.largest_seam_jump = seam_jump(sheet, flattening.uv);
   }
   flattening.measure_seconds += timer.time();
 }
 
-Flattening flatten_chart(Mesh& mesh, const Chart& chart, const Command_line& command, Progress& progress)
+Flattening flatten_sheet(const Sheet& sheet, const Command_line& command, Progress& progress)
 {
   Flattening flattening;
-  flattening.uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
+  flattening.uv = sheet.mesh().add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
   SMP::ABF_plus_plus_options options = command.options;
   options.visitor = &progress;
-  choose_method(mesh, chart, command, options, flattening.uv, flattening);
+  choose_method(sheet, command, options, flattening.uv, flattening);
   if(flattening.succeeded()) {
-    measure(mesh, chart, flattening);
+    measure(sheet, flattening);
   }
   return flattening;
 }

@@ -8,10 +8,7 @@
 
 #include "flatten_mesh/model/build_mesh.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace flatten_mesh {
@@ -55,20 +52,6 @@ inline std::vector<int> seam_chains(const Mesh& mesh, const Edge_marks& seams)
     ++number;
   }
   return chains;
-}
-
-// Bright colours. Those of neighbouring numbers differ much.
-inline std::string chain_color(const int number)
-{
-  const double golden_angle = 0.381966; // of a turn
-  const double hue = std::fmod(golden_angle * number, 1.) * 6;
-  std::string color = "#";
-  for(const double shift : {0., 4., 2.}) {
-    const double distance = std::abs(std::fmod(hue + shift, 6.) - 3) - 1;
-    const double part = std::clamp(distance, 0., 1.);
-    color += "0123456789abcdef"[std::lround(15 * part)];
-  }
-  return color;
 }
 
 } // namespace flatten_mesh
