@@ -216,7 +216,7 @@ Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options, const Na
 
 template <typename Point = CGAL::Simple_cartesian<double>::Point_2, typename Mesh,
           typename NamedParameters = parameters::Default_named_parameters>
-Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options = Few_charts(),
+Atlas_run make_atlas_of(const Mesh& mesh, const Atlas_options& options = few_charts(),
                         const NamedParameters& np = parameters::default_values())
 {
   return make_atlas_of<Point>(

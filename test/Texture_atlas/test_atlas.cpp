@@ -82,7 +82,7 @@ Mesh mesh_of(const seam_surfaces::Surface& surface)
 
 template <typename NamedParameters = parameters::Default_named_parameters>
 Atlas_run make_with_seams(const Mesh& mesh, const std::function<bool(Edge)>& is_given,
-                          const Atlas_options& options = Few_charts(),
+                          const Atlas_options& options = few_charts(),
                           const NamedParameters& np = parameters::default_values())
 {
   return make_atlas_of(mesh, options, np, is_given, mesh.points());
@@ -164,14 +164,14 @@ BOOST_AUTO_TEST_CASE(every_face_has_a_chart_or_a_reason)
                is_isometric = uniform_int(random, 0, 2) == 0;
     BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
     {
-      const Atlas_run run = make_atlas_of(
-          mesh,
-          with<Few_charts>(&Atlas_options::resolution, wishes.resolution, &Atlas_options::gutter,
-                           wishes.gutter, &Atlas_options::pack_into_square, wishes.packs,
-                           &Atlas_options::stretch_bound, wishes.stretch_bound,
-                           &Atlas_options::separate_overlaps, separates, &Atlas_options::seam_price,
-                           cuts ? 0.04 : infinity, &Atlas_options::isometric_charts, is_isometric),
-          parameters::face_size_map(weights));
+      const Atlas_run run =
+          make_atlas_of(mesh,
+                        few_charts(&Atlas_options::resolution, wishes.resolution, &Atlas_options::gutter,
+                                   wishes.gutter, &Atlas_options::pack_into_square, wishes.packs,
+                                   &Atlas_options::stretch_bound, wishes.stretch_bound,
+                                   &Atlas_options::separate_overlaps, separates, &Atlas_options::seam_price,
+                                   cuts ? 0.04 : infinity, &Atlas_options::isometric_charts, is_isometric),
+                        parameters::face_size_map(weights));
       if(all.without_bad_components().components.empty()) {
         check_diagnosis(run, Diagnosis::NOTHING_FLATTENED);
         BOOST_TEST(run.report.skipped.size() == all.components.size());
@@ -235,11 +235,11 @@ BOOST_AUTO_TEST_CASE(components_are_flattened_as_if_they_were_alone)
     BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
     {
       const Atlas_run run =
-          make_atlas_of(all.mesh<Mesh>(), with<Few_charts>(&Atlas_options::pack_into_square, false));
+          make_atlas_of(all.mesh<Mesh>(), few_charts(&Atlas_options::pack_into_square, false));
       const std::vector<int> component_of_vertex = all.component_of_vertex();
       for(std::size_t i = 0; i < all.components.size(); ++i) {
-        const Atlas_run alone = make_atlas_of(mesh_of({all.components[i]}),
-                                              with<Few_charts>(&Atlas_options::pack_into_square, false));
+        const Atlas_run alone =
+            make_atlas_of(mesh_of({all.components[i]}), few_charts(&Atlas_options::pack_into_square, false));
         std::vector<atlas_check::Point_2> uv;
         for(std::size_t c = 0; c < run.uv.size(); ++c)
           if(component_of_vertex[run.vertex[c]] == static_cast<int>(i))
@@ -261,8 +261,7 @@ BOOST_AUTO_TEST_CASE(sizes_may_be_very_different)
     {
       Wishes wishes;
       wishes.resolution = 256;
-      const Atlas_run run =
-          make_atlas_of(all.mesh<Mesh>(), with<Few_charts>(&Atlas_options::resolution, 256));
+      const Atlas_run run = make_atlas_of(all.mesh<Mesh>(), few_charts(&Atlas_options::resolution, 256));
       BOOST_TEST(run.report.has_atlas(), run.report.message);
       check_atlas(run, wishes);
     }
@@ -303,9 +302,9 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits)
     const Mesh mesh = all.mesh<Mesh>();
     BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
     {
-      const Atlas_run one = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, 1));
+      const Atlas_run one = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 1));
       for(int threads : {0, 2, 3}) {
-        const Atlas_run other = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, threads));
+        const Atlas_run other = make_atlas_of(mesh, few_charts(&Atlas_options::threads, threads));
         BOOST_TEST(are_same(one, other));
         BOOST_TEST(one.report.message == other.report.message);
         BOOST_TEST(one.report.seam_length == other.report.seam_length);
@@ -339,7 +338,7 @@ BOOST_AUTO_TEST_CASE(given_seams_stay_and_constrained_edges_never_become_seams)
     BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
     {
       const Atlas_run run = make_with_seams(
-          mesh, [&](Edge e) { return bool(is_given[e]); }, with<Few_charts>(&Atlas_options::resolution, 256),
+          mesh, [&](Edge e) { return bool(is_given[e]); }, few_charts(&Atlas_options::resolution, 256),
           parameters::edge_is_constrained_map(
               boost::make_function_property_map<Edge>([&](Edge e) { return bool(is_constrained[e]); })));
       if(!run.report.has_atlas()) {
@@ -510,7 +509,7 @@ BOOST_AUTO_TEST_CASE(surfaces_of_every_kind_become_one_chart)
     {
       Wishes wishes;
       wishes.resolution = 256;
-      const Atlas_run run = make_atlas_of(mesh_of({c}), with<Few_charts>(&Atlas_options::resolution, 256));
+      const Atlas_run run = make_atlas_of(mesh_of({c}), few_charts(&Atlas_options::resolution, 256));
       BOOST_TEST(bool(run.report), run.report.message);
       check_atlas(run, wishes);
       BOOST_TEST(run.report.charts.size() == 1u);
@@ -523,7 +522,7 @@ BOOST_AUTO_TEST_CASE(pinched_vertices_belong_to_several_charts)
   const Mesh mesh = mesh_of({{"bow tie",
                               {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
                               {{0, 1, 2}, {0, 3, 4}, {2, 3, 5}}}});
-  const Atlas_run run = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::resolution, 64));
+  const Atlas_run run = make_atlas_of(mesh, few_charts(&Atlas_options::resolution, 64));
   Wishes wishes;
   wishes.resolution = 64;
   check_atlas(run, wishes);
@@ -536,7 +535,7 @@ BOOST_AUTO_TEST_CASE(a_smaller_bound_means_less_stretch_and_longer_seams)
   const Mesh mesh = mesh_of(seam_surfaces::sphere(3));
   double seam = infinity, stretch = 0;
   for(double bound : {1.02, 1.05, 1.1, 1.3}) {
-    const Atlas_run run = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::stretch_bound, bound));
+    const Atlas_run run = make_atlas_of(mesh, few_charts(&Atlas_options::stretch_bound, bound));
     Wishes wishes;
     wishes.stretch_bound = bound;
     check_atlas(run, wishes);
@@ -557,9 +556,8 @@ BOOST_AUTO_TEST_CASE(without_terminals_surfaces_are_only_cut_to_disks)
        mesh_of({component("bump", test_charts::bump(10, 1, 1))})}) {
     Wishes unbound;
     unbound.stretch_bound = infinity;
-    const Atlas_run infinite = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::stretch_bound, infinity)),
-                    none =
-                        make_atlas_of(mesh, with<Few_charts>(&Atlas_options::maximum_number_of_terminals, 0));
+    const Atlas_run infinite = make_atlas_of(mesh, few_charts(&Atlas_options::stretch_bound, infinity)),
+                    none = make_atlas_of(mesh, few_charts(&Atlas_options::maximum_number_of_terminals, 0));
     check_atlas(infinite, unbound);
     check_atlas(none, Wishes());
     for(const Atlas_run* run : {&infinite, &none}) {
@@ -572,7 +570,7 @@ BOOST_AUTO_TEST_CASE(without_terminals_surfaces_are_only_cut_to_disks)
   }
   // a bound that is missed is not said to be reached
   const Atlas_run bumps = make_atlas_of(mesh_of({component("bump", test_charts::bump(20, 1, 3))}),
-                                        with<Few_charts>(&Atlas_options::maximum_number_of_terminals, 0));
+                                        few_charts(&Atlas_options::maximum_number_of_terminals, 0));
   BOOST_TEST(!bumps.report.charts[0].bound_reached);
   BOOST_TEST(bumps.report.seam_length == 0);
 }
@@ -582,8 +580,8 @@ BOOST_AUTO_TEST_CASE(the_number_of_terminals_is_at_most_what_is_allowed)
   const Mesh mesh = mesh_of(seam_surfaces::sphere(3));
   double stretch = infinity;
   for(int most : {2, 4, 8}) {
-    const Atlas_run run = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::maximum_number_of_terminals,
-                                                               most, &Atlas_options::stretch_bound, 1.001));
+    const Atlas_run run = make_atlas_of(mesh, few_charts(&Atlas_options::maximum_number_of_terminals, most,
+                                                         &Atlas_options::stretch_bound, 1.001));
     BOOST_TEST(run.report.number_of_terminals <= static_cast<std::size_t>(most));
     BOOST_TEST(!run.report.charts[0].bound_reached);
     BOOST_TEST(run.report.charts[0].scale_stretch < stretch);
@@ -595,7 +593,7 @@ BOOST_AUTO_TEST_CASE(overlaps_become_injective_or_are_separated)
 {
   const Mesh mesh = mesh_of({atlas_surfaces::staircase(60, 2.3)});
   const Atlas_run injective = make_atlas_of(mesh),
-                  separated = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::separate_overlaps, true));
+                  separated = make_atlas_of(mesh, few_charts(&Atlas_options::separate_overlaps, true));
   check_atlas(injective, Wishes());
   check_atlas(separated, Wishes());
   BOOST_TEST_REQUIRE(injective.report.charts.size() == 1u);
@@ -618,8 +616,7 @@ BOOST_AUTO_TEST_CASE(overlaps_of_larger_charts_are_predicted)
       is_quick ? std::vector{0.95, 1.15, 2.} : std::vector{0.4, 0.8, 0.95, 1.15, 1.4, 2., 2.6}) {
     const Mesh mesh = mesh_of({component("staircase", test_charts::staircase(120, 24, turns, 0.1))});
     const Atlas_run run = make_atlas_of(mesh),
-                    separated =
-                        make_atlas_of(mesh, with<Few_charts>(&Atlas_options::separate_overlaps, true));
+                    separated = make_atlas_of(mesh, few_charts(&Atlas_options::separate_overlaps, true));
     check_atlas(run, Wishes());
     BOOST_TEST_REQUIRE(run.report.charts.size() == 1u);
     const Atlas_report::Chart& chart = run.report.charts[0];
@@ -636,7 +633,7 @@ BOOST_AUTO_TEST_CASE(a_larger_weight_of_areas_stretches_them_less)
   double area_distortion = infinity;
   std::vector<double> angle_changes;
   for(double weight : {0.005, 0.05, 0.5}) {
-    const Atlas_run run = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::area_weight, weight));
+    const Atlas_run run = make_atlas_of(mesh, few_charts(&Atlas_options::area_weight, weight));
     check_atlas(run, Wishes());
     BOOST_TEST_REQUIRE((run.report.charts[0].method == Atlas_report::INJECTIVE));
     BOOST_TEST(run.report.measures.l2_area_distortion < area_distortion);
@@ -657,7 +654,7 @@ BOOST_AUTO_TEST_CASE(resolution_and_gutter_are_kept)
       wishes.resolution = resolution;
       wishes.gutter = gutter;
       const Atlas_run run = make_atlas_of(
-          mesh, with<Few_charts>(&Atlas_options::resolution, resolution, &Atlas_options::gutter, gutter));
+          mesh, few_charts(&Atlas_options::resolution, resolution, &Atlas_options::gutter, gutter));
       check_atlas(run, wishes);
       BOOST_TEST(run.report.covered_share < covered);
       covered = run.report.covered_share * 1.05;
@@ -674,7 +671,7 @@ BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
     put(seams, e, false);
   const auto charts = get(CGAL::dynamic_face_property_t<int>(), mesh);
   const Atlas_report report =
-      TA::make_atlas(mesh, seams, uv, charts, with<Few_charts>(&Atlas_options::pack_into_square, false));
+      TA::make_atlas(mesh, seams, uv, charts, few_charts(&Atlas_options::pack_into_square, false));
   BOOST_TEST_REQUIRE(bool(report));
   const auto seam_mesh = TA::make_seam_mesh(mesh, seams).mesh;
   typedef std::decay_t<decltype(seam_mesh)> Seam_mesh;
@@ -710,17 +707,17 @@ BOOST_AUTO_TEST_CASE(wrong_options_name_themselves_and_change_nothing)
     BOOST_TEST(run.report.message.find(name) != std::string::npos, run.report.message);
   };
   for(double bound : {0.99, -infinity, std::nan("")})
-    check("stretch", with<Few_charts>(&Atlas_options::stretch_bound, bound));
-  check("terminals", with<Few_charts>(&Atlas_options::maximum_number_of_terminals, -1));
+    check("stretch", few_charts(&Atlas_options::stretch_bound, bound));
+  check("terminals", few_charts(&Atlas_options::maximum_number_of_terminals, -1));
   for(double weight : {-0.1, 1.1, std::nan("")})
-    check("area_weight", with<Few_charts>(&Atlas_options::area_weight, weight));
+    check("area_weight", few_charts(&Atlas_options::area_weight, weight));
   for(int resolution : {0, -5, 1 << 20})
-    check("resolution", with<Few_charts>(&Atlas_options::resolution, resolution));
+    check("resolution", few_charts(&Atlas_options::resolution, resolution));
   for(int gutter : {-1, 1 << 20})
-    check("gutter", with<Few_charts>(&Atlas_options::gutter, gutter));
+    check("gutter", few_charts(&Atlas_options::gutter, gutter));
   for(int rotations : {0, 1 << 20})
-    check("rotations", with<Few_charts>(&Atlas_options::number_of_rotations, rotations));
-  check("threads", with<Few_charts>(&Atlas_options::threads, -1));
+    check("rotations", few_charts(&Atlas_options::number_of_rotations, rotations));
+  check("threads", few_charts(&Atlas_options::threads, -1));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
@@ -729,14 +726,14 @@ BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
       mesh_of({component(seam_surfaces::tetrahedron()), component(seam_surfaces::octahedron())});
   for(double wrong : {-1., std::nan(""), -infinity}) {
     const Face face(6);
-    const Atlas_run faces = make_atlas_of(mesh, Few_charts(),
+    const Atlas_run faces = make_atlas_of(mesh, few_charts(),
                                           parameters::face_size_map(boost::make_function_property_map<Face>(
                                               [&](Face f) { return f == face ? wrong : 2.; })));
     check_diagnosis(faces, Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(faces.report.message.find("face 6 ") != std::string::npos, faces.report.message);
 
     const Edge edge(8);
-    const Atlas_run edges = make_atlas_of(mesh, Few_charts(),
+    const Atlas_run edges = make_atlas_of(mesh, few_charts(),
                                           parameters::edge_weight_map(boost::make_function_property_map<Edge>(
                                               [&](Edge e) { return e == edge ? wrong : 2.; })));
     check_diagnosis(edges, Diagnosis::WRONG_WEIGHT);
@@ -747,12 +744,12 @@ BOOST_AUTO_TEST_CASE(wrong_weights_name_the_edge_or_face_and_change_nothing)
                  edges.report.message << " without " << point.str());
     }
   }
-  const Atlas_run infinite = make_atlas_of(mesh, Few_charts(),
+  const Atlas_run infinite = make_atlas_of(mesh, few_charts(),
                                            parameters::face_size_map(boost::make_function_property_map<Face>(
                                                [](Face f) { return f == Face(3) ? infinity : 1.; })));
   check_diagnosis(infinite, Diagnosis::WRONG_WEIGHT);
   const Atlas_run zero = make_atlas_of(
-      mesh, Few_charts(),
+      mesh, few_charts(),
       parameters::face_size_map(boost::make_function_property_map<Face>([](Face) { return 0.; })));
   check_diagnosis(zero, Diagnosis::PACKING_FAILED);
 }
@@ -768,7 +765,7 @@ BOOST_AUTO_TEST_CASE(weights_of_faces_count_in_proportion)
     {
       const auto weights =
           boost::make_function_property_map<Face>([&](Face f) { return f < Face(4) ? 3 * unit : unit; });
-      const Atlas_run run = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::resolution, 128),
+      const Atlas_run run = make_atlas_of(mesh, few_charts(&Atlas_options::resolution, 128),
                                           parameters::face_size_map(weights));
       BOOST_TEST_REQUIRE(bool(run.report), run.report.message);
       std::vector<double> density(2, 0);
@@ -793,9 +790,9 @@ BOOST_AUTO_TEST_CASE(seams_avoid_heavy_edges)
   };
   const auto weights =
       boost::make_function_property_map<Edge>([&](Edge e) { return is_heavy(e) ? 1000. : 1.; });
-  const Atlas_run weighted = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::stretch_bound, infinity),
+  const Atlas_run weighted = make_atlas_of(mesh, few_charts(&Atlas_options::stretch_bound, infinity),
                                            parameters::edge_weight_map(weights));
-  const Atlas_run plain = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::stretch_bound, infinity));
+  const Atlas_run plain = make_atlas_of(mesh, few_charts(&Atlas_options::stretch_bound, infinity));
   // a closed curve around the tube has to cross what is heavy
   BOOST_TEST(heavy_seams(weighted) > 0);
   BOOST_TEST(heavy_seams(weighted) <= heavy_seams(plain));
@@ -810,7 +807,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_follows_and_may_stop_it_anywhere)
   for(int threads : {1, 2}) {
     Stopping_visitor all;
     const auto options = [&](Stopping_visitor& visitor) {
-      return with<Few_charts>(&Atlas_options::threads, threads, &Atlas_options::visitor, &visitor);
+      return few_charts(&Atlas_options::threads, threads, &Atlas_options::visitor, &visitor);
     };
     const Atlas_run run = make_atlas_of(mesh, options(all));
     BOOST_TEST(run.report.has_atlas());
@@ -833,7 +830,7 @@ BOOST_AUTO_TEST_CASE(stages_that_are_not_needed_are_not_announced)
 {
   Stopping_visitor visitor;
   make_atlas_of(mesh_of(seam_surfaces::octahedron()),
-                with<Few_charts>(&Atlas_options::pack_into_square, false, &Atlas_options::visitor, &visitor));
+                few_charts(&Atlas_options::pack_into_square, false, &Atlas_options::visitor, &visitor));
   const std::vector<Atlas_visitor::Stage> stages{Atlas_visitor::READ, Atlas_visitor::CHARTS,
                                                  Atlas_visitor::CERTIFY, Atlas_visitor::MEASURE,
                                                  Atlas_visitor::WRITE};
@@ -856,10 +853,10 @@ BOOST_AUTO_TEST_CASE(too_many_charts_do_not_fit)
     all.add(component(seam_surfaces::tetrahedron()));
   const Mesh mesh = all.mesh<Mesh>();
   const Atlas_run run =
-      make_atlas_of(mesh, with<Few_charts>(&Atlas_options::resolution, 16, &Atlas_options::gutter, 2));
+      make_atlas_of(mesh, few_charts(&Atlas_options::resolution, 16, &Atlas_options::gutter, 2));
   check_diagnosis(run, Diagnosis::PACKING_FAILED);
   BOOST_TEST(run.report.message.find("40 charts") != std::string::npos, run.report.message);
-  BOOST_TEST(bool(make_atlas_of(mesh, with<Few_charts>(&Atlas_options::resolution, 256)).report));
+  BOOST_TEST(bool(make_atlas_of(mesh, few_charts(&Atlas_options::resolution, 256)).report));
 }
 
 BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))

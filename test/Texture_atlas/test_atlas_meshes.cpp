@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(coordinates_may_be_floats)
       Wishes wishes;
       wishes.resolution = 256;
       const Atlas_run run =
-          make_atlas_of<Float_kernel::Point_2>(mesh, with<Few_charts>(&Atlas_options::resolution, 256));
+          make_atlas_of<Float_kernel::Point_2>(mesh, few_charts(&Atlas_options::resolution, 256));
       if(!run.report.has_atlas()) {
         BOOST_TEST((run.report.status == Diagnosis::NOTHING_FLATTENED));
         BOOST_TEST(run.is_untouched());
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
   BOOST_TEST(bool(make_atlas_of(mesh).report));
   Counting_visitor visitor;
   const Atlas_run run = make_atlas_of<Float_kernel::Point_2>(
-      mesh, with<Few_charts>(&Atlas_options::resolution, 256, &Atlas_options::visitor, &visitor));
+      mesh, few_charts(&Atlas_options::resolution, 256, &Atlas_options::visitor, &visitor));
   BOOST_TEST_REQUIRE(run.report.has_atlas());
   check_parts(run);
   BOOST_TEST_REQUIRE(run.report.skipped.size() == 1u);
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(what_has_more_digits_than_floats_is_skipped)
   // the octahedron gets the whole square
   Union octahedron;
   octahedron.add(all.components[1]);
-  const Atlas_run alone = make_atlas_of<Float_kernel::Point_2>(
-      octahedron.mesh<Mesh>(), with<Few_charts>(&Atlas_options::resolution, 256));
+  const Atlas_run alone = make_atlas_of<Float_kernel::Point_2>(octahedron.mesh<Mesh>(),
+                                                               few_charts(&Atlas_options::resolution, 256));
   BOOST_TEST(run.report.covered_share == alone.report.covered_share, boost::test_tools::tolerance(1e-3));
   typedef TA::Atlas_visitor Visitor;
   const std::vector<Visitor::Stage> stages{Visitor::READ,    Visitor::CHARTS,  Visitor::PACK,
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(coordinates_for_files_are_multiples_of_a_step)
   all.add(component(seam_surfaces::octahedron()));
   const Mesh mesh = all.mesh<Mesh>();
   const Atlas_run run = make_atlas_of(
-      mesh, with<Few_charts>(&Atlas_options::resolution, 256, &Atlas_options::float_coordinates, true));
+      mesh, few_charts(&Atlas_options::resolution, 256, &Atlas_options::float_coordinates, true));
   BOOST_TEST(bool(run.report));
   check_parts(run);
   check_charts(run);
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(points_may_be_of_another_kernel)
   });
   const Atlas_run run = make_atlas_of(mesh);
   const Atlas_run other = make_atlas_of<Exact::Point_2>(
-      elsewhere, Few_charts(), parameters::vertex_point_map(exact), [](auto) { return false; }, exact);
+      elsewhere, few_charts(), parameters::vertex_point_map(exact), [](auto) { return false; }, exact);
   BOOST_TEST(run.report.has_atlas());
   check_atlas(other, Wishes());
   BOOST_TEST((run.uv == other.uv));
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(another_solver_gives_nearly_the_same_atlas)
   const Mesh mesh = random_union(22, 8).without_bad_components().mesh<Mesh>();
   const Atlas_run run = make_atlas_of(mesh);
   const Atlas_run other = make_atlas_of(
-      mesh, Few_charts(),
+      mesh, few_charts(),
       parameters::sparse_linear_solver(
           CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>()));
   check_atlas(run, Wishes());
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(maps_may_be_left_out)
   const Mesh mesh = random_union(5).mesh<Mesh>();
   const Atlas_run run = make_atlas_of(mesh);
   const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
-  const Atlas_report report = TA::make_atlas(mesh, uv, Few_charts());
+  const Atlas_report report = TA::make_atlas(mesh, uv, few_charts());
   BOOST_TEST((report.status == run.report.status));
   BOOST_TEST(report.charts.size() == run.report.charts.size());
   std::size_t corner = 0;
@@ -285,10 +285,10 @@ BOOST_AUTO_TEST_CASE(polygons_become_convex)
   for(unsigned seed = 0; seed < 20; ++seed) {
     Quadrangles quadrangles(12, seed);
     const auto uv = quadrangles.mesh.add_property_map<Mesh::Halfedge_index, Point>("h:uv").first;
-    BOOST_TEST_REQUIRE(TA::make_atlas(quadrangles.mesh, uv, Few_charts()).has_atlas());
+    BOOST_TEST_REQUIRE(TA::make_atlas(quadrangles.mesh, uv, few_charts()).has_atlas());
     const int before = quadrangles.count_concave(uv);
     const auto report =
-        TA::make_atlas(quadrangles.mesh, uv, Few_charts(), parameters::face_patch_map(quadrangles.number));
+        TA::make_atlas(quadrangles.mesh, uv, few_charts(), parameters::face_patch_map(quadrangles.number));
     BOOST_TEST_REQUIRE(report.has_atlas());
     const int after = quadrangles.count_concave(uv);
     BOOST_TEST(after <= before);

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(they_can_be_left_out)
     {
       const Mesh mesh = seed < 6 ? bumpy_sphere(seed) : ellipsoid(1, 1, 1 + 0.1 * seed);
       const Atlas_run equal = make_atlas_of(mesh),
-                      free = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::equal_seam_lengths, false));
+                      free = make_atlas_of(mesh, few_charts(&Atlas_options::equal_seam_lengths, false));
       check_atlas(free, Wishes());
       BOOST_TEST(count(free, Atlas_report::NOT_WANTED) == free.report.charts.size());
       BOOST_TEST(free.report.largest_equal_seam_jump == 0);
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(charts_without_seams_are_the_same_bits)
     all.add(component("hills", test_charts::bump(8, static_cast<unsigned>(i), 0.3)));
   const Mesh mesh = all.mesh<Mesh>();
   const Atlas_run equal = make_atlas_of(mesh),
-                  free = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::equal_seam_lengths, false));
+                  free = make_atlas_of(mesh, few_charts(&Atlas_options::equal_seam_lengths, false));
   BOOST_TEST(count(equal, Atlas_report::NO_SEAMS) == 8u);
   BOOST_TEST(count(free, Atlas_report::NO_SEAMS) == 8u);
   BOOST_TEST((equal.uv == free.uv));
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(given_seams_are_equal)
         h = mesh.next(h);
       }
       const Atlas_run run = make_atlas_of(
-          mesh, Few_charts(), parameters::default_values(), [&](auto e) { return bool(is_given[e]); },
+          mesh, few_charts(), parameters::default_values(), [&](auto e) { return bool(is_given[e]); },
           get(CGAL::vertex_point, mesh));
       check_atlas(run, Wishes());
       if(!run.report.charts[0].has_equal_seams)
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(seams_between_parts_do_not_count)
     return z > 0.3;
   };
   const Atlas_run run = make_atlas_of(
-      mesh, with<Few_charts>(&Atlas_options::stretch_bound, std::numeric_limits<double>::infinity()),
+      mesh, few_charts(&Atlas_options::stretch_bound, std::numeric_limits<double>::infinity()),
       parameters::default_values(),
       [&](auto e) {
         return is_upper(mesh.face(mesh.halfedge(e, 0))) != is_upper(mesh.face(mesh.halfedge(e, 1)));
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(pieces_keep_equal_seams)
     {
       const Mesh mesh = bumpy_sphere(100 + seed);
       const Atlas_run run = make_atlas_of(
-          mesh, with<Few_charts>(&Atlas_options::separate_overlaps, true, &Atlas_options::seam_price, 0.04));
+          mesh, few_charts(&Atlas_options::separate_overlaps, true, &Atlas_options::seam_price, 0.04));
       check_atlas(run, Wishes());
       for(const Atlas_report::Chart& chart : run.report.charts) {
         separated += chart.has_equal_seams && chart.method == Atlas_report::SEPARATED;
@@ -237,8 +237,8 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits)
     for(const bool separates : {false, true}) {
       const Mesh mesh = bumpy_sphere(100 + seed);
       const auto run_with = [&](int threads) {
-        return make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, threads,
-                                                    &Atlas_options::separate_overlaps, separates));
+        return make_atlas_of(
+            mesh, few_charts(&Atlas_options::threads, threads, &Atlas_options::separate_overlaps, separates));
       };
       const Atlas_run one = run_with(1);
       for(int threads : {0, 2, 3}) {

@@ -64,7 +64,7 @@ Atlas_run good_atlas_of(const Mesh& mesh)
 {
   Wishes wishes;
   wishes.resolution = 256;
-  const Atlas_run run = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::resolution, 256));
+  const Atlas_run run = make_atlas_of(mesh, few_charts(&Atlas_options::resolution, 256));
   check_atlas(run, wishes);
   BOOST_TEST(bool(run.report), run.report.message);
   return run;
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(ribbons_and_rolls_are_divided)
     BOOST_TEST(has_strategy(run, Atlas_report::MORE_CHARTS));
     BOOST_TEST(run.report.covered_share > 0.05);
     const Atlas_run unpacked =
-        make_atlas_of(mesh_of(chart), with<Few_charts>(&Atlas_options::pack_into_square, false));
+        make_atlas_of(mesh_of(chart), few_charts(&Atlas_options::pack_into_square, false));
     BOOST_TEST(unpacked.report.charts.size() == 1u); // there is no square that it could leave empty
   }
 }
@@ -161,8 +161,8 @@ BOOST_AUTO_TEST_CASE(an_infinite_bound_takes_any_stretch)
 {
   Wishes wishes;
   wishes.stretch_bound = std::numeric_limits<double>::infinity();
-  const Atlas_run run = make_atlas_of(punctured_sphere(),
-                                      with<Few_charts>(&Atlas_options::stretch_bound, wishes.stretch_bound));
+  const Atlas_run run =
+      make_atlas_of(punctured_sphere(), few_charts(&Atlas_options::stretch_bound, wishes.stretch_bound));
   check_atlas(run, wishes);
   BOOST_TEST(bool(run.report));
   BOOST_TEST(run.report.charts.size() == 1u);
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(a_bad_chart_is_not_called_good)
 {
   const auto all = boost::make_function_property_map<Mesh::Edge_index>([](Mesh::Edge_index) { return true; });
   const Mesh finger = mesh_of(test_charts::finger(24, 24, 40));
-  const Atlas_run run = make_atlas_of(finger, Few_charts(), parameters::edge_is_constrained_map(all));
+  const Atlas_run run = make_atlas_of(finger, few_charts(), parameters::edge_is_constrained_map(all));
   check_atlas(run, Wishes());
   BOOST_TEST((run.report.status == Diagnosis::STRETCH_BOUND_MISSED));
   BOOST_TEST(!run.report);
@@ -187,8 +187,8 @@ BOOST_AUTO_TEST_CASE(a_bad_chart_is_not_called_good)
 BOOST_AUTO_TEST_CASE(any_number_of_threads_divides_alike)
 {
   const Mesh mesh = mesh_of(hyperbolic_disk(9, 1.9));
-  const Atlas_run one = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, 1)),
-                  two = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, 2));
+  const Atlas_run one = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 1)),
+                  two = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 2));
   BOOST_TEST((one.uv == two.uv));
   BOOST_TEST((one.chart == two.chart));
 }

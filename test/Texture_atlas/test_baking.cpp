@@ -74,9 +74,9 @@ struct Baked_sphere
       const Vector p = radius(random) * vector_of(simple.point(v));
       simple.point(v) = Kernel::Point_3(p.x(), p.y(), p.z());
     }
-    BOOST_REQUIRE(TA::make_atlas(simple, no_seams(simple), uv, chart,
-                                  with<Few_charts>(&TA::Atlas_options::resolution, resolution,
-                                                   &TA::Atlas_options::stretch_bound, 1.05)));
+    BOOST_REQUIRE(TA::make_atlas(
+        simple, no_seams(simple), uv, chart,
+        few_charts(&TA::Atlas_options::resolution, resolution, &TA::Atlas_options::stretch_bound, 1.05)));
     textures = TA::bake_surface(simple, uv, fine, frames,
                                  with<Baking_options>(&Baking_options::resolution, resolution),
                                  np::face_patch_map(chart));
@@ -366,10 +366,9 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
   const int n = 150, gutter = 3;
   std::mt19937 random(5);
   Baked_sphere sphere;
-  BOOST_REQUIRE(
-      TA::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
-                      with<Few_charts>(&TA::Atlas_options::resolution, n, &TA::Atlas_options::gutter,
-                                       gutter, &TA::Atlas_options::separate_overlaps, true)));
+  BOOST_REQUIRE(TA::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
+                                few_charts(&TA::Atlas_options::resolution, n, &TA::Atlas_options::gutter,
+                                           gutter, &TA::Atlas_options::separate_overlaps, true)));
   const auto color = sphere.fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : sphere.fine.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(random() % 256), 0, 0);

@@ -80,7 +80,7 @@ struct Meshes
     }
   }
 
-  Atlas_report make(const Atlas_options& options = Few_charts())
+  Atlas_report make(const Atlas_options& options = few_charts())
   {
     return make_common_atlas(meshes, seams, uv, charts, options);
   }

@@ -130,7 +130,7 @@ Crease_atlas make_crease_atlas(Mesh& mesh)
   Crease_atlas result{TA::select_crease_seams(mesh, seams), {}};
   TA::compute_crease_weights(mesh, weights);
   result.run = atlas_check::make_atlas_of(
-      mesh, Few_charts(), parameters::edge_weight_map(weights), [&](Edge e) { return seams[e]; },
+      mesh, few_charts(), parameters::edge_weight_map(weights), [&](Edge e) { return seams[e]; },
       get(CGAL::vertex_point, mesh));
   BOOST_TEST(bool(result.run.report), result.run.report.message);
   check_atlas(result.run, Wishes());
@@ -352,7 +352,7 @@ BOOST_AUTO_TEST_CASE(seams_hide)
         seams[e] = false;
       const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
       const auto charts = get(CGAL::dynamic_face_property_t<int>(), mesh);
-      BOOST_TEST(TA::make_atlas(mesh, seams, uv, charts, Few_charts(), np).has_atlas());
+      BOOST_TEST(TA::make_atlas(mesh, seams, uv, charts, few_charts(), np).has_atlas());
       double sum = 0;
       for(const Edge e : mesh.edges())
         sum += seams[e] ? weights[e] : 0;

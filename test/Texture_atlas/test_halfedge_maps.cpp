@@ -59,7 +59,7 @@ struct Atlas
   Mesh::Property_map<Face, int> chart;
   TA::Atlas_report report;
 
-  Atlas(const Mesh& surface, const TA::Atlas_options& options = Few_charts()) : mesh(surface)
+  Atlas(const Mesh& surface, const TA::Atlas_options& options = few_charts()) : mesh(surface)
   {
     uv = mesh.add_property_map<Halfedge, Point_2>("h:uv", {0, 0}).first;
     seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;

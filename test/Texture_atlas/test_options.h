@@ -30,4 +30,11 @@ Options with(Member Class::*member, const Value& value, const Others&... others)
   return options;
 }
 
+// The same, with other values of members
+template <typename... Members>
+CGAL::Surface_mesh_parameterization::Atlas_options few_charts(const Members&... members)
+{
+  return with<Few_charts>(members...);
+}
+
 #endif // ABF_TEST_OPTIONS_H

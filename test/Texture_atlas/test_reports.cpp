@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(of_faces_that_are_not_triangles)
   const auto baked = TA::bake_surface(simple.mesh, simple.uv, s.mesh);
   check(baked, Diagnosis::FINE_MESH_NOT_TRIANGULATED, {}, {}, {});
   BOOST_TEST((baked.offending_fine_faces == bad));
-  check(TA::make_atlas(s.mesh, s.uv, Few_charts()), Diagnosis::SOMETHING_SKIPPED, {}, {}, bad);
+  check(TA::make_atlas(s.mesh, s.uv, few_charts()), Diagnosis::SOMETHING_SKIPPED, {}, {}, bad);
 }
 
 BOOST_AUTO_TEST_CASE(of_weights_and_coordinates)
@@ -168,13 +168,13 @@ BOOST_AUTO_TEST_CASE(of_weights_and_coordinates)
   s.weights[e] = -1;
   const auto np = CGAL::parameters::edge_weight_map(s.weights);
   check(TA::select_seams(s.mesh, s.seams, TA::Seam_options(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
-  check(TA::make_atlas(s.mesh, s.uv, Few_charts(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
+  check(TA::make_atlas(s.mesh, s.uv, few_charts(), np), Diagnosis::WRONG_WEIGHT, {}, {e}, {});
 
   const Face f(9);
   auto sizes = s.mesh.add_property_map<Face, double>("f:size", 1).first;
   sizes[f] = -2;
   const auto with_sizes = CGAL::parameters::face_size_map(sizes);
-  check(TA::make_atlas(s.mesh, s.uv, Few_charts(), with_sizes), Diagnosis::WRONG_WEIGHT, {}, {}, {f});
+  check(TA::make_atlas(s.mesh, s.uv, few_charts(), with_sizes), Diagnosis::WRONG_WEIGHT, {}, {}, {f});
   check(TA::pack_charts(s.mesh, s.charts, s.uv, TA::Packing_options(), with_sizes), Diagnosis::WRONG_WEIGHT,
         {}, {}, {f});
 
@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(of_atlases)
   s.mesh += other;
   s.mesh.point(*std::next(s.mesh.vertices().begin(), static_cast<long>(other.number_of_vertices()))) =
       Point_3(0, 0, infinity);
-  const auto report = TA::make_atlas(s.mesh, s.uv, Few_charts());
+  const auto report = TA::make_atlas(s.mesh, s.uv, few_charts());
   BOOST_TEST(report.status == Diagnosis::SOMETHING_SKIPPED);
   BOOST_TEST_REQUIRE(report.offending_faces.size() == 1u);
   BOOST_TEST(report.offending_faces[0].idx() >= size);

@@ -79,7 +79,7 @@ Mesh small_parts(int number)
 BOOST_AUTO_TEST_CASE(ten_thousand_parts_have_charts)
 {
   const int number = 10000;
-  const Atlas_run run = make_atlas_of(small_parts(number), with<Few_charts>(&Atlas_options::gutter, 2));
+  const Atlas_run run = make_atlas_of(small_parts(number), few_charts(&Atlas_options::gutter, 2));
   BOOST_TEST(run.report.status == Diagnosis::NOTHING_WRONG, run.report.message);
   BOOST_TEST(run.report.number_of_parts == std::size_t(number));
   BOOST_TEST(run.report.charts.size() == std::size_t(number));
@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(ten_thousand_parts_have_charts)
 
 BOOST_AUTO_TEST_CASE(small_parts_need_texels)
 {
-  const Atlas_run run = make_atlas_of(
-      small_parts(2000), with<Few_charts>(&Atlas_options::resolution, 128, &Atlas_options::gutter, 2));
+  const Atlas_run run = make_atlas_of(small_parts(2000),
+                                      few_charts(&Atlas_options::resolution, 128, &Atlas_options::gutter, 2));
   BOOST_TEST(run.report.status == Diagnosis::PACKING_FAILED);
   BOOST_TEST(run.report.message.find("2000 charts do not fit into a page of 128 x 128") != std::string::npos,
              run.report.message);
@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(small_parts_need_texels)
 BOOST_AUTO_TEST_CASE(threads_do_not_change_small_parts)
 {
   const Mesh mesh = small_parts(1000);
-  const Atlas_run one = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, 1));
-  const Atlas_run two = make_atlas_of(mesh, with<Few_charts>(&Atlas_options::threads, 2));
+  const Atlas_run one = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 1));
+  const Atlas_run two = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 2));
   BOOST_TEST_REQUIRE(one.report.has_atlas(), one.report.message);
   BOOST_TEST((one.uv == two.uv && one.chart == two.chart && one.is_seam == two.is_seam));
 }

@@ -74,9 +74,9 @@ class Atlas_visitor;
 ///
 /// Options of `make_atlas()`, where `Seam_options::stretch_bound` bounds the stretch of each chart.
 ///
-/// The constructor takes what the atlas is for, and sets options accordingly: a texture, unless something else is given.
-/// Each option can be changed afterwards. `make_atlas(mesh, uv, Atlas_options::FEW_CHARTS)` works; with named parameters,
-/// write `Atlas_options(Atlas_options::FEW_CHARTS)`.
+/// The constructor takes what the atlas is for, by default a texture, and sets options accordingly. Each option can be
+/// changed afterwards. `make_atlas(mesh, uv, Atlas_options::FEW_CHARTS)` works; with named parameters, write
+/// `Atlas_options(Atlas_options::FEW_CHARTS)`.
 ///
 /// | option                | `TEXTURE` | `FEW_CHARTS` | `CONFORMAL` |
 /// | :-------------------- | :-------- | :----------- | :---------- |
