@@ -42,8 +42,8 @@ void copy_settings_of_iteration(const From&, To&, long)
 
 The counterpart of lower precision of a solver. It replaces `SolverTraits` if the factors only precondition an iterative
 solution: fewer digits then suffice, which take half of the memory and less time. The counterpart of
-`SuperLU_solver_traits<double>` is `SuperLU_solver_traits<float>` with the same widths, with `SuperLU_options::PIVOTS`
-as its check, and with `SuperLU_options::keep_memory`. Any other solver is its own counterpart.
+`SuperLU_solver_traits<double>` is `SuperLU_solver_traits<float>` with the same widths, and with
+`SuperLU_options::PIVOTS` as its check. Any other solver is its own counterpart.
 
 This is a customization point: specialize it for a solver of your own, with the members below.
 

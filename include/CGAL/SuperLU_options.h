@@ -44,13 +44,6 @@ struct SuperLU_options
   /// means an automatic choice. SuperLU has an upper limit, 20 by default. Larger values have the effect of this
   /// limit.
   int relax = 0;
-
-  /// Whether the memory of definite factorizations that are needed no more is kept for later ones of the object and
-  /// its copies, also for larger matrices and on other threads. This saves the time in which the operating system gives
-  /// and clears memory. It is kept until all of these objects are destroyed or cleared. It is at most the memory of the
-  /// factorizations that there were at the same time, and for matrices with at most 20&nbsp;000 columns also the memory
-  /// that SuperLU needs for the upper factor.
-  bool keep_memory = false;
 };
 
 } // namespace CGAL

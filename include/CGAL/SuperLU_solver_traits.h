@@ -88,8 +88,6 @@ SuperLU must have been built with single precision, as it is by default.
 A copy shares the factorization, which never changes, at the cost of copying a few pointers. Calling
 `factor()` or `clear()` on a copy has no effect on the others. The matrix may be destroyed after `factor()`.
 
-With `SuperLU_options::keep_memory`, an object and its copies keep the arrays of definite factorizations for later ones.
-
 \cgalHeading{Errors}
 
 A function that fails returns `false` and leaves the object usable. After a failure of `factor()`, the object holds no
@@ -131,7 +129,6 @@ class SuperLU_solver_traits
   typedef internal::SuperLU_sparse_matrix<FT> Sparse_matrix;
   typedef internal::SuperLU_analysis Analysis;
   typedef internal::SuperLU_factorization<FT> Factorization;
-  typedef typename Factorization::Spare_memory Spare_memory;
 
 public:
   /// \name Types
@@ -158,11 +155,7 @@ public:
   SuperLU_solver_traits() = default;
 
   /// constructs a solver with the given options.
-  explicit SuperLU_solver_traits(const SuperLU_options& options) : m_options(options)
-  {
-    if(options.keep_memory)
-      m_memory = std::make_shared<Spare_memory>();
-  }
+  explicit SuperLU_solver_traits(const SuperLU_options& options) : m_options(options) {}
   /// @}
 
   /// \name Operations
@@ -252,8 +245,7 @@ public:
     return normal_equation_factor(A) && normal_equation_solver(B, X);
   }
 
-  /// frees the memory of the factorization and of the ordering, and what is kept for later factorizations, unless a
-  /// copy of this object needs it.
+  /// frees the memory of the factorization and of the ordering, unless a copy of this object needs it.
   void clear() { *this = SuperLU_solver_traits(m_options); }
 
   /// @}
@@ -346,8 +338,8 @@ private:
   typename Factorization::Result factor_columns(const Columns& a, bool symmetric, FT sign)
   {
     m_ordering_reused = analyze(a, symmetric);
-    std::shared_ptr<Factorization> factorization = std::make_shared<Factorization>(
-        symmetric ? m_symmetric_analysis : m_general_analysis, m_options, m_memory);
+    std::shared_ptr<Factorization> factorization =
+        std::make_shared<Factorization>(symmetric ? m_symmetric_analysis : m_general_analysis, m_options);
     const typename Factorization::Result result = factorization->factor(a, sign);
     if(result == Factorization::FACTORED)
       m_factorization = factorization;
@@ -389,7 +381,6 @@ private:
   std::shared_ptr<const Factorization> m_factorization;
   std::shared_ptr<const Analysis> m_symmetric_analysis, m_general_analysis;
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
-  std::shared_ptr<Spare_memory> m_memory;      // shared with copies
   bool m_ordering_reused = false;
 
   // Solving is a constant operation, which several threads may call.
@@ -428,7 +419,6 @@ struct Low_precision_solver_traits<SuperLU_solver_traits<double>>
   {
     SuperLU_options options = traits.options();
     options.check = SuperLU_options::PIVOTS;
-    options.keep_memory = true;
     return type(options);
   }
 };

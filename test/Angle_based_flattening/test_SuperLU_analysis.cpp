@@ -84,8 +84,9 @@ struct Use
   template <class FT>
   explicit Use(const CGAL::internal::SuperLU_factors<FT>& factors)
   {
-    for(int s = 0; s < factors.number_of_supernodes(); ++s) {
-      const std::size_t columns = factors.supernode(s).columns, rows = factors.supernode(s).rows;
+    for(int s = 0; s < factors.lower().number_of_supernodes(); ++s) {
+      const std::size_t columns = factors.lower().supernode(s).columns,
+                        rows = factors.lower().supernode(s).rows;
       entries += columns * rows;
       subscripts += rows;
     }

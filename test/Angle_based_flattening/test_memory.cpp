@@ -168,13 +168,6 @@ Eigen::SparseMatrix<float> grid_laplacian(int width)
 
 typedef CGAL::SuperLU_solver_traits<float> Solver;
 
-Solver solver_that_keeps_memory()
-{
-  CGAL::SuperLU_options options;
-  options.keep_memory = true;
-  return Solver(options);
-}
-
 // The solution for the vector of ones; empty if the matrix cannot be factored
 Eigen::VectorXf solution(Solver& solver, const Solver::Matrix& matrix)
 {
@@ -219,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_second_call_allocates_less)
     run(parameterizer);
     allocations = count.get();
   }
-  BOOST_TEST(4 * counts[1] <= 3 * counts[0]);
+  BOOST_TEST(counts[1] < counts[0]);
 }
 
 // Newton's method on the whole chart, where only SuperLU allocates, and the checks before it; and sweeps over single
@@ -251,7 +244,12 @@ BOOST_AUTO_TEST_CASE(steps_and_sweeps_of_injective_maps_allocate_no_array)
     hessian.of_triangle(t) = {Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 6>::Identity()};
   hessian.sum_up();
   const std::unique_ptr<abf::Linear_solver> solver = solvers->low_precision();
-  const auto factor = [&] { BOOST_TEST_REQUIRE(solver->set_matrix(hessian.matrix())); };
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(hessian.matrix().size());
+  Eigen::VectorXd x;
+  const auto factor = [&] {
+    BOOST_TEST_REQUIRE(solver->set_matrix(hessian.matrix()));
+    BOOST_TEST_REQUIRE(solver->solve(b, x)); // the first solution allocates what further ones use
+  };
   allocations(factor);
   BOOST_TEST(of_steps == allocations(factor));
 
@@ -286,77 +284,29 @@ BOOST_AUTO_TEST_CASE(seams_to_further_terminals_allocate_no_array)
   BOOST_TEST(allocations(many) - of_few < many - few);
 }
 
-BOOST_AUTO_TEST_CASE(factorizations_use_the_arrays_of_earlier_ones)
-{
-  const Solver::Matrix matrix(grid_laplacian(60)), smaller(grid_laplacian(30));
-  Solver forgetful, solver = solver_that_keeps_memory();
-  const Eigen::VectorXf expected = solution(forgetful, matrix),
-                        expected_of_smaller = solution(forgetful, smaller);
-  BOOST_TEST_REQUIRE(expected.size() > 0);
-  BOOST_TEST((solution(solver, matrix) == expected));
-  const std::size_t factor = solver.factor_nonzeros() * sizeof(float) / 4;
-
-  const auto allocations = [&](Solver& by, const Solver::Matrix& of, const Eigen::VectorXf& result) {
-    const Allocation_count count(factor);
-    const Eigen::VectorXf x = solution(by, of);
-    const long number = count.get();
-    BOOST_TEST((x == result));
-    return number;
-  };
-  solution(forgetful, matrix);
-  const long without = allocations(forgetful, matrix, expected), with = allocations(solver, matrix, expected);
-  BOOST_TEST(with <= without - 3); // those of values of both factors, and of rows of U
-
-  Solver copy = solver; // both factorizations are in use then
-  BOOST_TEST(allocations(copy, matrix, expected) > with);
-  BOOST_TEST(allocations(copy, matrix, expected) == with);
-  BOOST_TEST(allocations(solver, matrix, expected) == with);
-  solution(solver, smaller);
-  BOOST_TEST(allocations(solver, smaller, expected_of_smaller) <= with);
-  solution(solver, matrix);
-  BOOST_TEST(allocations(solver, matrix, expected) == with);
-  solver.clear();
-  copy.clear();
-  solution(solver, smaller); // now it has less memory
-  BOOST_TEST(allocations(solver, matrix, expected) > with);
-}
-
 // Everything before SuperLU itself is called, which ends the program if memory runs out.
 BOOST_AUTO_TEST_CASE(refused_memory_is_an_error)
 {
-  const Solver::Matrix small(grid_laplacian(12)), large(grid_laplacian(40));
-  for(bool keeps : {false, true})
-    for(bool is_first : {false, true}) {
-      const auto create = [&] {
-        Solver solver = keeps ? solver_that_keeps_memory() : Solver();
-        if(!is_first)
-          solution(solver, small);
-        solver.analyze_pattern(large);
-        return solver;
-      };
-      Solver trial = create();
-      const Eigen::VectorXf expected = solution(trial, large);
-      const std::size_t array = large.row_dimension() * sizeof(float);
-      int refused = 0;
-      for(long number = 1; number <= 16; ++number) {
-        Solver solver = create();
-        float d;
-        bool done, has_failed;
-        {
-          const Allocation_failure failure(array, number);
-          done = solver.factor(large, d);
-          has_failed = failure.has_happened();
-        }
-        BOOST_TEST_REQUIRE(has_failed);
-        BOOST_TEST(!done);
-        BOOST_TEST(!solver.is_factored());
-        BOOST_TEST(solver.lacks_memory());
-        refused += !done;
-        BOOST_TEST((solution(solver, large) == expected));
-        BOOST_TEST((solution(solver, large) == expected));
-      }
-      BOOST_TEST(refused == 16);
+  constexpr int arrays = 7; // of the checks, of what SuperLU gets, and the memory that is tried
+  const Solver::Matrix matrix(grid_laplacian(40));
+  Solver solver;
+  BOOST_TEST_REQUIRE(solver.analyze_pattern(matrix));
+  const Eigen::VectorXf expected = solution(solver, matrix);
+  const std::size_t array = matrix.row_dimension() * sizeof(float);
+  for(long number = 1; number <= arrays; ++number) {
+    float d;
+    bool done, has_failed;
+    {
+      const Allocation_failure failure(array, number);
+      done = solver.factor(matrix, d);
+      has_failed = failure.has_happened();
     }
+    BOOST_TEST_REQUIRE(has_failed);
+    BOOST_TEST(!done);
+    BOOST_TEST(!solver.is_factored());
+    BOOST_TEST(solver.lacks_memory());
+    BOOST_TEST((solution(solver, matrix) == expected));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

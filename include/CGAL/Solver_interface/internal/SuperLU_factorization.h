@@ -41,11 +41,8 @@ class SuperLU_factorization
 public:
   typedef typename SuperLU_factors<FT>::Block Block;
 
-  typedef typename SuperLU_factors<FT>::Spare_memory Spare_memory;
-
-  SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis, const SuperLU_options& options,
-                        std::shared_ptr<Spare_memory> memory)
-      : m_factors(std::move(analysis), std::move(memory)), m_options(options)
+  SuperLU_factorization(std::shared_ptr<const SuperLU_analysis> analysis, const SuperLU_options& options)
+      : m_factors(std::move(analysis)), m_options(options)
   {}
 
   bool is_symmetric() const { return m_factors.is_symmetric(); }

@@ -11,8 +11,8 @@
 
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
-#include <CGAL/Solver_interface/internal/SuperLU_arrays.h>
 #include <CGAL/Solver_interface/internal/SuperLU_library.h>
+#include <CGAL/Solver_interface/internal/SuperLU_lower_factor.h>
 #include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
 #include <CGAL/SuperLU_options.h>
 
@@ -21,10 +21,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <new>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,18 +45,18 @@ class SuperLU_factors
 public:
   typedef Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>> Block;
 
-  typedef SuperLU_spare_memory<FT> Spare_memory;
-
-  // In symmetric mode, takes its arrays from `memory` if there is one, and leaves them there.
-  explicit SuperLU_factors(std::shared_ptr<const SuperLU_analysis> analysis,
-                           std::shared_ptr<Spare_memory> memory = nullptr)
-      : m_analysis(analysis), m_is_memory_kept(memory != nullptr && analysis->is_symmetric()),
-        m_memory(m_is_memory_kept ? std::move(memory) : std::make_shared<Spare_memory>()),
-        m_lower_arrays(m_memory->lower), m_upper_arrays(std::in_place, m_memory->upper), m_lower(), m_upper()
+  explicit SuperLU_factors(std::shared_ptr<const SuperLU_analysis> analysis) : m_analysis(std::move(analysis))
   {}
 
   SuperLU_factors(const SuperLU_factors&) = delete;
   SuperLU_factors& operator=(const SuperLU_factors&) = delete;
+
+  ~SuperLU_factors()
+  {
+    keep_lower_factor_only();
+    if(m_lower.Store != nullptr)
+      superlu::Destroy_SuperNode_Matrix(&m_lower);
+  }
 
   static std::shared_ptr<const SuperLU_analysis> analyze(const SuperLU_pattern& a, bool symmetric,
                                                          const SuperLU_options& options)
@@ -84,25 +84,24 @@ public:
     const int panel = largest_panel(width(options.panel_width, is_symmetric() ? 1 : superlu::sp_ienv(1)));
     if(panel == 0 || upper_bound > 0.99 * (std::numeric_limits<int>::max)())
       return false;
-    // two arrays of reals, two of integers, the work arrays, and a dozen vectors
-    const double arrays = 2 * (sizeof(FT) + sizeof(int)) * entries,
-                 bytes = arrays + 2 * work_size(panel) + 64. * size();
-    Upper_arrays& upper = **m_upper_arrays;
-    if(is_symmetric()) {
-      m_lower_arrays->reserve(size(), m_analysis->subscripts() + 1, m_analysis->factor_size());
-      upper.reserve(size(), m_analysis->factor_size());
-    }
     const std::vector<int>& position = m_analysis->permutation();
-    m_lower_arrays->row_permutation = position; // pivots on the diagonal
-    upper.column_begin.resize(size());
-    upper.column_end.resize(size());
+    m_row_permutation = position; // pivots on the diagonal
+    std::vector<int> begin(size()), end(size()), tree = m_analysis->elimination_tree();
     for(int j = 0; j < size(); ++j) {
-      upper.column_begin[position[j]] = a.outerIndexPtr()[j];
-      upper.column_end[position[j]] = a.outerIndexPtr()[j + 1];
+      begin[position[j]] = a.outerIndexPtr()[j];
+      end[position[j]] = a.outerIndexPtr()[j + 1];
     }
-    upper.tree = m_analysis->elimination_tree(); // SuperLU renumbers it temporarily
-    const SuperLU_memory memory(bytes - (is_symmetric() ? arrays : 0) + SuperLU_blas_buffer(bytes));
-    return call_superlu(a, entries, panel);
+    // two arrays of reals, two of integers, the work arrays, and a dozen vectors
+    const double bytes = 2 * (sizeof(FT) + sizeof(int)) * entries + 2 * work_size(panel) + 64. * size();
+    const SuperLU_memory memory(bytes + SuperLU_blas_buffer(bytes));
+    // SuperLU uses the number of entries only for a first guess of the size of the factors.
+    superlu::NCPformat store;
+    store.nnz = static_cast<int>(std::ceil(entries / (std::max)(1, superlu::sp_ienv(6))));
+    store.nzval = const_cast<FT*>(a.valuePtr());
+    store.rowind = const_cast<int*>(a.innerIndexPtr());
+    store.colbeg = begin.data();
+    store.colend = end.data();
+    return call_superlu(store, tree, panel);
   }
 
   // Whether the matrix is definite, with pivots of this sign. The elimination tree of A + A' and diagonal pivots are
@@ -110,7 +109,7 @@ public:
   bool pivots_have_sign(FT sign) const
   {
     for(int i = 0; i < size(); ++i)
-      if(m_lower_arrays->row_permutation[i] != m_analysis->permutation()[i] || !(sign * pivot(i) > 0))
+      if(m_row_permutation[i] != m_analysis->permutation()[i] || !(sign * pivot(i) > 0))
         return false;
     return true;
   }
@@ -139,8 +138,7 @@ public:
     superlu::SuperLUStat_t statistics;
     superlu::StatInit(&statistics);
     const SuperLU_one_blas_thread one_thread;
-    superlu::SuperMatrix lower = matrix(m_lower), upper = matrix(m_upper);
-    Functions::estimate_condition(one_norm, &lower, &upper, norm, &result, &statistics, &info);
+    Functions::estimate_condition(one_norm, &m_lower, &m_upper, norm, &result, &statistics, &info);
     superlu::StatFree(&statistics);
     return info == 0 ? result : 0;
   }
@@ -148,42 +146,35 @@ public:
   // Frees U if the pivots of a symmetric matrix are on the diagonal: L alone then suffices to solve.
   void keep_lower_factor_only()
   {
-    constexpr int many_columns = 20000; // memory matters more then than the time to get it
-    m_upper_arrays.reset();
-    if(!m_is_memory_kept || size() > many_columns)
-      m_memory->upper.clear();
+    if(m_upper.Store != nullptr)
+      superlu::Destroy_CompCol_Matrix(&m_upper);
+    m_upper.Store = nullptr;
   }
 
   // Replaces the columns of `b` by the solutions.
   bool solve(Block b) const
   {
-    if(m_upper_arrays)
+    if(m_upper.Store != nullptr)
       return solve_with_both_factors(b);
     const std::vector<int>& order = m_analysis->permutation();
-    const typename Spare_vectors::Loan vectors(m_memory->vectors);
-    vectors->resize((std::max)(vectors->size(), 2 * static_cast<std::size_t>(size())));
+    const typename Spare_objects<std::vector<FT>>::Loan vectors(m_vectors);
+    vectors->resize(2 * static_cast<std::size_t>(size()));
     FT* const permuted = vectors->data();
     for(Eigen::Index k = 0; k < b.cols(); ++k) {
       FT* const column = b.data() + k * size();
       for(int i = 0; i < size(); ++i)
         permuted[order[i]] = column[i];
-      m_lower_arrays->solve(size(), permuted, permuted + size());
+      lower().solve(permuted, permuted + size());
       for(int i = 0; i < size(); ++i)
         column[i] = permuted[order[i]];
     }
     return true;
   }
 
-  // The supernodes of L
-  int number_of_supernodes() const { return m_lower_arrays->number_of_supernodes(size()); }
-  Supernode<FT> supernode(int s) const { return m_lower_arrays->supernode(s); }
+  SuperLU_lower_factor<FT> lower() const { return SuperLU_lower_factor<FT>(m_lower); }
 
 private:
-  typedef SuperLU_lower_arrays<FT> Lower_arrays;
-  typedef SuperLU_upper_arrays<FT> Upper_arrays;
-  typedef Spare_objects<std::vector<FT>> Spare_vectors;
-
-  FT pivot(int i) const { return m_lower_arrays->pivot(m_analysis->permutation()[i]); }
+  FT pivot(int i) const { return lower().pivot(m_analysis->permutation()[i]); }
 
   // SuperLU has counters for panels and relaxed supernodes up to the larger of two of its parameters. Its work arrays
   // hold supernodes as wide as the larger of two others.
@@ -232,19 +223,11 @@ private:
     return 4. * (static_cast<double>(number) + 1);
   }
 
-  bool call_superlu(const Columns& a, double entries, int width)
+  // `tree` is renumbered temporarily.
+  bool call_superlu(superlu::NCPformat& store, std::vector<int>& tree, int width)
   {
     const int n = size();
-    Upper_arrays& upper_arrays = **m_upper_arrays;
-    // SuperLU uses the number of entries only for a first guess of the size of the factors.
-    superlu::NCPformat store;
-    store.nnz = static_cast<int>(std::ceil(entries / (std::max)(1, superlu::sp_ienv(6))));
-    store.nzval = const_cast<FT*>(a.valuePtr());
-    store.rowind = const_cast<int*>(a.innerIndexPtr());
-    store.colbeg = upper_arrays.column_begin.data();
-    store.colend = upper_arrays.column_end.data();
     superlu::SuperMatrix columns = {superlu::SLU_NCP, Functions::number_type, superlu::SLU_GE, n, n, &store};
-
     superlu::superlu_options_t options;
     superlu::set_default_options(&options);
     options.ColPerm = superlu::MY_PERMC;
@@ -252,62 +235,33 @@ private:
     options.PrintStat = superlu::NO;
     options.SymmetricMode = superlu::YES; // this only means that the tree is not postordered
     options.DiagPivotThresh = is_symmetric() ? 0. : 1.;
-    options.Fact = is_symmetric() ? superlu::SamePattern_SameRowPerm // it fills the arrays that it gets
-                                  : superlu::DOFACT;
 
     superlu::GlobalLU_t growing = superlu::GlobalLU_t();
-    superlu::SuperMatrix lower = {}, upper = {};
-    if(is_symmetric()) {
-      m_lower = m_lower_arrays->pass(growing);
-      m_upper = upper_arrays.pass(growing);
-      lower = matrix(m_lower);
-      upper = matrix(m_upper);
-    }
     superlu::SuperLUStat_t statistics;
     superlu::StatInit(&statistics);
     int info = 0;
     {
       const SuperLU_one_blas_thread one_thread;
-      Functions::factor(&options, &columns, m_analysis->relax(), width, upper_arrays.tree.data(), nullptr, 0,
-                        column_permutation(), m_lower_arrays->row_permutation.data(), &lower, &upper,
-                        &growing, &statistics, &info);
+      Functions::factor(&options, &columns, m_analysis->relax(), width, tree.data(), nullptr, 0,
+                        column_permutation(), m_row_permutation.data(), &m_lower, &m_upper, &growing,
+                        &statistics, &info);
     }
     m_expansions = statistics.expansions;
     superlu::StatFree(&statistics);
-    m_lower_arrays->take(growing, n);
-    upper_arrays.take(growing, n);
-    if(growing.expanders != nullptr) // memory ran out
-      superlu::superlu_free(growing.expanders);
-    if(info > n) // that is what SuperLU says if an allocation failed
+    if(info > n) { // that is what SuperLU says if an allocation failed; there are no factors then
+      for(void* array : std::initializer_list<void*>{growing.xsup, growing.supno, growing.lsub, growing.xlsub,
+                                                     growing.lusup, growing.xlusup, growing.ucol,
+                                                     growing.usub, growing.xusub, growing.expanders})
+        if(array != nullptr)
+          superlu::superlu_free(array);
       throw std::bad_alloc();
-    if(!is_symmetric()) { // SuperLU has allocated the stores
-      m_lower = *static_cast<superlu::SCformat*>(lower.Store);
-      m_upper = *static_cast<superlu::NCformat*>(upper.Store);
-      superlu::superlu_free(lower.Store);
-      superlu::superlu_free(upper.Store);
     }
-    m_nonzeros = static_cast<std::size_t>(m_lower.nnz) + m_upper.nnz - n;
+    m_nonzeros = static_cast<std::size_t>(static_cast<superlu::SCformat*>(m_lower.Store)->nnz) +
+                 static_cast<superlu::NCformat*>(m_upper.Store)->nnz - n;
     return info == 0;
   }
 
-  // SuperLU's interface is not const-correct
-  superlu::SuperMatrix matrix(const superlu::SCformat& store) const
-  {
-    return {superlu::SLU_SC,
-            Functions::number_type,
-            superlu::SLU_TRLU,
-            size(),
-            size(),
-            const_cast<superlu::SCformat*>(&store)};
-  }
-
-  superlu::SuperMatrix matrix(const superlu::NCformat& store) const
-  {
-    return {superlu::SLU_NC,  Functions::number_type,
-            superlu::SLU_TRU, size(),
-            size(),           const_cast<superlu::NCformat*>(&store)};
-  }
-
+  // SuperLU's interface is not const-correct, hence `mutable` factors, too.
   int* column_permutation() const { return const_cast<int*>(m_analysis->permutation().data()); }
 
   bool solve_with_both_factors(Block b) const
@@ -321,20 +275,17 @@ private:
     superlu::StatInit(&statistics);
     int info = 0;
     const SuperLU_one_blas_thread one_thread;
-    superlu::SuperMatrix lower = matrix(m_lower), upper = matrix(m_upper);
-    Functions::solve(superlu::NOTRANS, &lower, &upper, column_permutation(),
-                     m_lower_arrays->row_permutation.data(), &right_side, &statistics, &info);
+    std::vector<int>& rows = const_cast<std::vector<int>&>(m_row_permutation);
+    Functions::solve(superlu::NOTRANS, &m_lower, &m_upper, column_permutation(), rows.data(), &right_side,
+                     &statistics, &info);
     superlu::StatFree(&statistics);
     return info == 0;
   }
 
   std::shared_ptr<const SuperLU_analysis> m_analysis;
-  bool m_is_memory_kept;
-  std::shared_ptr<Spare_memory> m_memory;
-  typename Spare_objects<Lower_arrays>::Loan m_lower_arrays;
-  std::optional<typename Spare_objects<Upper_arrays>::Loan> m_upper_arrays; // if the upper factor is needed
-  superlu::SCformat m_lower;                                                // the factors in these arrays
-  superlu::NCformat m_upper;
+  std::vector<int> m_row_permutation;
+  mutable superlu::SuperMatrix m_lower = {}, m_upper = {};
+  mutable Spare_objects<std::vector<FT>> m_vectors; // several threads may solve at once
   std::size_t m_nonzeros = 0;
   int m_expansions = 0;
 };

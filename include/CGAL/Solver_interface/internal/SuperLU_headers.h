@@ -142,9 +142,10 @@ namespace superlu {
 #ifndef CGAL_SUPERLU_TYPES_ARE_HIDDEN
 using ::SuperMatrix; using ::NCformat; using ::NCPformat; using ::SCformat; using ::DNformat; using ::superlu_options_t;
 using ::SuperLUStat_t; using ::GlobalLU_t; using ::SLU_NC; using ::SLU_NCP; using ::SLU_SC; using ::SLU_DN;
-using ::Dtype_t; using ::SLU_S; using ::SLU_D; using ::SLU_GE; using ::SLU_TRLU; using ::SLU_TRU; using ::DOFACT;
-using ::NO; using ::YES; using ::MY_PERMC; using ::SamePattern_SameRowPerm; using ::NOTRANS; using ::sp_ienv;
+using ::Dtype_t; using ::SLU_S; using ::SLU_D; using ::SLU_GE; using ::SLU_TRLU; using ::SLU_TRU;
+using ::NO; using ::YES; using ::MY_PERMC; using ::NOTRANS; using ::sp_ienv;
 using ::set_default_options; using ::StatInit; using ::StatFree; using ::superlu_malloc; using ::superlu_free;
+using ::Destroy_SuperNode_Matrix; using ::Destroy_CompCol_Matrix;
 #endif
 
 static_assert(sizeof(int_t) == sizeof(int), "SuperLU_solver_traits needs a SuperLU with 32 bit indices");

@@ -23,14 +23,6 @@ struct Default_solver_traits
 {
 #ifdef CGAL_SUPERLU_ENABLED
   typedef SuperLU_solver_traits<> type;
-
-  // Factorizations of one call have arrays in common.
-  static type with_memory()
-  {
-    SuperLU_options options;
-    options.keep_memory = true;
-    return type(options);
-  }
 #else
   static_assert(
       std::is_void<User>::value,
@@ -46,7 +38,7 @@ Linear_solvers linear_solvers(const NamedParameters& np)
   typedef internal_np::sparse_linear_solver_t Parameter;
   if constexpr(parameters::is_default_parameter<NamedParameters, Parameter>::value) {
     (void)np;
-    return Linear_solvers(Default_solver_traits<NamedParameters>::with_memory());
+    return Linear_solvers(typename Default_solver_traits<NamedParameters>::type());
   } else {
     return Linear_solvers(parameters::get_parameter(np, internal_np::sparse_linear_solver));
   }
