@@ -10,7 +10,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Texture_atlas/Baked_textures.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/wrong_option.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 

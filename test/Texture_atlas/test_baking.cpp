@@ -78,8 +78,8 @@ struct Baked_sphere
         simple, no_seams(simple), uv, chart,
         few_charts(&TA::Atlas_options::resolution, resolution, &TA::Atlas_options::stretch_bound, 1.05)));
     textures = TA::bake_surface(simple, uv, fine, frames,
-                                 with<Baking_options>(&Baking_options::resolution, resolution),
-                                 np::face_patch_map(chart));
+                                with<Baking_options>(&Baking_options::resolution, resolution),
+                                np::face_patch_map(chart));
     BOOST_REQUIRE(textures);
   }
 
@@ -367,8 +367,8 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
   std::mt19937 random(5);
   Baked_sphere sphere;
   BOOST_REQUIRE(TA::make_atlas(sphere.simple, no_seams(sphere.simple), sphere.uv, sphere.chart,
-                                few_charts(&TA::Atlas_options::resolution, n, &TA::Atlas_options::gutter,
-                                           gutter, &TA::Atlas_options::separate_overlaps, true)));
+                               few_charts(&TA::Atlas_options::resolution, n, &TA::Atlas_options::gutter,
+                                          gutter, &TA::Atlas_options::separate_overlaps, true)));
   const auto color = sphere.fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : sphere.fine.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(random() % 256), 0, 0);

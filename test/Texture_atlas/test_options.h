@@ -32,7 +32,7 @@ Options with(Member Class::*member, const Value& value, const Others&... others)
 
 // The same, with other values of members
 template <typename... Members>
-CGAL::Surface_mesh_parameterization::Atlas_options few_charts(const Members&... members)
+CGAL::Texture_atlas::Atlas_options few_charts(const Members&... members)
 {
   return with<Few_charts>(members...);
 }

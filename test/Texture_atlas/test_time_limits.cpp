@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(slow_solvers)
        SMP::Report(
            TA::flatten_with_cones(scene.mesh, 4, scene.seams, scene.corner_uv, cones(short_time), slow)),
        SMP::Report(TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts,
-                                   limited<Few_charts>(short_time), slow))}) {
+                                  limited<Few_charts>(short_time), slow))}) {
     BOOST_TEST(report.status == SMP::Diagnosis::TIMED_OUT);
     BOOST_TEST((scene.state() == scene.before));
   }

@@ -43,8 +43,7 @@ public:
   {}
 
   // The corners are in texels.
-  void draw(const std::array<CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point, 3>& corners,
-            const int chart)
+  void draw(const std::array<CGAL::Texture_atlas::internal::Planar_point, 3>& corners, const int chart)
   {
     std::array<unsigned char, 4> color = {0, 0, 0, 255};
     const Color light = light_color_of_chart(chart);
@@ -103,17 +102,16 @@ inline void write_chart_images(const Command_line& command, const Mesh& mesh, co
       faces_of_pages[static_cast<std::size_t>(report.charts[chart].page)].push_back(f);
     }
   }
-  const SMP::internal::ABF::Planar_point size(command.atlas.resolution, command.atlas.number_of_rows());
+  const CGAL::Texture_atlas::internal::Planar_point size(command.atlas.resolution,
+                                                         command.atlas.number_of_rows());
   for(std::size_t i = 0; i < faces_of_pages.size(); ++i) {
-    const auto page = SMP::internal::ABF::corner_of_page(static_cast<int>(i));
+    const auto page = CGAL::Texture_atlas::internal::corner_of_page(static_cast<int>(i));
     internal::Chart_image image(command.atlas.resolution, command.atlas.number_of_rows());
     for(const Face f : faces_of_pages[i]) {
-      std::array<CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point, 3> corners;
+      std::array<CGAL::Texture_atlas::internal::Planar_point, 3> corners;
       Halfedge h = mesh.halfedge(f);
       for(auto& corner : corners) {
-        corner = (CGAL::Surface_mesh_parameterization::internal::ABF::Planar_point(atlas.uv[h].x(),
-                                                                                   atlas.uv[h].y()) -
-                  page)
+        corner = (CGAL::Texture_atlas::internal::Planar_point(atlas.uv[h].x(), atlas.uv[h].y()) - page)
                      .cwiseProduct(size);
         h = mesh.next(h);
       }

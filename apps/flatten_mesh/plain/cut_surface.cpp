@@ -12,7 +12,7 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/atlas/reduce_stretch.h>
+#include <CGAL/Texture_atlas/internal/atlas/reduce_stretch.h>
 #include <CGAL/Texture_atlas/is_disk_cut.h>
 #include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Texture_atlas/select_seams.h>
@@ -170,7 +170,7 @@ void choose_seams(const Command_line& command, Atlas_input& input, Seamed_compon
 
 namespace {
 
-namespace ABF = SMP::internal::ABF;
+namespace ABF = CGAL::Texture_atlas::internal;
 
 Flat_sheet flatten_once(const Command_line& command, Mesh& input, const Seamed_component& component,
                         Progress& progress)
@@ -192,19 +192,19 @@ public:
 
   void run()
   {
-    const auto rounds = TA::internal::add_seams_in_rounds(
+    const auto rounds = ABF::add_seams_in_rounds(
         m_record.stretch_bound, [this] { return m_flat.flattening.scale_stretch; },
-        [this](const TA::internal::Stretch_criterion criterion, const std::size_t count) {
+        [this](const ABF::Stretch_criterion criterion, const std::size_t count) {
           improve(criterion, count);
         });
     m_record.rounds = rounds.all;
   }
 
 private:
-  void improve(const TA::internal::Stretch_criterion criterion, const std::size_t count)
+  void improve(const ABF::Stretch_criterion criterion, const std::size_t count)
   {
     const Mesh& mesh = m_component.part.mesh;
-    if(criterion == TA::internal::Stretch_criterion::LOG_SCALE) {
+    if(criterion == ABF::Stretch_criterion::LOG_SCALE) {
       m_progress.round(m_flat.flattening.scale_stretch);
     }
     std::vector<bool> before;
@@ -215,8 +215,8 @@ private:
       return m_flat.flattening.uv[m_flat.sheet.cut->copies[h.idx()]];
     };
     const std::size_t added =
-        TA::internal::add_terminals(mesh, uv, m_component.seams, criterion, count,
-                                    CGAL::parameters::edge_is_constrained_map(m_component.forbidden));
+        ABF::add_terminals(mesh, uv, m_component.seams, criterion, count,
+                           CGAL::parameters::edge_is_constrained_map(m_component.forbidden));
     if(added == 0) {
       return;
     }
@@ -268,7 +268,7 @@ Flat_sheet flatten_along_seams(const Command_line& command, Mesh& input, Seamed_
   if(flat.flattening.succeeded()) {
     record.scale_stretch = flat.flattening.scale_stretch;
     if(has_bound) {
-      record.bound_reached = !TA::internal::misses_stretch_bound(record.scale_stretch, record.stretch_bound);
+      record.bound_reached = !ABF::misses_stretch_bound(record.scale_stretch, record.stretch_bound);
     }
   }
   return flat;

@@ -24,7 +24,7 @@ namespace flatten_mesh {
 
 namespace internal {
 
-namespace ABF = CGAL::Surface_mesh_parameterization::internal::ABF;
+namespace ABF = CGAL::Texture_atlas::internal;
 
 using Planar_points = std::vector<ABF::Chart::Point_2>; // by the number of the vertex in the mesh
 
@@ -46,11 +46,11 @@ inline void move_to(const Planar_points& points, const Sheet& sheet, Flattening&
 }
 
 // The triangles of a sheet. Its vertices have the numbers that they have in the mesh.
-inline TA::internal::Divided_polygons divided_polygons(const Sheet& sheet)
+inline internal::ABF::Divided_polygons divided_polygons(const Sheet& sheet)
 {
   const Mesh& mesh = sheet.mesh();
   const Edge_marks is_diagonal = diagonals(*sheet.input);
-  TA::internal::Divided_polygons table;
+  internal::ABF::Divided_polygons table;
   std::vector<int> corner(mesh.number_of_halfedges(), -1); // that faces each halfedge
   for(const Face f : sheet.faces) {
     for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
