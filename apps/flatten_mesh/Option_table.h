@@ -101,8 +101,9 @@ public:
   void of_library(const std::string& member, const std::string& placeholder, const std::string& more,
                   Options& options, Others&... others)
   {
-    abf::visit_options(options, [&](const std::string& name, auto& value, const auto& values,
-                                    const std::string& help) {
+    using abf::visit_options; // of parameterizers; others are found by their argument
+    visit_options(options, [&](const std::string& name, auto& value, const auto& values,
+                               const std::string& help) {
       if(name == member) {
         using Described = std::conditional_t<std::is_base_of_v<TA::Atlas_options, Options>, TA::Atlas_options,
                                              Options>; // their defaults depend on a purpose
@@ -220,12 +221,12 @@ private:
   {
     m_steps.push_back([flag = last_name(), member, &options](const Values& given) {
       if(is_given(given, flag)) {
-        abf::visit_options(options,
-                           [&](const std::string& name, auto& value, const auto& values, const char*) {
-                             if(name == member) {
-                               set(flag, given[flag], value, values);
-                             }
-                           });
+        using abf::visit_options; // of parameterizers; others are found by their argument
+        visit_options(options, [&](const std::string& name, auto& value, const auto& values, const char*) {
+          if(name == member) {
+            set(flag, given[flag], value, values);
+          }
+        });
       }
     });
   }

@@ -97,7 +97,8 @@ template <class Options>
 void take_options(const py::dict& given, const std::string& owner, Options& options)
 {
   std::set<std::string> known;
-  abf::visit_options(options, [&](const std::string& name, auto& member, const auto& values, const char*) {
+  using abf::visit_options; // of parameterizers; others are found by their argument
+  visit_options(options, [&](const std::string& name, auto& member, const auto& values, const char*) {
     if(has_keyword(name) && given.contains(name)) {
       known.insert(name);
       if(!given[name.c_str()].is_none()) {
@@ -119,7 +120,8 @@ py::list rows_of_options()
 {
   py::list rows;
   Options options;
-  abf::visit_options(
+  using abf::visit_options; // of parameterizers; others are found by their argument
+  visit_options(
       options, [&](const std::string& name, auto& member, const auto& values, const char* const help) {
         using Values = std::decay_t<decltype(values)>;
         using Number = typename decltype(std::optional(member))::value_type;

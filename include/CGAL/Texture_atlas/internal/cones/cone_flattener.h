@@ -70,7 +70,7 @@ public:
   {
     const Report end = run_bounded(m_options.time_limit, [&] { compute(number_of_cones); });
     if(!end) {
-      fail(m_result.map, end.status, end.message);
+      internal::fail(m_result.map, end.status, end.message);
       static_cast<Report&>(m_result) = end;
     }
     m_result.map.peak_memory = peak_resident_size();
@@ -169,7 +169,7 @@ private:
     if(!defect && !are_free() && chart.equal_seams)
       defect = set_angle_sums(sums_at_seams(chart), chart);
     if(defect) {
-      fail(m_result.map, defect.status, defect.message);
+      internal::fail(m_result.map, defect.status, defect.message);
       name_offenders(chart, defect.vertices, defect.triangles);
     }
     return chart;
