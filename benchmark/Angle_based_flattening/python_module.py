@@ -22,7 +22,7 @@ import numpy as np  # noqa: E402
 from side_by_side import head, row, run  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path += [str(ROOT / "test/python"), str(ROOT / "examples/python")]
+sys.path += [str(ROOT / "test/python"), str(ROOT / "examples/Angle_based_flattening/python")]
 import meshes  # noqa: E402
 import program  # noqa: E402
 

@@ -285,7 +285,9 @@ BOOST_AUTO_TEST_CASE(a_descent_ends_where_the_energy_does_not_fall_any_more)
       const abf::Area_objective objective(chart, area_weight);
       abf::Injective_descent<abf::Area_objective> descent(chart, objective, 0.1, solvers);
       BOOST_TEST(descent.run(uv, {1e-3, 200}));
-      BOOST_TEST(descent.steps() < 100);
+      // The second chart takes 31 or 32 steps with each kernel of OpenBLAS that was tried, and 73 to 91 if the descent
+      // goes on where the energy falls no more. How many the others take depends on the kernel.
+      BOOST_TEST(descent.steps() < (roughness == 0.5 && area_weight == 0.2 ? 50 : 200));
       std::vector<Point_2> points;
       for(const Planar_point& p : uv)
         points.emplace_back(p.x(), p.y());

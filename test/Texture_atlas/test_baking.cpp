@@ -603,7 +603,7 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
           Diagnosis::WRONG_OPTION, std::to_string(gutter));
   for(const double distance : {0., -1., nan, infinity})
     check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::ray_length, distance)),
-          Diagnosis::WRONG_OPTION, "ray length");
+          Diagnosis::WRONG_OPTION, "ray_length");
   check(TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::threads, -1)),
         Diagnosis::WRONG_OPTION, "threads");
 }

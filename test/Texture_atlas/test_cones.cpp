@@ -724,7 +724,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_map)
         "equal lengths");
   options.equal_seam_lengths.reset();
   options.tolerance = -1;
-  check(8, with<Cone_options>(&Cone_options::parameterizer, options), MAP, Diagnosis::WRONG_OPTION,
+  check(8, with<Cone_options>(&Cone_options::parameterizer, options), CONES, Diagnosis::WRONG_OPTION,
         "tolerance");
 }
 

@@ -59,7 +59,7 @@ class Compare_results(Program_case):
             report["atlas"]["charts"].pop()
             file.write_text(json.dumps(report))
 
-        self.assertIn("only in", self.change("plain/o.svg", Path.unlink))
+        self.assertIn("only in", self.change("plain/o.selection.txt", Path.unlink))
         self.assertIn("a number", self.change("texture/o.obj", scaled))
         self.assertIn("a number", self.change("texture/status.txt", lambda f: f.write_text("1" + f.read_text()[1:])))
         self.assertIn("words", self.change("texture/status.txt", lambda f: f.write_text(f.read_text() + "note")))

@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_two_sets)
   run(quoted(input) + " " + quoted(plain) + " --one-atlas --uv-set 1 --output " + quoted(file("flat%.glb")));
   check_refusal({quoted(plain), "it has none"});
   run(quoted(input) + " --uv-set 2 --output " + glb);
-  check_refusal({"--uv-set takes 0 or 1"});
+  check_refusal({"--uv-set is 2, and must be from 0 to 1"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
