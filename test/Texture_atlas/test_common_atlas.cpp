@@ -169,9 +169,9 @@ BOOST_AUTO_TEST_CASE(sizes_in_proportion)
     all.add(mesh);
   }
   all.add_maps(1000000);
-  const Atlas_report one = atlas_check::TA::make_atlas(
-      all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined), Meshes::charts_of(all.joined),
-      few_charts());
+  const Atlas_report one =
+      atlas_check::TA::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
+                                  Meshes::charts_of(all.joined), few_charts());
   all.check_same(one, all.make());
 }
 
