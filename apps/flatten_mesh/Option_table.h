@@ -30,6 +30,7 @@ namespace internal {
 
 namespace po = boost::program_options;
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 namespace abf = CGAL::Texture_atlas::internal;
 
 using Values = po::variables_map;
