@@ -383,6 +383,7 @@ private:
   std::shared_ptr<const Columns> m_transposed; // of the matrix of the normal equation
   bool m_ordering_reused = false;
 
+#ifndef DOXYGEN_RUNNING
   // Solving is a constant operation, which several threads may call.
   struct Flag
   {
@@ -396,11 +397,11 @@ private:
     mutable std::atomic<bool> value{false};
   };
   Flag m_lacks_memory;
+#endif
 };
 
 #ifndef DOXYGEN_RUNNING
 } // namespace CGAL_SUPERLU_TYPES
-#endif
 
 template <class FT>
 struct Solver_traits_factory<SuperLU_solver_traits<FT>>
@@ -408,6 +409,7 @@ struct Solver_traits_factory<SuperLU_solver_traits<FT>>
   static constexpr bool keeps_matrix = false;
   static SuperLU_solver_traits<FT> create(const SuperLU_solver_traits<FT>& traits) { return traits; }
 };
+#endif
 
 #ifdef CGAL_SUPERLU_HAS_SINGLE_PRECISION
 template <>
