@@ -63,7 +63,7 @@ struct Grid
   {
     const auto vpmap = mesh.add_property_map<Mesh::Vertex_index, bool>("v:parameterized", false).first;
     for(const Mesh::Vertex_index v : mesh.vertices())
-      vpmap[v] = false;
+      vpmap[v] = false; // a mesh may be flattened twice
     parameterizer.parameterize(mesh, border, uv, get(boost::vertex_index, mesh), vpmap);
     return parameterizer.report();
   }

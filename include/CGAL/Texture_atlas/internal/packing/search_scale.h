@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The search for the largest scale at which all charts find a place, with coarse cells first and finer ones later.
-// `pack_impl.h` runs it. There is no guarantee that smaller scales fit too, so it climbs on after bisection.
+// `pack_impl.h` runs it. There is no guarantee that smaller scales fit too, so larger ones are tried after bisection.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_PACKING_SEARCH_SCALE_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_PACKING_SEARCH_SCALE_H
@@ -57,8 +57,8 @@ public:
       m_cell = cell;
       if(!m_found.empty()) {
         keep_best_rules();
-        climb(0, m_rules.size(), precision - 1);
-      } else if(const std::size_t tried = m_wanted > 0 ? climb_from_wanted() : bisect_usual(); tried > 0)
+        increase(0, m_rules.size(), precision - 1);
+      } else if(const std::size_t tried = m_wanted > 0 ? increase_from_wanted() : bisect_usual(); tried > 0)
         try_rules_from(tried);
     }
     if(m_found.empty())
@@ -89,7 +89,7 @@ private:
     const std::size_t rules = (std::min)(rules_at_once, m_rules.size());
     double scale = (std::max)(m_charts.scale_of_needed_share(usual_share), m_least);
     if(attempt(scale, 0, rules)) {
-      climb(0, rules, first_step);
+      increase(0, rules, first_step);
       return rules;
     }
     for(double step = first_step; scale > m_least; step *= 2) {
@@ -104,12 +104,12 @@ private:
   }
 
   // The same for scales that are large enough. Rules that do not fit at the wanted scale are not tried at larger ones.
-  std::size_t climb_from_wanted()
+  std::size_t increase_from_wanted()
   {
     if(!attempt(m_wanted, 0, m_rules.size()))
       return 0;
     const std::size_t first = m_found.front().rule, end = (std::min)(first + rules_at_once, m_rules.size());
-    climb(first, end, precision - 1);
+    increase(first, end, precision - 1);
     return end;
   }
 
@@ -133,7 +133,7 @@ private:
   }
 
   // From the scale for which there are places already
-  void climb(std::size_t begin, std::size_t end, double step)
+  void increase(std::size_t begin, std::size_t end, double step)
   {
     for(m_above = (1 + step) * m_scale; attempt(m_above, begin, end); m_above = (1 + step) * m_scale)
       step *= 2;
