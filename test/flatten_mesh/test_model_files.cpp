@@ -351,6 +351,23 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_no_numbers)
   }
 }
 
+// A file of CGAL's has comments right behind the colours of points.
+BOOST_AUTO_TEST_CASE(comments_need_no_blank_before_them)
+{
+  for(const std::string comment : {" # red", "#red", "#red 7", "#1"}) {
+    const Model off =
+        read("comments.off", "COFF\n3 1 0\n0 0 0 0.5 0 1.0" + comment + "\n1 0 0 0 0.5 0\n0 1 0 0 0 0.5" +
+                                 comment + "\n3 0 1 2" + comment + "\n");
+    BOOST_TEST(off.number_of_polygons() == 1u);
+    BOOST_TEST((off.colors[0] == Point_color{0.5, 0, 1, 1}));
+    BOOST_TEST((off.colors[2] == Point_color{0, 0, 0.5, 1}));
+    const Model obj = read("comments.obj", "v 0 0 0" + comment + "\nv 1 0 0\nv 0 1 2" + comment +
+                                               "\nf 1 2 3" + comment + "\n");
+    BOOST_TEST(obj.number_of_polygons() == 1u);
+    BOOST_TEST((obj.points[2] == Kernel::Point_3(0, 1, 2)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(lines_end_as_on_any_system)
 {
   const std::string text = std::string(square) + "f 1 2 \\\n3\nf 1 3 4\n";

@@ -56,17 +56,19 @@ public:
 
   void skip_rest() { m_position = static_cast<std::ptrdiff_t>(m_line.size()); }
 
-  // Empty at the end of the line, or where a comment begins
+  // Empty at the end of the line, or where a comment begins. A comment may follow a word without a blank.
   std::string_view word()
   {
     const auto begin = std::find_if_not(m_line.begin() + m_position, m_line.end(), is_blank);
-    const auto end = std::find_if(begin, m_line.end(), is_blank);
+    auto end = std::find_if(begin, m_line.end(), is_blank);
     m_position = end - m_line.begin();
-    if(begin == end || *begin == '#') {
+    const auto comment = std::find(begin, end, '#');
+    if(comment != end && (comment == begin || *(comment - 1) != '.')) { // "1.#QNAN" is no comment
+      end = comment;
       skip_rest();
-      return {};
     }
-    return {&*begin, static_cast<std::size_t>(end - begin)};
+    return begin == end ? std::string_view()
+                        : std::string_view(&*begin, static_cast<std::size_t>(end - begin));
   }
 
   // The next word, in whatever line. Empty at the end of the text

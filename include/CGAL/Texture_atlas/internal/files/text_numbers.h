@@ -39,7 +39,7 @@ inline bool read_number(std::string_view word, double& number)
     return false;
   }
   const std::string_view rest(result.ptr, static_cast<std::size_t>(end - result.ptr));
-  if(rest.size() > 1 && rest[0] == '#' && (rest[1] < '0' || rest[1] > '9')) { // as Windows writes it
+  if(rest.size() > 1 && rest[0] == '#' && *(result.ptr - 1) == '.') { // as Windows writes it
     number = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
