@@ -8,9 +8,10 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Json.h"
-#include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,6 +22,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

@@ -6,6 +6,8 @@
 #ifndef FLATTEN_MESH_TEXTS_H
 #define FLATTEN_MESH_TEXTS_H
 
+#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
+
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
@@ -16,17 +18,7 @@
 
 namespace flatten_mesh {
 
-// An error that the user has to correct, in the command line or in a file. The text is one line that names the error
-// and the remedy. The program ends with status 2.
-struct Input_error : public std::runtime_error
-{
-  std::vector<std::size_t> faces, vertices; // of the file, from 0, that the text names
-
-  Input_error(const std::string& text, std::vector<std::size_t> faces = {},
-              std::vector<std::size_t> vertices = {})
-      : std::runtime_error(text), faces(std::move(faces)), vertices(std::move(vertices))
-  {}
-};
+using namespace CGAL::Texture_atlas::internal::prepare; // what makes surfaces of soups
 
 struct Usage_error : public Input_error
 {
@@ -52,24 +44,6 @@ struct Precision_exceeded : public std::runtime_error
 
 const char* const memory_text =
     "not enough memory for this mesh; simplify it or use a machine with more memory";
-
-// Vertices and faces counted from 1, as in OBJ files.
-inline std::string vertex_name(const std::size_t index)
-{
-  return "vertex " + std::to_string(index + 1);
-}
-
-inline std::string face_name(const std::size_t index)
-{
-  return "face " + std::to_string(index + 1);
-}
-
-// A count with its noun: "1 border", "3 borders".
-inline std::string count_text(const std::size_t count, const std::string& noun,
-                              const std::string& plural = "")
-{
-  return std::to_string(count) + " " + (count == 1 ? noun : plural.empty() ? noun + "s" : plural);
-}
 
 // A number for people, as `printf` formats it.
 inline std::string format_number(const char* format, const double number)

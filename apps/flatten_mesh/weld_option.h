@@ -9,7 +9,8 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/Gltf_options.h"
-#include "flatten_mesh/model/Welding.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Welding.h>
 
 #include <charconv>
 #include <cmath>
@@ -18,6 +19,8 @@
 #include <system_error>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // The distance that `--weld` gives, if it is a number that can be one
 inline std::optional<double> weld_tolerance(const std::string& text)

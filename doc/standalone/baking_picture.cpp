@@ -8,7 +8,6 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/bake/simplify_input.h"
 #include "flatten_mesh/model/read_model.h"
@@ -19,6 +18,7 @@
 #include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Texture_atlas/bake_surface.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <algorithm>
@@ -36,6 +36,8 @@
 
 namespace flatten_mesh {
 
+using namespace CGAL::Texture_atlas::internal::prepare;
+
 namespace {
 
 using Vector = Kernel::Vector_3;
@@ -45,7 +47,7 @@ constexpr int texels = 1024;
 Mesh read_surface(const std::string& file, const std::size_t triangles)
 {
   Command_line command;
-  Notes notes(command);
+  Notes notes = notes_of(command);
   Atlas_input input = atlas_input_of(read_model(file, Degenerate_faces::KEPT, notes), true, notes);
   if(triangles > 0) {
     simplify_input(triangles, input, notes);

@@ -11,10 +11,10 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
-#include "flatten_mesh/model/model_seams.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Texture_atlas/internal/prepare/model_seams.h>
 
 #include <cmath>
 #include <exception>
@@ -114,7 +114,7 @@ std::string picture_of(const std::vector<Request>& requests, const Layout& layou
     const Request& request = requests[static_cast<std::size_t>(i)];
     Command_line command;
     command.quiet = true;
-    Notes notes(command);
+    Notes notes = notes_of(command);
     Atlas_input input = atlas_input_of(read_model(request.file, Degenerate_faces::KEPT, notes), true, notes);
     const Textured_surface surface = textured_atlas(input.mesh, atlas_in_file(input));
     const double side = side_of_squares(surface, squares);

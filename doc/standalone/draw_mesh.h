@@ -8,12 +8,12 @@
 
 #include "flatten_mesh/pictures/Canvas.h"
 #include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/pictures/draw_checkerboard.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
+#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <cstddef>
 #include <vector>

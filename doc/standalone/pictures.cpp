@@ -10,27 +10,27 @@
 
 #include "flatten_mesh/pictures/Canvas.h"
 #include "flatten_mesh/pictures/Distortion_scale.h"
-#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 #include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/Texture_atlas/make_seam_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Texture_atlas/overlapping_faces.h>
 #include <CGAL/Texture_atlas/pack_charts.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Texture_atlas/seam_selection.h>
 #include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Texture_atlas/split_overlaps.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,6 @@
 #include "flatten_mesh/atlas/Recorded_atlas.h"
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
-#include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/face_options.h"
 #include "flatten_mesh/page_options.h"
@@ -24,6 +23,7 @@
 #include "flatten_mesh/weld_option.h"
 
 #include <CGAL/Texture_atlas/Atlas_options.h>
+#include <CGAL/Texture_atlas/internal/prepare/texture_of_atlas.h>
 
 #include <pybind11/stl.h>
 
@@ -182,7 +182,7 @@ Result make_atlases(const Command_line& command, std::vector<Model>&& models,
 {
   return with_failures([&] {
     Atlas_watcher watcher(state);
-    Notes notes(command);
+    Notes notes = notes_of(command);
     Atlas_input input = input_of(std::move(models), command, notes);
     if(input.joined.empty()) {
       mark_edges(seams.front(), "", input);

@@ -10,7 +10,8 @@
 #include "models.h"
 
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/model/Edge_marks.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
 
 #include <algorithm>
 #include <cstddef>

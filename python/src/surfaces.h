@@ -77,7 +77,7 @@ inline Surface surface_of(Model&& model)
   return with_failures([&model] {
     flatten_mesh::Command_line quiet;
     quiet.quiet = true;
-    flatten_mesh::Notes notes(quiet);
+    flatten_mesh::Notes notes = notes_of(quiet);
     const std::vector<std::int64_t> non_finite = non_finite_vertices(model);
     Surface surface =
         flatten_mesh::atlas_input_of(std::move(model), false, notes, {flatten_mesh::Welding::NONE, 0});

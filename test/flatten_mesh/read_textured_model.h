@@ -35,7 +35,7 @@ inline std::vector<Textured_face> read_textured(const std::string& file)
   using namespace flatten_mesh;
   Command_line command;
   command.quiet = true;
-  Notes notes(command);
+  Notes notes = notes_of(command);
   const Model model = read_model(file, Degenerate_faces::KEPT, notes);
   std::vector<Textured_face> faces;
   for(Index p = 0; p < model.number_of_polygons(); ++p) {

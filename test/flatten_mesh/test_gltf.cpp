@@ -87,7 +87,7 @@ struct Files : Temporary_folder
   }
 
   Command_line command;
-  Notes notes = Notes(command);
+  Notes notes = notes_of(command);
 };
 
 using Triangle = std::set<std::vector<float>>;

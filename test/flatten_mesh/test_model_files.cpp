@@ -11,10 +11,8 @@
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/Json.h"
-#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/model/color_spaces.h"
 #include "flatten_mesh/model/divide_polygons.h"
-#include "flatten_mesh/model/model_seams.h"
 #include "flatten_mesh/model/read_model.h"
 #include "flatten_mesh/model/write_model.h"
 
@@ -27,6 +25,8 @@
 #endif
 
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
+#include <CGAL/Texture_atlas/internal/prepare/model_seams.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/test/unit_test.hpp>
@@ -86,7 +86,7 @@ struct Files : Temporary_folder
   }
 
   Command_line command;
-  Notes notes = Notes(command);
+  Notes notes = notes_of(command);
 };
 
 std::vector<double> numbers(const Kernel::Point_3& point)

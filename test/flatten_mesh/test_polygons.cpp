@@ -10,10 +10,11 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
 #include "flatten_mesh/model/read_model.h"
-#include "flatten_mesh/model/triangulate_polygon.h"
 
 #include "random_polygons.h"
 #include "run_flatten_mesh.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/triangulate_polygon.h>
 
 #include <algorithm>
 #include <array>
@@ -163,7 +164,7 @@ struct Program : public Folder
   }
 
   Command_line command;
-  Notes notes = Notes(command);
+  Notes notes = notes_of(command);
 };
 
 // The number that a note names, as in "3 polygons divided" and "3 divided"
@@ -331,7 +332,7 @@ BOOST_AUTO_TEST_CASE(all_polygons_of_a_model_have_their_triangles)
   }
   Command_line command;
   command.quiet = true;
-  Notes notes(command);
+  Notes notes = notes_of(command);
   const Model model = model_of(polygons);
   const Atlas_input input = atlas_input_of(model, false, notes);
   BOOST_TEST(input.set_aside.empty());

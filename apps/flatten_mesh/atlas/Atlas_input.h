@@ -8,29 +8,26 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Face_choice.h"
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Polygon_soup.h"
-#include "flatten_mesh/model/Skipped_part.h"
-#include "flatten_mesh/model/Welding.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
 
+using namespace CGAL::Texture_atlas::internal::prepare;
+
 struct Joined_model;
 
 // The input of an atlas: a model, or several models
-struct Atlas_input
+struct Atlas_input : public Prepared_surface
 {
   Model model;
-  Mesh mesh; // without what is set aside; empty if nothing remains
-  Corner_origins origins;
-  std::vector<Skipped_part> set_aside;
-  std::size_t left_out = 0;         // the number of faces of the file that are not to be flattened
   std::vector<Joined_model> joined; // several models, whose meshes follow one another in `mesh`; or empty
 };
 
@@ -43,8 +40,16 @@ struct Joined_model
 };
 
 // Throws an `Input_error` if the model is wrong as a whole.
-Atlas_input atlas_input_of(Model model, bool repair, Notes& notes, const Welding& welding = Welding(),
-                           const Face_choice& choice = Face_choice());
+inline Atlas_input atlas_input_of(Model model, const bool repair, Notes& notes,
+                                  const Welding& welding = Welding(),
+                                  const Face_choice& choice = Face_choice())
+{
+  Atlas_input input;
+  static_cast<Prepared_surface&>(input) =
+      prepare_surface(model, {repair, welding, left_out_polygons(choice, model)}, notes);
+  input.model = std::move(model);
+  return input;
+}
 
 // Throws an `Input_error` if the file cannot be read, or is wrong as a whole. Whether there are the names that the
 // command gives is not checked.
@@ -72,7 +77,6 @@ inline std::size_t face_in_file(const Atlas_input& input, const Face f)
 } // namespace flatten_mesh
 
 #ifndef FLATTEN_MESH_COMPILED
-#include "flatten_mesh/atlas/Atlas_input_impl.h"
 #include "flatten_mesh/atlas/read_atlas_input_impl.h"
 #endif
 

@@ -8,13 +8,14 @@
 
 #include "flatten_mesh/bake/Baking_record.h"
 #include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/Exit_status.h"
-#include "flatten_mesh/model/Corner_origins.h"
-#include "flatten_mesh/model/Skipped_part.h"
 
-#include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
+#include <CGAL/Texture_atlas/internal/prepare/Seam_way.h>
+#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +26,7 @@
 
 namespace flatten_mesh {
 
-using Report_on_atlas = SMP::Mesh_report<Mesh, TA::Atlas_report>;
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // The data of the reports on an atlas, for people and for programs
 struct Atlas_record

@@ -6,14 +6,17 @@
 #include "flatten_mesh/atlas/Recorded_atlas.h"
 
 #include "flatten_mesh/atlas/join_models.h"
-#include "flatten_mesh/atlas/make_atlas_of_input.h"
+#include "flatten_mesh/atlas/keep_seams.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/round_charts.h"
-#include "flatten_mesh/atlas/texture_of_atlas.h"
+#include "flatten_mesh/choose_component.h"
+#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/number_type_config.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/texture_of_atlas.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,6 +29,47 @@
 namespace flatten_mesh {
 
 namespace {
+
+Soup_options options_of_atlas(const Command_line& command)
+{
+  Soup_options options;
+  static_cast<TA::Atlas_options&>(options) = command.atlas;
+  options.float_coordinates = !command.atlas.is_in_world_units() && writes_floats(command);
+  options.threads = command.options.threads;
+  options.seams = seam_choice(command.atlas.seams, command.atlas.purpose);
+  options.is_symmetric = command.atlas.is_symmetric;
+  return options;
+}
+
+// Makes charts of the mesh or of the component that is asked for, and says where seams run.
+Report_on_atlas make_atlas_of_input(const Command_line& command, Atlas_input& input, const Atlas& atlas,
+                                    Seam_way& way, TA::Atlas_visitor& visitor)
+{
+  Soup_options options = options_of_atlas(command);
+  std::vector<Given_surface> given;
+  for(Joined_model& model : input.joined) {
+    try {
+      if(!model.input.mesh.is_empty()) {
+        keep_seams(model.command.atlas, model.input, seam_marks(model.input.mesh));
+      }
+    } catch(const Input_error& error) {
+      throw Input_error(model.command.title + ": " + error.what());
+    }
+    given.push_back(given_surface(model));
+  }
+  if(!given.empty()) {
+    return make_common_surface_atlas(options, given, input.mesh, atlas, way, visitor);
+  }
+  try {
+    keep_seams(command.atlas, input, atlas.seams);
+    if(command.asks_for_component) {
+      options.component = choose_component(input.mesh, static_cast<std::size_t>(command.component)).number;
+    }
+    return make_surface_atlas(options, {input.model, input, command.title}, atlas, way, visitor);
+  } catch(const Input_error& error) {
+    throw Input_error(command.title + ": " + error.what());
+  }
+}
 
 // The number of faces of the file that a part without chart consists of
 std::size_t count_faces(const Atlas_input& input, const Atlas& atlas, const Face first)

@@ -8,13 +8,15 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/Atlas_record.h"
 
 #include <CGAL/Texture_atlas/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // An atlas of an input, with all that reports say of it but what files and baking add
 struct Recorded_atlas

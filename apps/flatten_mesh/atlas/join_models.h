@@ -8,34 +8,22 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/commands_of_inputs.h"
-#include "flatten_mesh/model/build_mesh.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Given_surface.h>
 
 #include <cstddef>
 #include <utility>
 
 namespace flatten_mesh {
 
-namespace internal {
+using namespace CGAL::Texture_atlas::internal::prepare;
 
-inline Halfedge in_common_mesh(const Joined_model& model, const Halfedge h)
+inline Given_surface given_surface(Joined_model& model)
 {
-  return Halfedge(static_cast<Mesh::size_type>(model.first_halfedge + h.idx()));
+  return {model.input.model, model.input, model.command.title, model.first_face, model.first_halfedge};
 }
-
-inline Edge in_common_mesh(const Joined_model& model, const Edge e)
-{
-  return Edge(static_cast<Mesh::size_type>(model.first_halfedge / 2 + e.idx()));
-}
-
-inline Face in_common_mesh(const Joined_model& model, const Face f)
-{
-  return Face(static_cast<Mesh::size_type>(model.first_face + f.idx()));
-}
-
-} // namespace internal
 
 // Appends a model. Models that touch stay apart.
 inline void join_model(Joined_model&& model, Atlas_input& whole)
@@ -43,9 +31,10 @@ inline void join_model(Joined_model&& model, Atlas_input& whole)
   model.first_face = whole.mesh.number_of_faces();
   model.first_halfedge = whole.mesh.number_of_halfedges();
   whole.mesh += model.input.mesh;
+  const Given_surface given = given_surface(model);
   const Edge_marks is_diagonal = diagonals(model.input.mesh), is_diagonal_of_whole = diagonals(whole.mesh);
   for(const Edge e : model.input.mesh.edges()) {
-    is_diagonal_of_whole[internal::in_common_mesh(model, e)] = is_diagonal[e];
+    is_diagonal_of_whole[given.in_common_mesh(e)] = is_diagonal[e];
   }
   for(Skipped_part part : model.input.set_aside) {
     part.model = whole.joined.size();
@@ -73,18 +62,7 @@ inline Atlas_input read_joined_models(const Command_line& command, Notes& notes)
 // The part of the common atlas that belongs to a model, as properties of its own mesh
 inline Atlas atlas_of_model(const Atlas& whole, Joined_model& model)
 {
-  Mesh& mesh = model.input.mesh;
-  Atlas atlas = empty_atlas(mesh);
-  for(const Halfedge h : mesh.halfedges()) {
-    atlas.uv[h] = whole.uv[internal::in_common_mesh(model, h)];
-  }
-  for(const Face f : mesh.faces()) {
-    atlas.chart[f] = whole.chart[internal::in_common_mesh(model, f)];
-  }
-  for(const Edge e : mesh.edges()) {
-    atlas.seams[e] = whole.seams[internal::in_common_mesh(model, e)];
-  }
-  return atlas;
+  return atlas_of_surface(whole, given_surface(model));
 }
 
 } // namespace flatten_mesh

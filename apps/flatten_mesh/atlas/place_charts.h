@@ -6,11 +6,11 @@
 #ifndef FLATTEN_MESH_PLACE_CHARTS_H
 #define FLATTEN_MESH_PLACE_CHARTS_H
 
-#include "flatten_mesh/atlas/Atlas.h"
-#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

@@ -6,7 +6,6 @@
 #ifndef FLATTEN_MESH_ROUND_CHARTS_H
 #define FLATTEN_MESH_ROUND_CHARTS_H
 
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/output_floats.h"
@@ -14,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +22,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Rounds the coordinates of charts, which do not fill the unit square. Throws if a chart is not injective then.
 inline void round_charts(const Mesh& mesh, const Atlas& atlas, const std::size_t charts,

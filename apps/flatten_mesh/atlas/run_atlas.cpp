@@ -69,7 +69,7 @@ Exit_status run_atlas(const Command_line& command)
   CGAL::Real_timer timer;
   timer.start();
   Atlas_progress progress(command);
-  Notes notes(command, [&progress] { progress.clear_line(); });
+  Notes notes = notes_of(command, [&progress] { progress.clear_line(); });
   progress.stage("reading");
   Atlas_input input =
       command.atlas.is_shared ? read_joined_models(command, notes) : read_atlas_input(command, notes);

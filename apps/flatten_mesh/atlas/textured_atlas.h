@@ -6,16 +6,19 @@
 #ifndef FLATTEN_MESH_TEXTURED_ATLAS_H
 #define FLATTEN_MESH_TEXTURED_ATLAS_H
 
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/model/build_mesh.h"
 #include "flatten_mesh/pictures/seam_chains.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

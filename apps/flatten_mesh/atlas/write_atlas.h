@@ -6,20 +6,17 @@
 #ifndef FLATTEN_MESH_WRITE_ATLAS_H
 #define FLATTEN_MESH_WRITE_ATLAS_H
 
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
-#include "flatten_mesh/atlas/texture_of_atlas.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/concave_polygons.h"
 #include "flatten_mesh/model/divide_polygons.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/write_model.h"
 #include "flatten_mesh/model/write_model_glb.h"
 #include "flatten_mesh/Notes.h"
@@ -44,6 +41,9 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
+#include <CGAL/Texture_atlas/internal/prepare/texture_of_atlas.h>
 #include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <algorithm>
@@ -56,6 +56,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
 {

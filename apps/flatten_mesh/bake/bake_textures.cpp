@@ -62,7 +62,7 @@ Fine_surface read_fine_surface(const std::string& name, Notes& notes)
 {
   Command_line quiet;
   quiet.quiet = true;
-  Notes own(quiet);
+  Notes own = notes_of(quiet);
   Gltf_options every_node; // has its part of the fine surface
   every_node.unique_instances = true;
   Atlas_input input;

@@ -8,13 +8,15 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Notes.h"
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/bake/Baking_record.h"
 
 #include <CGAL/Texture_atlas/Baked_textures.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 using Frame_map = Mesh::Property_map<Halfedge, TA::Tangent_frame>;
 

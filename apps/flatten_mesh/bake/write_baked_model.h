@@ -11,11 +11,12 @@
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/bake/png_textures.h"
-#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/material_files.h"
 #include "flatten_mesh/model/write_model.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,6 +26,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

@@ -7,8 +7,9 @@
 #define FLATTEN_MESH_FACE_CHOICE_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/texts.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/join.hpp>
@@ -22,6 +23,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Which faces of a model are flattened, by names. The others keep the texture coordinates that they have.
 struct Face_choice

@@ -7,11 +7,11 @@
 #define FLATTEN_MESH_CONCAVE_POLYGONS_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
 #include <CGAL/Texture_atlas/internal/polygons/convex_polygon.h>
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +19,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 using CGAL::Surface_mesh_parameterization::internal::ABF::Float_grid;
 
@@ -29,7 +31,7 @@ inline bool has_good_fans(const std::vector<Kernel::Point_2>& polygon, const Flo
   std::vector<ABF::Exact_point_2> points;
   for(const Kernel::Point_2& p : polygon)
     points.emplace_back(p.x(), p.y());
-  return points.size() == 3 || TA::internal::is_strictly_convex(points, grid);
+  return points.size() == 3 || CGAL::Texture_atlas::internal::is_strictly_convex(points, grid);
 }
 
 // Of each polygon of a model: whether it has coordinates, and a fan that must not be drawn

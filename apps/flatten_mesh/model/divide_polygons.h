@@ -6,8 +6,9 @@
 #ifndef FLATTEN_MESH_DIVIDE_POLYGONS_H
 #define FLATTEN_MESH_DIVIDE_POLYGONS_H
 
-#include "flatten_mesh/model/Corner_origins.h"
 #include "flatten_mesh/model/Model.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

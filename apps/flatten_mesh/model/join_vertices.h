@@ -7,9 +7,10 @@
 #define FLATTEN_MESH_JOIN_VERTICES_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Polygon_soup.h"
-#include "flatten_mesh/model/places_of_points.h"
-#include "flatten_mesh/model/weld_soup.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/places_of_points.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/weld_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,6 +18,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Joins points of a model at the same place, from the first point and polygon on, as faces that meet are joined
 // elsewhere. What corners have of their own stays. Points that no corner uses any longer are removed.
@@ -32,11 +35,11 @@ inline void join_vertices(const std::size_t first_polygon, const std::size_t fir
     }
     soup.polygons.push_back(std::move(polygon));
   }
-  std::vector<Index> places = internal::places_of_points(soup, 0);
-  if(internal::are_all_different(places)) {
+  std::vector<Index> places = places_of_points(soup, 0);
+  if(are_all_different(places)) {
     return;
   }
-  internal::join_sides(std::move(places), 0, soup);
+  join_sides(std::move(places), 0, soup);
 
   const std::vector<Point_color> colors = model.colors;
   std::vector<Index> numbers(soup.points.size(), no_index);

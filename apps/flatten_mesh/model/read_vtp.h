@@ -9,10 +9,10 @@
 #ifdef CGAL_USE_VTK
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Polygon_soup.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/IO/VTK.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <vtkObject.h>
 
@@ -23,6 +23,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Reads a VTP file, by means of VTK. Hides what is printed about errors.
 inline void read_vtp(Model& model)

@@ -8,11 +8,12 @@
 
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 
 #include <string>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Writes a model with its texture in the format that the name of the file tells: PLY, binary glTF, or else OBJ.
 void write_model(Output_file& file, const std::string& name, const Model& model,
@@ -22,6 +23,8 @@ void write_model(Output_file& file, const std::string& name, const Model& model,
 
 #ifndef FLATTEN_MESH_COMPILED
 #include "flatten_mesh/model/write_model_impl.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 #endif
 
 #endif // FLATTEN_MESH_WRITE_MODEL_H

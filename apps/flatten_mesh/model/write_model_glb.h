@@ -7,12 +7,13 @@
 #define FLATTEN_MESH_WRITE_MODEL_GLB_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/color_spaces.h"
 #include "flatten_mesh/model/glb_text.h"
 #include "flatten_mesh/model/material_files.h"
 #include "flatten_mesh/texts.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

@@ -8,8 +8,9 @@
 
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/model/gltf_surface.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <array>
 #include <cstddef>
@@ -21,6 +22,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

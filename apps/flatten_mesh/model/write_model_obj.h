@@ -7,10 +7,11 @@
 #define FLATTEN_MESH_WRITE_MODEL_OBJ_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/material_files.h"
 #include "flatten_mesh/texts.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

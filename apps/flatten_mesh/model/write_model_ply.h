@@ -7,8 +7,9 @@
 #define FLATTEN_MESH_WRITE_MODEL_PLY_H
 
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/Model_texture.h"
 #include "flatten_mesh/Output_file.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <boost/endian/conversion.hpp>
 
@@ -23,6 +24,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

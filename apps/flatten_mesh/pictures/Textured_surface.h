@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_TEXTURED_SURFACE_H
 #define FLATTEN_MESH_TEXTURED_SURFACE_H
 
-#include "flatten_mesh/model/Polygon_soup.h"
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <CGAL/Origin.h>
 
@@ -17,6 +17,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Triangles with coordinates in the plane, as arrays: what pictures are made of.
 struct Textured_surface

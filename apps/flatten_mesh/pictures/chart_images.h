@@ -8,7 +8,6 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Output_files.h"
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/pictures/chart_colors.h"
 #include "flatten_mesh/pictures/png_of_pixels.h"
@@ -17,6 +16,7 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Texture_atlas/internal/packing/visit_texels.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
@@ -28,6 +28,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

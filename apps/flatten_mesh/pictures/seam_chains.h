@@ -6,12 +6,14 @@
 #ifndef FLATTEN_MESH_SEAM_CHAINS_H
 #define FLATTEN_MESH_SEAM_CHAINS_H
 
-#include "flatten_mesh/model/build_mesh.h"
+#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 

@@ -8,11 +8,11 @@
 
 #include "flatten_mesh/Exit_status.h"
 #include "flatten_mesh/plain/Sheet.h"
-#include "flatten_mesh/model/Skipped_part.h"
 
-#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
+#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
 
 #include <cstddef>
 #include <limits>
@@ -22,6 +22,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 

@@ -6,15 +6,15 @@
 #ifndef FLATTEN_MESH_SHEET_H
 #define FLATTEN_MESH_SHEET_H
 
-#include "flatten_mesh/model/Cut_mesh.h"
-#include "flatten_mesh/model/Edge_marks.h"
-#include "flatten_mesh/model/components.h"
+#include "flatten_mesh/choose_component.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 #include <CGAL/property_map.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+#include <CGAL/Texture_atlas/internal/prepare/Cut_mesh.h>
+#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,6 +27,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 

@@ -6,19 +6,19 @@
 #include "flatten_mesh/plain/cut_surface.h"
 
 #include "flatten_mesh/atlas/keep_seams.h"
-#include "flatten_mesh/model/Cut_mesh.h"
 #include "flatten_mesh/plain/flatten_sheet.h"
 #include "flatten_mesh/texts.h"
 
+#include <CGAL/number_utils.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/property_map.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Texture_atlas/internal/atlas/reduce_stretch.h>
+#include <CGAL/Texture_atlas/internal/prepare/Cut_mesh.h>
 #include <CGAL/Texture_atlas/is_disk_cut.h>
 #include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Texture_atlas/split_overlaps.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

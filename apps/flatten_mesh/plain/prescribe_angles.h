@@ -8,7 +8,6 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Progress.h"
-#include "flatten_mesh/model/Edge_marks.h"
 #include "flatten_mesh/plain/Sheet.h"
 #include "flatten_mesh/plain/choose_corners.h"
 #include "flatten_mesh/plain/corner_numbers.h"
@@ -16,6 +15,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +27,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 inline bool prescribes_angles(const Command_line& command)
 {

@@ -5,7 +5,6 @@
 
 #include "flatten_mesh/plain/run_plain.h"
 
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/textured_atlas.h"
 #include "flatten_mesh/atlas/write_atlas.h"
@@ -37,6 +36,7 @@
 #endif
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 
 #include <iostream>
 #include <optional>
@@ -46,13 +46,15 @@
 
 namespace flatten_mesh {
 
+using namespace CGAL::Texture_atlas::internal::prepare;
+
 namespace {
 
 class Plain_run
 {
 public:
   explicit Plain_run(const Command_line& command)
-      : m_command(command), m_progress(command.verbose), m_notes(command)
+      : m_command(command), m_progress(command.verbose), m_notes(notes_of(command))
   {}
 
   Exit_status run()

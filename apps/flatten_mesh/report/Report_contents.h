@@ -6,17 +6,19 @@
 #ifndef FLATTEN_MESH_REPORT_CONTENTS_H
 #define FLATTEN_MESH_REPORT_CONTENTS_H
 
-#include "flatten_mesh/model/Skipped_part.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/report_rows.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // What the page of a report shows
 struct Report_contents

@@ -6,7 +6,6 @@
 #ifndef FLATTEN_MESH_CONTENTS_OF_CHART_H
 #define FLATTEN_MESH_CONTENTS_OF_CHART_H
 
-#include "flatten_mesh/atlas/Atlas.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/plain/Run_record.h"
@@ -15,6 +14,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/bounding_box.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,8 @@
 #include <utility>
 
 namespace flatten_mesh {
+
+using namespace CGAL::Texture_atlas::internal::prepare;
 
 // `surface` has the triangles of the input's mesh that are in the chart, in their order.
 inline Report_contents contents_of_chart(const Atlas_input& input, const Atlas& atlas,

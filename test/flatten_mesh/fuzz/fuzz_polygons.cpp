@@ -9,7 +9,8 @@
 #include "bytes.h"
 
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/model/Edge_marks.h"
+
+#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -101,7 +102,7 @@ void make_mesh(const Model& model, bool repair)
 {
   Command_line command;
   command.quiet = true;
-  Notes notes(command);
+  Notes notes = notes_of(command);
   try {
     Atlas_input input = atlas_input_of(model, repair, notes);
     const std::set<Index> polygons = require_whole(input);

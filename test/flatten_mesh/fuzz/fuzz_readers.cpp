@@ -71,7 +71,7 @@ void read(std::string_view content, const std::string& format, bool repair)
 {
   Command_line command;
   command.quiet = true;
-  Notes notes(command);
+  Notes notes = notes_of(command);
   Model model;
   model.file = "fuzz." + format;
   try {

@@ -1,7 +1,0 @@
-// Copyright (c) 2026 The Angle_based_flattening authors.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-#include "flatten_mesh/atlas/Atlas_input_impl.h"
-#include "flatten_mesh/model/build_mesh_impl.h"

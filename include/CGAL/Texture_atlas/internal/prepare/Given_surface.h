@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_PREPARE_GIVEN_SURFACE_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_PREPARE_GIVEN_SURFACE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
+#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL::Texture_atlas::internal::prepare {
+
+// A soup and the surface that was made of it, alone or as one of several in a common mesh
+struct Given_surface
+{
+  const Surface_soup& soup;
+  Prepared_surface& surface;
+  std::string name; // for messages
+  std::size_t first_face = 0, first_halfedge = 0;
+
+  Halfedge in_common_mesh(const Halfedge h) const
+  {
+    return Halfedge(static_cast<Mesh::size_type>(first_halfedge + h.idx()));
+  }
+
+  Edge in_common_mesh(const Edge e) const
+  {
+    return Edge(static_cast<Mesh::size_type>(first_halfedge / 2 + e.idx()));
+  }
+
+  Face in_common_mesh(const Face f) const { return Face(static_cast<Mesh::size_type>(first_face + f.idx())); }
+};
+
+// The one that a face of the common mesh is part of
+inline std::size_t surface_of_face(const std::vector<Given_surface>& given, const Face f)
+{
+  const auto after =
+      std::upper_bound(given.begin(), given.end(), f.idx(),
+                       [](const std::size_t i, const Given_surface& each) { return i < each.first_face; });
+  return static_cast<std::size_t>(after - given.begin()) - 1;
+}
+
+// The polygon of its soup that a face of the common mesh is part of
+inline std::size_t polygon_of_face(const std::vector<Given_surface>& given, const Face f)
+{
+  const Given_surface& each = given[surface_of_face(given, f)];
+  const Mesh& mesh = each.surface.mesh;
+  const Face own(static_cast<Mesh::size_type>(f.idx() - each.first_face));
+  return each.soup.polygon_of_corner(each.surface.origins.corners[mesh.halfedge(own).idx()]);
+}
+
+// The part of the common atlas that belongs to a surface, as properties of its own mesh
+inline Atlas atlas_of_surface(const Atlas& whole, const Given_surface& given)
+{
+  Mesh& mesh = given.surface.mesh;
+  Atlas atlas = empty_atlas(mesh);
+  for(const Halfedge h : mesh.halfedges()) {
+    atlas.uv[h] = whole.uv[given.in_common_mesh(h)];
+  }
+  for(const Face f : mesh.faces()) {
+    atlas.chart[f] = whole.chart[given.in_common_mesh(f)];
+  }
+  for(const Edge e : mesh.edges()) {
+    atlas.seams[e] = whole.seams[given.in_common_mesh(e)];
+  }
+  return atlas;
+}
+
+} // namespace CGAL::Texture_atlas::internal::prepare
+
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_PREPARE_GIVEN_SURFACE_H
