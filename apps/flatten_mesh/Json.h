@@ -6,40 +6,19 @@
 #ifndef FLATTEN_MESH_JSON_H
 #define FLATTEN_MESH_JSON_H
 
-#include <nlohmann/json.hpp>
+#include <CGAL/Texture_atlas/internal/json/Json.h>
 
-#include <optional>
 #include <string>
 
 namespace flatten_mesh {
 
-// Members stay in their order. Numbers that are not finite are written as `null`.
-using Json = nlohmann::ordered_json;
+using CGAL::Texture_atlas::internal::Json;
 
 namespace internal {
 
-template <class Value>
-Json json_optional(const std::optional<Value>& value)
-{
-  return value ? Json(*value) : Json();
-}
-
-// The JSON of each value, by a function
-template <class Values, class Function>
-Json json_array(const Values& values, const Function& json_of)
-{
-  Json array = Json::array();
-  for(const auto& value : values) {
-    array.push_back(json_of(value));
-  }
-  return array;
-}
-
-// Bytes that are no UTF-8, as names of files may have, become the replacement character U+FFFD.
-inline std::string json_text(const Json& json, const int indentation = -1)
-{
-  return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
-}
+using CGAL::Texture_atlas::internal::json_array;
+using CGAL::Texture_atlas::internal::json_optional;
+using CGAL::Texture_atlas::internal::json_text;
 
 // JSON for an element of a page: `<` might end it.
 inline std::string json_for_html(const Json& json)

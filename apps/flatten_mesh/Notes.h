@@ -9,7 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
+#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 
 #include <functional>
 #include <iostream>

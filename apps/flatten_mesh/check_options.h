@@ -11,7 +11,6 @@
 #include "flatten_mesh/Option_table.h"
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/commands_of_inputs.h"
-#include "flatten_mesh/crease_option.h"
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/formats.h"
@@ -19,6 +18,7 @@
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
+#include <CGAL/Texture_atlas/internal/options/seam_words.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ inline void check_gutter(const Values& values, Atlas_command& atlas)
     }
     atlas.gutter = 1 << atlas.mip_levels;
   }
-  if(const std::string wrong = wrong_gutter(atlas); !wrong.empty()) {
+  if(const std::string wrong = abf::wrong_gutter(atlas); !wrong.empty()) {
     throw Usage_error((is_given(values, "gutter") ? "--" : "--mip-levels: the ") + wrong + "; see --help");
   }
 }
@@ -250,7 +250,7 @@ inline void check_way_of_seams(const std::string& seams)
     throw Usage_error("--seams says where seams run: give --seams-to '" + seams +
                       "' to write them, or --seams-from '" + seams + "' to keep them");
   }
-  if(const std::string wrong = wrong_way_of_seams(seams); !wrong.empty()) {
+  if(const std::string wrong = CGAL::Texture_atlas::internal::wrong_seams(seams); !wrong.empty()) {
     throw Usage_error("--" + wrong);
   }
 }

@@ -40,7 +40,7 @@ inline void check_uv_set(const Command_line& command)
 inline void check_first_set(const Command_line& command, const Model& model)
 {
   if(command.atlas.uv_set == 1 && model.texture.empty()) {
-    throw Input_error("'" + model.file +
+    throw Input_error("'" + model.name +
                       "': --uv-set 1 keeps the texture coordinates of the input as the first ones, but "
                       "it has none: leave the option out");
   }

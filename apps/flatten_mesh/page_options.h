@@ -57,16 +57,6 @@ inline void check_page_size(Atlas_command& atlas)
   }
 }
 
-// What is wrong with the gutter of a page, or nothing
-inline std::string wrong_gutter(const TA::Packing_options& options)
-{
-  const int most = (std::min)(options.resolution, options.number_of_rows()) / 4;
-  return options.gutter.value_or(0) <= most
-             ? ""
-             : "gutter is " + std::to_string(*options.gutter) + ", and must be from 0 to " +
-                   std::to_string(most) + ", a quarter of the shorter side of a page";
-}
-
 inline void check_pages(const Command_line& command)
 {
   const Atlas_command& atlas = command.atlas;

@@ -6,12 +6,12 @@
 #ifndef FLATTEN_MESH_REPORT_MEASURES_H
 #define FLATTEN_MESH_REPORT_MEASURES_H
 
-#include "flatten_mesh/Json.h"
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
 
 #include <string>
 
@@ -58,32 +58,7 @@ inline Report_rows quality_rows(const SMP::Flattening_measures& measures)
   };
 }
 
-// All are `null` if there are none.
-inline void add_measures(Json& json, const SMP::Flattening_measures* measures)
-{
-  using Measures = SMP::Flattening_measures;
-  const auto add = [&](const char* key, double Measures::*measure) {
-    json[key] = measures != nullptr ? Json(measures->*measure) : Json();
-  };
-  add("mean_angle_change", &Measures::mean_angle_change);
-  add("rms_angle_change", &Measures::rms_angle_change);
-  add("mean_corner_angle_change", &Measures::mean_corner_angle_change);
-  add("rms_corner_angle_change", &Measures::rms_corner_angle_change);
-  add("quasi_conformal_ratio_95", &Measures::quasi_conformal_ratio_95);
-  add("min_scale", &Measures::min_scale);
-  add("max_scale", &Measures::max_scale);
-  add("angular_distortion", &Measures::angular_distortion);
-  add("l2_stretch", &Measures::l2_stretch);
-  add("linf_stretch", &Measures::linf_stretch);
-  add("l2_shear", &Measures::l2_shear);
-  add("l2_principal_shear", &Measures::l2_principal_shear);
-  add("l2_equal_stretch_error", &Measures::l2_equal_stretch_error);
-  add("mean_quasi_conformal_ratio", &Measures::mean_quasi_conformal_ratio);
-  add("max_quasi_conformal_ratio", &Measures::max_quasi_conformal_ratio);
-  add("l2_area_distortion", &Measures::l2_area_distortion);
-  add("symmetric_dirichlet_energy", &Measures::symmetric_dirichlet_energy);
-  add("smallest_angle", &Measures::smallest_angle);
-}
+using CGAL::Texture_atlas::internal::add_measures;
 
 } // namespace internal
 

@@ -7,11 +7,11 @@
 #define FLATTEN_MESH_REPORT_SKIPPED_H
 
 #include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/Json.h"
 #include "flatten_mesh/report_rows.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,28 +27,13 @@ using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 
-// Faces are counted from 1, in the file of their model.
-inline Json skipped_json(const std::vector<Skipped_part>& parts,
-                         const std::vector<std::string>& names_of_models = {})
-{
-  return json_array(parts, [&](const Skipped_part& part) {
-    Json json;
-    if(!names_of_models.empty()) {
-      json["input"] = names_of_models[part.model];
-    }
-    json["first_face"] = part.first_face + 1;
-    json["faces"] = part.faces;
-    json["diagnosis"] = part.status;
-    json["message"] = part.message;
-    return json;
-  });
-}
+using CGAL::Texture_atlas::internal::skipped_json;
 
-inline Report_rows skipped_rows(const std::vector<Skipped_part>& parts)
+inline Report_rows skipped_rows(const std::vector<TA::Atlas_report::Skipped>& parts)
 {
   std::size_t faces = 0;
-  for(const Skipped_part& part : parts) {
-    faces += part.faces;
+  for(const TA::Atlas_report::Skipped& part : parts) {
+    faces += part.number_of_faces;
   }
   return faces == 0 ? Report_rows()
                     : Report_rows{{"skipped", count_text(faces, "face"),
@@ -56,29 +41,30 @@ inline Report_rows skipped_rows(const std::vector<Skipped_part>& parts)
 }
 
 // The name of the model that lacks a part
-inline std::string title_of_model(const Command_line& command, const Skipped_part& part)
+inline std::string title_of_model(const Command_line& command, const TA::Atlas_report::Skipped& part)
 {
-  return command.atlas.is_shared ? in_one_line("'" + command.inputs[part.model] + "'") : command.title;
+  return command.atlas.is_shared ? in_one_line("'" + command.inputs[part.mesh] + "'") : command.title;
 }
 
 } // namespace internal
 
 // On standard error: a line for each diagnosis of a model, in the order of their first parts
-inline void tell_skipped_parts(const Command_line& command, const std::vector<Skipped_part>& parts)
+inline void tell_skipped_parts(const Command_line& command,
+                               const std::vector<TA::Atlas_report::Skipped>& parts)
 {
-  std::vector<std::vector<const Skipped_part*>> groups;
-  std::map<std::pair<std::size_t, std::string>, std::size_t> numbers;
-  for(const Skipped_part& part : parts) {
+  std::vector<std::vector<const TA::Atlas_report::Skipped*>> groups;
+  std::map<std::pair<std::size_t, TA::Diagnosis>, std::size_t> numbers;
+  for(const TA::Atlas_report::Skipped& part : parts) {
     const std::size_t number =
-        numbers.emplace(std::pair(part.model, part.status), groups.size()).first->second;
+        numbers.emplace(std::pair(part.mesh, part.status), groups.size()).first->second;
     groups.resize((std::max)(groups.size(), number + 1));
     groups[number].push_back(&part);
   }
-  for(const std::vector<const Skipped_part*>& group : groups) {
-    const Skipped_part& first = *group.front();
+  for(const std::vector<const TA::Atlas_report::Skipped*>& group : groups) {
+    const TA::Atlas_report::Skipped& first = *group.front();
     std::size_t faces = 0;
-    for(const Skipped_part* const part : group) {
-      faces += part->faces;
+    for(const TA::Atlas_report::Skipped* const part : group) {
+      faces += part->number_of_faces;
     }
     std::cerr << "flatten_mesh: " << internal::title_of_model(command, first) << ": no chart for "
               << (group.size() == 1 ? "" : count_text(group.size(), "part") + " with ")

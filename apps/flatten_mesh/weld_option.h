@@ -10,7 +10,7 @@
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/Gltf_options.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Welding.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <charconv>
 #include <cmath>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Texture_atlas/internal/prepare/model_seams.h>
+#include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
 
 #include <cmath>
 #include <exception>

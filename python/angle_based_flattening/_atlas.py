@@ -23,7 +23,8 @@ class Atlas:
         face_chart: (m,) int32, the number of the chart of each face; -1 for faces without chart. Charts of several
             meshes are numbered through.
         seams: (k, 2) int64, the edges where charts are cut open, as vertices.
-        report: what ``flatten_mesh --json`` writes. It counts faces from 1, as OBJ files do.
+        report: what ``flatten_mesh --json`` writes of the surface and its charts. It counts faces from 1, as OBJ files
+            do.
     """
 
     uv: np.ndarray

@@ -9,14 +9,13 @@
 #include "option_taker.h"
 #include "surfaces.h"
 
-#include "flatten_mesh/Json.h"
-
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+#include <CGAL/Texture_atlas/internal/json/Json.h>
 
 #include <pybind11/stl.h>
 
@@ -32,8 +31,8 @@ namespace abf_python {
 
 namespace {
 
-using flatten_mesh::Json;
-using flatten_mesh::internal::json_text;
+using CGAL::Texture_atlas::internal::Json;
+using CGAL::Texture_atlas::internal::json_text;
 
 using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh>;
 using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>;
@@ -173,7 +172,7 @@ public:
     }
     if(!m_surface) {
       m_given.vertices = vertices;
-      build(model_of(m_given, ""));
+      build(soup_of(m_given, ""));
     } else {
       move_vertices(read_points<Kernel::Point_3, 3>(vertices));
     }
@@ -191,9 +190,9 @@ private:
     return options;
   }
 
-  void build(Model&& model)
+  void build(Surface_soup&& soup)
   {
-    Surface surface = surface_of(std::move(model));
+    Surface surface = surface_of(std::move(soup));
     prescribe(m_prescriptions, surface, m_direct);
     pin(m_prescriptions, surface.mesh, m_direct);
     m_surface = std::make_unique<Surface>(std::move(surface));
@@ -242,10 +241,10 @@ private:
 
 Flattening lscm(const Given_mesh& given, const Watch& watch)
 {
-  Model model = model_of(given, "");
+  Surface_soup soup = soup_of(given, "");
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
-      Surface surface = surface_of(std::move(model));
+      Surface surface = surface_of(std::move(soup));
       Mesh& mesh = surface.mesh;
       const UV_map uv = empty_coordinates(mesh);
       const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;

@@ -9,11 +9,9 @@
 #include "option_taker.h"
 #include "surfaces.h"
 
-#include "flatten_mesh/Json.h"
-#include "flatten_mesh/report_measures.h"
-
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
 #include <CGAL/Texture_atlas/overlapping_faces.h>
 #include <CGAL/Texture_atlas/pack_charts.h>
 
@@ -28,13 +26,13 @@ namespace abf_python {
 
 namespace {
 
-using flatten_mesh::Json;
-using flatten_mesh::internal::json_text;
+using CGAL::Texture_atlas::internal::Json;
+using CGAL::Texture_atlas::internal::json_text;
 
 std::string measures_json(const SMP::Flattening_measures& measures)
 {
   Json json;
-  flatten_mesh::internal::add_measures(json, &measures);
+  CGAL::Texture_atlas::internal::add_measures(json, &measures);
   json["flipped_triangles"] = measures.flipped_triangles;
   json["border_is_simple"] = measures.border_is_simple;
   return json_text(json);
@@ -42,10 +40,10 @@ std::string measures_json(const SMP::Flattening_measures& measures)
 
 std::string measure(const Given_mesh& given, const Watch& watch)
 {
-  Model model = model_of(given, "");
+  Surface_soup soup = soup_of(given, "");
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
-      Surface surface = surface_of(std::move(model));
+      Surface surface = surface_of(std::move(soup));
       const auto report = SMP::measure_flattening(surface.mesh, corner_map(surface));
       check_report(surface, report);
       return measures_json(report);
@@ -61,20 +59,20 @@ struct Certificate
 
 Certificate certify(const Given_mesh& given, const Watch& watch)
 {
-  Model model = model_of(given, "");
+  Surface_soup soup = soup_of(given, "");
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
-      Surface surface = surface_of(std::move(model));
+      Surface surface = surface_of(std::move(soup));
       const auto uv = corner_map(surface);
       Certificate certificate;
       certificate.is_injective = SMP::is_injective(surface.mesh, uv);
       if(!certificate.is_injective) {
         std::vector<Face> faces;
         SMP::flipped_faces(surface.mesh, uv, std::back_inserter(faces));
-        certificate.flipped = faces_in_model(surface, faces);
+        certificate.flipped = faces_in_soup(surface, faces);
         faces.clear();
         TA::overlapping_faces(surface.mesh, uv, std::back_inserter(faces));
-        certificate.overlapping = faces_in_model(surface, faces);
+        certificate.overlapping = faces_in_soup(surface, faces);
       }
       return certificate;
     });
@@ -106,16 +104,15 @@ struct Packing
 Packing pack(const Given_mesh& given, const std::vector<std::size_t>& first_faces,
              const py::dict& given_options, const Watch& watch)
 {
-  Model model = model_of(given, "");
+  Surface_soup soup = soup_of(given, "");
   const TA::Packing_options options = packing_options(given_options);
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
-      Surface surface = surface_of(std::move(model));
+      Surface surface = surface_of(std::move(soup));
       Mesh& mesh = surface.mesh;
       const auto chart = mesh.add_property_map<Face, int>("f:chart").first;
       for(const Face f : mesh.faces()) {
-        const auto after =
-            std::upper_bound(first_faces.begin(), first_faces.end(), flatten_mesh::face_in_file(surface, f));
+        const auto after = std::upper_bound(first_faces.begin(), first_faces.end(), face_in_soup(surface, f));
         chart[f] = static_cast<int>(after - first_faces.begin()) - 1;
       }
       const auto uv = corner_map(surface);
@@ -140,7 +137,7 @@ py::tuple unshared(const py::array& indices, const py::array& given_uv)
   const std::vector<Index> vertices =
       read_indices(indices, std::numeric_limits<Index>::max(), "indices", "vertices");
   const std::vector<Kernel::Point_2> uv = read_points<Kernel::Point_2, 2>(given_uv);
-  constexpr Index none = flatten_mesh::no_index;
+  constexpr Index none = Surface_soup::none;
   std::vector<Index> last_of_vertex, previous, new_indices; // new vertices of one vertex are linked
   std::vector<Index> mapping;
   std::vector<float> coordinates;

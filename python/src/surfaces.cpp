@@ -9,10 +9,9 @@
 #include "option_taker.h"
 #include "surfaces.h"
 
-#include "flatten_mesh/Json.h"
-
 #include <CGAL/Texture_atlas/bake_surface.h>
 #include <CGAL/Texture_atlas/flatten_with_cones.h>
+#include <CGAL/Texture_atlas/internal/json/Json.h>
 #include <CGAL/Texture_atlas/seam_weights.h>
 #include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Texture_atlas/select_seams.h>
@@ -28,7 +27,7 @@ namespace abf_python {
 
 namespace {
 
-using namespace flatten_mesh::internal;
+using CGAL::Texture_atlas::internal::json_text;
 using Weights = Mesh::Property_map<Edge, double>;
 
 struct Seams
@@ -62,15 +61,13 @@ std::optional<Weights> weights_of(Surface& surface, const std::string& way)
 Seams seams(const Given_mesh& given, const std::string& way, const TA::Seam_options& options,
             const Watch& watch)
 {
-  Model model = model_of(given, "");
-  const Vertex_pairs marked = pairs_of(given.marked_seams, model.points.size(), "");
+  Surface_soup soup = soup_of(given, "");
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
       namespace np = CGAL::parameters;
-      Surface surface = surface_of(std::move(model));
-      mark_edges(marked, "", surface);
-      const auto is_seam = flatten_mesh::seam_marks(surface.mesh),
-                 is_diagonal = flatten_mesh::diagonals(surface.mesh);
+      Surface surface = surface_of(std::move(soup));
+      prepare::mark_seams_of_soup(surface.soup, surface, prepare::seam_marks(surface.mesh));
+      const auto is_seam = prepare::seam_marks(surface.mesh), is_diagonal = prepare::diagonals(surface.mesh);
       const std::optional<Weights> weights = weights_of(surface, way);
       const SMP::Mesh_report<Mesh, TA::Seam_report> report =
           weights
@@ -105,10 +102,10 @@ struct Cone_map
 Cone_map cones(const Given_mesh& given, const std::size_t number, const double angle_multiple,
                const bool is_flattened, const int threads, const Watch& watch)
 {
-  Model model = model_of(given, "");
+  Surface_soup soup = soup_of(given, "");
   return run_interruptibly(watch, [&](Progress_state& state) {
     return with_failures([&] {
-      Surface surface = surface_of(std::move(model));
+      Surface surface = surface_of(std::move(soup));
       Mesh& mesh = surface.mesh;
       TA::Cone_options options;
       options.angle_multiple = angle_multiple;
@@ -122,7 +119,7 @@ Cone_map cones(const Given_mesh& given, const std::size_t number, const double a
         return Cone_map{cones_of(selection), selection.predicted_stretch, {}, {}};
       }
       const auto uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-      const auto is_seam = flatten_mesh::seam_marks(mesh);
+      const auto is_seam = prepare::seam_marks(mesh);
       const auto flattening = TA::flatten_with_cones(mesh, number, is_seam, uv, options);
       check_report(surface, flattening);
       return Cone_map{cones_of(flattening.cones), flattening.cones.predicted_stretch, corners_of(surface, uv),
@@ -158,11 +155,11 @@ TA::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
                         const std::vector<std::array<std::uint8_t, 3>>& given_colors,
                         const TA::Baking_options& options, const Watch& watch)
 {
-  Model model = model_of(given, ""), fine_model = model_of(given_fine, "the fine mesh");
+  Surface_soup soup = soup_of(given, ""), fine_soup = soup_of(given_fine, "the fine mesh");
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&]() -> TA::Baked_textures {
       namespace np = CGAL::parameters;
-      Surface surface = surface_of(std::move(model)), fine = surface_of(std::move(fine_model));
+      Surface surface = surface_of(std::move(soup)), fine = surface_of(std::move(fine_soup));
       const auto uv = corner_map(surface);
       const auto chart = surface.mesh.add_property_map<Face, int>("f:chart", 0).first;
       for(const Face f : surface.mesh.faces()) {

@@ -8,13 +8,11 @@
 
 #include "failures.h"
 #include "interruptible.h"
-#include "marked_edges.h"
-#include "models.h"
-
-#include "flatten_mesh/Failure.h"
-#include "flatten_mesh/atlas/Atlas_input.h"
+#include "soups.h"
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
+#include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,16 +24,28 @@
 
 namespace abf_python {
 
-using flatten_mesh::Edge;
-using flatten_mesh::Face;
-using flatten_mesh::Halfedge;
-using flatten_mesh::Mesh;
-using flatten_mesh::Vertex;
+namespace prepare = CGAL::Texture_atlas::internal::prepare;
 
-// The surface of a mesh that has to be an oriented manifold. Its vertices are those of the model, in their order.
-using Surface = flatten_mesh::Atlas_input;
+using prepare::Edge;
+using prepare::Face;
+using prepare::Halfedge;
+using prepare::Mesh;
+using prepare::Vertex;
 
-// Calls a function that may throw exceptions of the program.
+// The surface of a mesh that has to be an oriented manifold. Its vertices are those of the soup, in their order.
+struct Surface : prepare::Prepared_surface
+{
+  Surface_soup soup;
+};
+
+// Whether a failure is about an argument, not about the surface
+inline bool is_of_argument(const SMP::Diagnosis status)
+{
+  return status == SMP::Diagnosis::WRONG_OPTION || status == SMP::Diagnosis::NO_SUCH_EDGE ||
+         status == SMP::Diagnosis::NO_TEXTURE_COORDINATES;
+}
+
+// Calls a function that may throw exceptions of any kind.
 template <class Function>
 auto with_failures(const Function& f)
 {
@@ -47,23 +57,23 @@ auto with_failures(const Function& f)
     throw;
   } catch(const std::bad_alloc&) {
     throw;
-  } catch(const flatten_mesh::Input_error& error) {
-    const flatten_mesh::Failure failure = flatten_mesh::current_failure();
-    throw Mesh_failure(failure.name, failure.message, {error.faces.begin(), error.faces.end()},
+  } catch(const prepare::Input_error& error) {
+    if(is_of_argument(error.status)) {
+      throw py::value_error(error.what());
+    }
+    throw Mesh_failure(to_string(error.status), error.what(), {error.faces.begin(), error.faces.end()},
                        {error.vertices.begin(), error.vertices.end()});
-  } catch(...) {
-    const flatten_mesh::Failure failure = flatten_mesh::current_failure();
-    throw Mesh_failure(failure.name, failure.message);
+  } catch(const std::exception& error) {
+    throw Mesh_failure("INTERNAL_ERROR", std::string("internal error: ") + error.what());
   }
 }
 
 // The vertices of faces with a coordinate that is no finite number
-inline std::vector<std::int64_t> non_finite_vertices(const Model& model)
+inline std::vector<std::int64_t> non_finite_vertices(const Surface_soup& soup)
 {
   std::vector<std::int64_t> vertices;
-  for(const Index v : model.vertices) {
-    const Kernel::Point_3& p = model.points[v];
-    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
+  for(const Index v : soup.vertices) {
+    if(!prepare::is_finite(soup.points[v])) {
       vertices.push_back(v);
     }
   }
@@ -72,30 +82,36 @@ inline std::vector<std::int64_t> non_finite_vertices(const Model& model)
   return vertices;
 }
 
-inline Surface surface_of(Model&& model)
+inline Surface surface_of(Surface_soup&& soup)
 {
-  return with_failures([&model] {
-    flatten_mesh::Command_line quiet;
-    quiet.quiet = true;
-    flatten_mesh::Notes notes = notes_of(quiet);
-    const std::vector<std::int64_t> non_finite = non_finite_vertices(model);
-    Surface surface =
-        flatten_mesh::atlas_input_of(std::move(model), false, notes, {flatten_mesh::Welding::NONE, 0});
+  return with_failures([&soup] {
+    prepare::Notes notes;
+    Surface surface;
+    static_cast<prepare::Prepared_surface&>(surface) =
+        prepare::prepare_surface(soup, {false, {prepare::Welding::NONE, 0}, {}}, notes);
     if(!surface.set_aside.empty()) {
-      const flatten_mesh::Skipped_part& part = surface.set_aside.front();
-      throw Mesh_failure(part.status, part.message, {static_cast<std::int64_t>(part.first_face)}, non_finite);
+      const TA::Atlas_report::Skipped& part = surface.set_aside.front();
+      throw Mesh_failure(to_string(part.status), part.message, {static_cast<std::int64_t>(part.first_face)},
+                         non_finite_vertices(soup));
     }
+    surface.soup = std::move(soup);
     return surface;
   });
 }
 
-// The faces of the model, sorted, each once
+// The face of the soup that a triangle is part of
+inline std::size_t face_in_soup(const Surface& surface, const Face f)
+{
+  return surface.soup.polygon_of_corner(surface.origins.corners[surface.mesh.halfedge(f).idx()]);
+}
+
+// The faces of the soup, sorted, each once
 template <class Faces>
-std::vector<std::int64_t> faces_in_model(const Surface& surface, const Faces& faces)
+std::vector<std::int64_t> faces_in_soup(const Surface& surface, const Faces& faces)
 {
   std::vector<std::int64_t> result;
   for(const Face f : faces) {
-    result.push_back(static_cast<std::int64_t>(flatten_mesh::face_in_file(surface, f)));
+    result.push_back(static_cast<std::int64_t>(face_in_soup(surface, f)));
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -119,27 +135,27 @@ void check_report(const Surface& surface, const Report& report)
       vertices.push_back(surface.mesh.vertex(e, 1).idx());
     }
     throw Mesh_failure(to_string(report.status), report.message,
-                       faces_in_model(surface, report.offending_faces), std::move(vertices));
+                       faces_in_soup(surface, report.offending_faces), std::move(vertices));
   }
 }
 
-// The coordinates of a model with one for each corner
+// The coordinates of a soup with one for each corner
 inline Mesh::Property_map<Halfedge, Kernel::Point_2> corner_map(Surface& surface)
 {
   const auto uv = surface.mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   for(const Halfedge h : surface.mesh.halfedges()) {
     if(!surface.mesh.is_border(h)) {
-      uv[h] = surface.model.texture[surface.origins.corners[h.idx()]];
+      uv[h] = surface.soup.texture[surface.origins.corners[h.idx()]];
     }
   }
   return uv;
 }
 
-// The coordinates of each corner of the model
+// The coordinates of each corner of the soup
 inline std::vector<Kernel::Point_2> corners_of(const Surface& surface,
                                                const Mesh::Property_map<Halfedge, Kernel::Point_2>& uv)
 {
-  std::vector<Kernel::Point_2> corners(surface.model.number_of_corners());
+  std::vector<Kernel::Point_2> corners(surface.soup.number_of_corners());
   for(const Halfedge h : surface.mesh.halfedges()) {
     if(!surface.mesh.is_border(h)) {
       corners[surface.origins.corners[h.idx()]] = uv[h];
@@ -149,7 +165,7 @@ inline std::vector<Kernel::Point_2> corners_of(const Surface& surface,
 }
 
 // The marked edges of a mesh, as vertices
-inline Vertex_pairs marked_pairs(const Mesh& mesh, const flatten_mesh::Edge_marks& marks)
+inline Vertex_pairs marked_pairs(const Mesh& mesh, const prepare::Edge_marks& marks)
 {
   Vertex_pairs pairs;
   for(const Edge e : mesh.edges()) {

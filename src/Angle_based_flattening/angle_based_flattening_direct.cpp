@@ -5,7 +5,7 @@
 
 // The direct method and the default solver. Each file here compiles beside the others.
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/set_angle_sums.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/check_surface_sums.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/rectangle_corners_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart_directly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>

@@ -5,3 +5,4 @@
 
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh_impl.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface_impl.h>
+#include <CGAL/Texture_atlas/internal/prepare/soup_atlas_impl.h>

@@ -42,7 +42,6 @@ struct Component
   std::vector<Point_3> points;
   Triangles triangles;
   Diagnosis status = Diagnosis::NOTHING_WRONG; // or why it cannot have a chart
-  bool has_quadrangle = false;
 
   bool is_good() const { return status == Diagnosis::NOTHING_WRONG; }
 };
@@ -173,9 +172,10 @@ inline Component bad_component(std::mt19937& random)
     break;
   }
   case 1:
-    result = {"square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-    result.has_quadrangle = true;
-    result.status = Diagnosis::NOT_TRIANGULATED;
+    result = {"square",
+              {{std::numeric_limits<double>::quiet_NaN(), 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+              {{0, 1, 2}, {0, 2, 3}}};
+    result.status = Diagnosis::NON_FINITE_POINT;
     break;
   default: {
     const bool is_point = uniform_int(random, 0, 1) == 0;
@@ -245,30 +245,17 @@ struct Union
   {
     std::vector<Point_3> points;
     Triangles triangles;
-    std::vector<int> first_point, next(components.size(), 0), quadrangles;
+    std::vector<int> first_point, next(components.size(), 0);
     for(const Component& c : components) {
       first_point.push_back(static_cast<int>(points.size()));
       points.insert(points.end(), c.points.begin(), c.points.end());
     }
     for(int c : order) {
-      if(next[c] == 0 && components[c].has_quadrangle)
-        quadrangles.push_back(static_cast<int>(triangles.size()));
       triangles.push_back(components[c].triangles[next[c]++]);
       for(int& v : triangles.back())
         v += first_point[c];
     }
     test_charts::make_mesh(test_charts::make_chart(points, triangles), mesh);
-    std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> diagonals;
-    for(int t : quadrangles) {
-      const auto f = *std::next(faces(mesh).begin(), t);
-      for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
-        if(!CGAL::is_border_edge(h, mesh)) {
-          diagonals.push_back(h);
-          break;
-        }
-    }
-    for(const auto h : diagonals)
-      CGAL::Euler::join_face(h, mesh);
   }
 
   template <typename Mesh>

@@ -13,7 +13,6 @@
 #include <CGAL/Texture_atlas/internal/packing/occupied_cells.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/texel_mask.h>
-#include <CGAL/Texture_atlas/internal/packing/turned_mask.h>
 #include <CGAL/Texture_atlas/internal/packing/visit_texels.h>
 
 #include <algorithm>

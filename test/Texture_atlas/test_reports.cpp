@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(of_faces_that_are_not_triangles)
   const auto baked = TA::bake_surface(simple.mesh, simple.uv, s.mesh);
   check(baked, Diagnosis::FINE_MESH_NOT_TRIANGULATED, {}, {}, {});
   BOOST_TEST((baked.offending_fine_faces == bad));
-  check(TA::make_atlas(s.mesh, s.uv, few_charts()), Diagnosis::SOMETHING_SKIPPED, {}, {}, bad);
+  BOOST_TEST(bool(TA::make_atlas(s.mesh, s.uv, few_charts()))); // which divides it
 }
 
 BOOST_AUTO_TEST_CASE(of_weights_and_coordinates)

@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 
 #include <cstddef>
 #include <vector>

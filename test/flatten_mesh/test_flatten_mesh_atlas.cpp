@@ -695,7 +695,7 @@ BOOST_AUTO_TEST_CASE(given_charts_are_packed_anew)
   flatten(wrong, "--repack");
   BOOST_TEST(status == 0);
   BOOST_TEST(number == 1u);
-  check_told("1 chart of the file turned over, because it is mirrored as a whole");
+  check_told("1 given chart turned over, because it is mirrored as a whole");
   BOOST_TEST(charts() == number);
   flatten(wrong, "--repack --repair-charts");
   BOOST_TEST(status == 0);

@@ -26,7 +26,7 @@
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
-#include <CGAL/Texture_atlas/internal/prepare/model_seams.h>
+#include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/test/unit_test.hpp>
@@ -585,21 +585,21 @@ BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
   const Model model =
       read("rubbish.obj", std::string(square) + "f 1 2 3\nf 1 1 2\nf 2 3\nf 1 3 4\nf 3 4 1\nf 4 3 1\n");
   check_origins(model, separated_surface(model, notes), {1, 2, 4}); // face 6 is a back
-  const std::vector<Skipped_part> parts = atlas_input_of(model, true, notes).set_aside;
+  const std::vector<TA::Atlas_report::Skipped> parts = atlas_input_of(model, true, notes).set_aside;
   BOOST_TEST_REQUIRE(parts.size() == 2u);
-  BOOST_TEST(parts[0].status == "DEGENERATE_FACE");
+  BOOST_TEST(parts[0].status == CGAL::Texture_atlas::Diagnosis::DEGENERATE_FACE);
   BOOST_TEST(parts[0].first_face == 1u);
-  BOOST_TEST(parts[0].faces == 2u);
-  BOOST_TEST(parts[1].status == "DUPLICATE_FACE");
+  BOOST_TEST(parts[0].number_of_faces == 2u);
+  BOOST_TEST(parts[1].status == CGAL::Texture_atlas::Diagnosis::DUPLICATE_FACE);
   BOOST_TEST(parts[1].first_face == 4u);
-  BOOST_TEST(parts[1].faces == 1u);
+  BOOST_TEST(parts[1].number_of_faces == 1u);
   BOOST_TEST((parts[1].message.find("face 5 has the same corners as face 4") != std::string::npos));
 
   const Model lines = read("lines.obj", std::string(square) + "f 1 1 2\nf 2 3\n");
   const Atlas_input nothing = atlas_input_of(lines, true, notes);
   BOOST_TEST(nothing.mesh.is_empty());
   BOOST_TEST_REQUIRE(nothing.set_aside.size() == 1u);
-  BOOST_TEST(nothing.set_aside.front().faces == 2u);
+  BOOST_TEST(nothing.set_aside.front().number_of_faces == 2u);
 
   const Model pillow = read("pillow.obj", std::string(square) + "f 1 2 3 4\nf 4 3 2 1\n");
   check_origins(pillow, separated_surface(pillow, notes));

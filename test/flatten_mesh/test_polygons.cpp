@@ -14,7 +14,7 @@
 #include "random_polygons.h"
 #include "run_flatten_mesh.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/triangulate_polygon.h>
+#include <CGAL/Texture_atlas/internal/prepare/triangulate.h>
 
 #include <algorithm>
 #include <array>

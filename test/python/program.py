@@ -71,8 +71,8 @@ def same_bits(a, b):
     return a.shape == b.shape and np.array_equal(a, b, equal_nan=True)
 
 
-# What differs: times, memory, where the surface came from, and the words of the command line
-VOLATILE = {"seconds", "peak_memory_mb", "input", "options"}
+# What differs: times, and what concerns files and runs
+VOLATILE = {"seconds", "peak_memory_mb", "input", "options", "exit_status", "version", "baking", "models"}
 
 
 def comparable(report):

@@ -14,8 +14,7 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
-#include <CGAL/Texture_atlas/internal/prepare/Seam_way.h>
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
+#include <CGAL/Texture_atlas/Soup_report.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,14 +43,7 @@ struct Atlas_record
   std::string input;
   std::vector<Model> models; // empty if there is only the input
   Atlas_command options;
-  double stretch_bound = 0;
-  std::size_t vertices = 0; // these three are of the surface that the atlas is made of
-  std::size_t triangles = 0;
-  std::size_t components = 0;
-  std::size_t left_out = 0; // faces that were not to be flattened
-  Seam_way seam_way;
-  Report_on_atlas report;
-  std::vector<Skipped_part> skipped; // also those that were set aside before
+  TA::Soup_report report;
   std::vector<double> share_of_area; // of each chart
   double read_seconds = 0;
   double simplify_seconds = 0; // 0 if nothing was simplified
@@ -63,29 +55,36 @@ struct Atlas_record
 };
 
 // The parts that one of several models lacks
-inline std::vector<Skipped_part> skipped_of_model(const Atlas_record& record, const std::size_t model)
+inline std::vector<TA::Atlas_report::Skipped> skipped_of_model(const Atlas_record& record,
+                                                               const std::size_t model)
 {
-  std::vector<Skipped_part> parts;
-  std::copy_if(record.skipped.begin(), record.skipped.end(), std::back_inserter(parts),
-               [model](const Skipped_part& part) { return part.model == model; });
+  std::vector<TA::Atlas_report::Skipped> parts;
+  std::copy_if(record.report.skipped.begin(), record.report.skipped.end(), std::back_inserter(parts),
+               [model](const TA::Atlas_report::Skipped& part) { return part.mesh == model; });
   return parts;
 }
 
 inline std::string status_name(const Atlas_record& record)
 {
-  if(record.report.has_atlas() && !record.skipped.empty()) {
-    return to_string(SMP::Diagnosis::SOMETHING_SKIPPED);
-  }
   return record.report ? "OK" : to_string(record.report.status);
+}
+
+// Whether a computation failed for this part, rather than that it cannot be flattened
+inline bool is_failure_of_computation(const TA::Atlas_report::Skipped& part)
+{
+  const TA::Diagnosis status = part.status;
+  return status == TA::Diagnosis::LINEAR_SYSTEM_FAILED || status == TA::Diagnosis::NO_CONVERGENCE ||
+         status == TA::Diagnosis::FLIPPED_TRIANGLES || status == TA::Diagnosis::OVERLAPPING;
 }
 
 inline Exit_status exit_status(const Atlas_record& record)
 {
   if(record.report.has_atlas()) {
-    return record.skipped.empty() ? SUCCESS : WRONG_INPUT;
+    return record.report.skipped.empty() ? SUCCESS : WRONG_INPUT;
   }
   const bool is_computed = !record.options.keeps_all_charts();
-  return is_computed && std::any_of(record.skipped.begin(), record.skipped.end(), is_failure_of_computation)
+  return is_computed && std::any_of(record.report.skipped.begin(), record.report.skipped.end(),
+                                    is_failure_of_computation)
              ? COMPUTATION_FAILED
              : WRONG_INPUT;
 }

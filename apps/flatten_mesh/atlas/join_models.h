@@ -28,18 +28,10 @@ inline Given_surface given_surface(Joined_model& model)
 // Appends a model. Models that touch stay apart.
 inline void join_model(Joined_model&& model, Atlas_input& whole)
 {
-  model.first_face = whole.mesh.number_of_faces();
-  model.first_halfedge = whole.mesh.number_of_halfedges();
-  whole.mesh += model.input.mesh;
-  const Given_surface given = given_surface(model);
-  const Edge_marks is_diagonal = diagonals(model.input.mesh), is_diagonal_of_whole = diagonals(whole.mesh);
-  for(const Edge e : model.input.mesh.edges()) {
-    is_diagonal_of_whole[given.in_common_mesh(e)] = is_diagonal[e];
-  }
-  for(Skipped_part part : model.input.set_aside) {
-    part.model = whole.joined.size();
-    whole.set_aside.push_back(std::move(part));
-  }
+  Given_surface given = given_surface(model);
+  append(given, whole.mesh);
+  model.first_face = given.first_face;
+  model.first_halfedge = given.first_halfedge;
   whole.left_out += model.input.left_out;
   whole.joined.push_back(std::move(model));
 }

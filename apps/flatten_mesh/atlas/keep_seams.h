@@ -6,11 +6,10 @@
 #ifndef FLATTEN_MESH_KEEP_SEAMS_H
 #define FLATTEN_MESH_KEEP_SEAMS_H
 
-#include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 #include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <string>
@@ -29,32 +28,28 @@ namespace internal {
                     ", counted from 0: both are corners of a larger polygon, but not next to each other");
 }
 
-inline void keep_seams_of_file(const std::string& file, Atlas_input& input, const Edge_marks& seams)
+inline void keep_seams_of_file(const std::string& file, Mesh& mesh)
 {
-  const auto report = TA::read_seam_selection(file, input.mesh, seams);
+  const Edge_marks seams = seam_marks(mesh);
+  const auto report = TA::read_seam_selection(file, mesh, seams);
   if(!report) {
     throw Input_error(report.message + "; vertices count from 0 in this file");
   }
-  const Edge_marks is_diagonal = diagonals(input.mesh);
-  for(const Edge e : input.mesh.edges()) {
+  const Edge_marks is_diagonal = diagonals(mesh);
+  for(const Edge e : mesh.edges()) {
     if(seams[e] && is_diagonal[e]) {
-      refuse_diagonal(file, input.mesh.vertex(e, 0), input.mesh.vertex(e, 1));
+      refuse_diagonal(file, mesh.vertex(e, 0), mesh.vertex(e, 1));
     }
   }
 }
 
 } // namespace internal
 
-// Marks the seams that are given. Throws an `Input_error` if there are none where they should be.
-inline void keep_seams(const Atlas_command& options, Atlas_input& input, const Edge_marks& seams)
+// Marks the seams of a file, if one is given. Throws an `Input_error`.
+inline void keep_seams(const Atlas_command& options, Mesh& mesh)
 {
-  if(options.seams_from == "uv") {
-    keep_seams_of_texture(input.model, input, seams);
-  } else if(!options.seams_from.empty()) {
-    internal::keep_seams_of_file(options.seams_from, input, seams);
-  }
-  if(options.charts_from_materials) {
-    keep_seams_of_materials(input.model, input, seams);
+  if(!options.seams_from.empty() && options.seams_from != "uv") {
+    internal::keep_seams_of_file(options.seams_from, mesh);
   }
 }
 

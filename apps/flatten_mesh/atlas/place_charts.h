@@ -10,86 +10,34 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
-#include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
+#include <CGAL/Texture_atlas/internal/prepare/place_in_rows.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace flatten_mesh {
 
 using namespace CGAL::Texture_atlas::internal::prepare;
 
-namespace internal {
-
-// Calls `f(halfedge, chart)` for the corners of all charts.
-template <class Function>
-void for_each_corner(const Mesh& mesh, const Atlas& atlas, const Function& f)
-{
-  for(const Face face : mesh.faces()) {
-    if(atlas.chart[face] >= 0) {
-      for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face))) {
-        f(h, static_cast<std::size_t>(atlas.chart[face]));
-      }
-    }
-  }
-}
-
-} // namespace internal
-
 inline CGAL::Bbox_2 box_of(const Mesh& mesh, const Atlas& atlas)
 {
   CGAL::Bbox_2 box;
-  internal::for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) { box += atlas.uv[h].bbox(); });
+  for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) { box += atlas.uv[h].bbox(); });
   return box;
 }
 
 inline void scale_charts(const Mesh& mesh, const Atlas& atlas, const double width, const double height)
 {
-  internal::for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) {
+  for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) {
     atlas.uv[h] = Kernel::Point_2(width * atlas.uv[h].x(), height * atlas.uv[h].y());
   });
-}
-
-// Moves the charts side by side, in rows of about the same length, the first row below.
-inline void place_in_rows(const Mesh& mesh, const Atlas& atlas, const std::size_t charts)
-{
-  std::vector<CGAL::Bbox_2> boxes(charts);
-  internal::for_each_corner(mesh, atlas,
-                            [&](const Halfedge h, const std::size_t c) { boxes[c] += atlas.uv[h].bbox(); });
-  double area = 0, widest = 0;
-  for(const CGAL::Bbox_2& box : boxes) {
-    area += box.x_span() * box.y_span();
-    widest = (std::max)(widest, box.x_span());
-  }
-  const double row_length = (std::max)(widest, 1.2 * std::sqrt(area)), gap = row_length / 100;
-  std::vector<Kernel::Vector_2> shifts;
-  double x = 0, y = 0, height = 0;
-  for(const CGAL::Bbox_2& box : boxes) {
-    if(x > 0 && x + box.x_span() > row_length) {
-      x = 0;
-      y += height + gap;
-      height = 0;
-    }
-    shifts.emplace_back(x - box.xmin(), y - box.ymin());
-    x += box.x_span() + gap;
-    height = (std::max)(height, box.y_span());
-  }
-  internal::for_each_corner(
-      mesh, atlas, [&](const Halfedge h, const std::size_t c) { atlas.uv[h] = atlas.uv[h] + shifts[c]; });
 }
 
 // Throws if a triangle has lost its orientation to rounding.
 inline void check_orientation(const Mesh& mesh, const Atlas& atlas)
 {
-  for(const Face f : mesh.faces()) {
-    const Halfedge h = mesh.halfedge(f);
-    if(atlas.chart[f] >= 0 && CGAL::orientation(atlas.uv[h], atlas.uv[mesh.next(h)],
-                                                atlas.uv[mesh.next(mesh.next(h))]) != CGAL::LEFT_TURN) {
-      throw Precision_exceeded("a triangle is so thin that rounding turns it over in world units; use "
-                               "--units square without --no-pack");
-    }
+  if(first_turned_face(mesh, atlas) != Mesh::null_face()) {
+    throw Precision_exceeded("a triangle is so thin that rounding turns it over in world units; use "
+                             "--units square without --no-pack");
   }
 }
 

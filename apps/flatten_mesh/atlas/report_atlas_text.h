@@ -90,7 +90,7 @@ inline Report_rows seam_jump_rows(const TA::Atlas_report& report)
 }
 
 // Where seams run
-inline std::string way_text(const Seam_way& way)
+inline std::string way_text(const TA::Soup_report::Seams& way)
 {
   const std::string surface = way.is_hard_surface.value_or(false) ? " of a hard surface" : "";
   if(way.crease_angle) {
@@ -112,17 +112,18 @@ inline Report_rows chart_rows(const Atlas_record& record)
   }
   Report_rows rows = {
       {"charts", std::to_string(report.charts.size()), methods_text(report) + strategies_text(report)}};
-  if(record.left_out > 0) {
-    rows.push_back(
-        {"left out", count_text(record.left_out, "face"), "which keep the coordinates that they had"});
+  if(record.report.number_of_ignored > 0) {
+    rows.push_back({"left out", count_text(record.report.number_of_ignored, "face"),
+                    "which keep the coordinates that they had"});
   }
-  append(rows, skipped_rows(record.skipped));
+  append(rows, skipped_rows(record.report.skipped));
   rows.push_back({"seams", format_number("%.4g", report.relative_seam_length),
                   "length in units of the square root of the area; " +
-                      count_text(report.number_of_terminals, "terminal") + "; " + way_text(record.seam_way)});
+                      count_text(report.number_of_terminals, "terminal") + "; " +
+                      way_text(record.report.seams)});
   const std::string bound = record.options.keeps_all_charts()
                                 ? std::string()
-                                : "bound " + format_number("%.4g", record.stretch_bound) + "; ";
+                                : "bound " + format_number("%.4g", record.options.stretch_bound) + "; ";
   rows.push_back({"scale stretch", format_number("%.4g", worst),
                   "of the worst chart, by changes of area; " + bound + "best 1"});
   append(rows, seam_jump_rows(report));
@@ -178,8 +179,8 @@ inline Report_rows model_rows(const Atlas_record& record)
   for(std::size_t i = 0; i < record.models.size(); ++i) {
     const Atlas_record::Model& model = record.models[i];
     std::size_t skipped = 0;
-    for(const Skipped_part& part : skipped_of_model(record, i)) {
-      skipped += part.faces;
+    for(const TA::Atlas_report::Skipped& part : skipped_of_model(record, i)) {
+      skipped += part.number_of_faces;
     }
     const std::string first = std::to_string(model.first_chart + 1),
                       last = std::to_string(model.first_chart + model.charts);
@@ -198,11 +199,13 @@ inline Report_rows model_rows(const Atlas_record& record)
 // The report for people, as far as it is on the surface and its atlas
 inline Report_rows surface_rows(const Atlas_record& record)
 {
-  Report_rows rows = {
-      {"input", record.input, record.components > 1 ? count_text(record.components, "component") : ""}};
+  Report_rows rows = {{"input", record.input,
+                       record.report.number_of_components > 1
+                           ? count_text(record.report.number_of_components, "component")
+                           : ""}};
   append(rows, internal::model_rows(record));
-  append(rows,
-         {{"vertices", std::to_string(record.vertices)}, {"triangles", std::to_string(record.triangles)}});
+  append(rows, {{"vertices", std::to_string(record.report.number_of_vertices)},
+                {"triangles", std::to_string(record.report.number_of_triangles)}});
   append(rows, internal::chart_rows(record));
   append(rows, internal::quality_rows(record.report.measures));
   if(!record.baking.from.empty()) {

@@ -37,7 +37,7 @@ inline void round_charts(const Mesh& mesh, const Atlas& atlas, const std::size_t
     return numbers.try_emplace({mesh.target(h), atlas.uv[h]}, static_cast<int>(numbers.size())).first->second;
   };
   std::vector<std::vector<ABF::Border_edge>> borders(charts);
-  internal::for_each_corner(mesh, atlas, [&](const Halfedge h, const std::size_t c) {
+  for_each_corner(mesh, atlas, [&](const Halfedge h, const std::size_t c) {
     corners.push_back(number(h));
     if(internal::is_chart_border(mesh, atlas, h)) {
       borders[c].push_back({number(mesh.prev(h)), number(h)});
@@ -62,7 +62,7 @@ inline void round_charts(const Mesh& mesh, const Atlas& atlas, const std::size_t
         "OBJ file");
   }
   auto corner = corners.begin();
-  internal::for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) {
+  for_each_corner(mesh, atlas, [&](const Halfedge h, std::size_t) {
     const ABF::Chart::Point_2& p = uv[static_cast<std::size_t>(*corner++)];
     atlas.uv[h] = Kernel::Point_2(p.x(), p.y());
   });

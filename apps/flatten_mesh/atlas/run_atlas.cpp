@@ -34,7 +34,7 @@ namespace {
 // What is wrong with the atlas as a whole, if anything
 void tell_message(const Command_line& command, const Atlas_record& record)
 {
-  if(record.skipped.empty() && !record.report) {
+  if(record.report.skipped.empty() && !record.report) {
     std::cerr << "flatten_mesh: " << command.title << ": " << status_name(record) << ": "
               << record.report.message << std::endl;
   }
@@ -108,7 +108,7 @@ Exit_status run_atlas(const Command_line& command)
   }
   write_files(command, input, atlas, baked, models, record, files);
   progress.end();
-  tell_skipped_parts(command, record.skipped);
+  tell_skipped_parts(command, record.report.skipped);
   tell_message(command, record);
   if(record.report.has_atlas()) {
     tell_report(command, report_text(record));

@@ -43,7 +43,6 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
-#include <CGAL/Texture_atlas/internal/prepare/texture_of_atlas.h>
 #include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <algorithm>

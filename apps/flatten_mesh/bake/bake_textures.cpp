@@ -77,8 +77,8 @@ Fine_surface read_fine_surface(const std::string& name, Notes& notes)
     notes.add("'" + name + "': " + text);
   }
   std::size_t left_out = 0;
-  for(const Skipped_part& part : input.set_aside) {
-    left_out += part.faces;
+  for(const TA::Atlas_report::Skipped& part : input.set_aside) {
+    left_out += part.number_of_faces;
   }
   if(left_out > 0) {
     notes.add("'" + name + "': " + count_text(left_out, "face") + " of invalid parts are not baked");

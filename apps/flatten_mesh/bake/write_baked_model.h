@@ -61,7 +61,7 @@ inline void replace_normals(const Mesh& mesh, const Corner_origins& origins, con
 // The material file of the input must not be lost.
 inline void check_material_file(const std::string& material_file, const Model& model)
 {
-  const std::filesystem::path folder = folder_of(model.file);
+  const std::filesystem::path folder = folder_of(model.name);
   for(const Statement& statement : model.statements) {
     for(const std::string& name : material_files_in(statement.text, folder)) {
       if(is_same_file((folder / name).string(), material_file)) {
@@ -137,7 +137,7 @@ inline void write_baked_model(const Command_line& command, Model model, const Me
   internal::check_material_file(material_file, model);
   files.open(material_file).write(internal::material_text(command, model, baked.record));
   internal::replace_materials(material_file, model);
-  model.file = command.output; // what it refers to is beside it
+  model.name = command.output; // what it refers to is beside it
   write_model(files.open(command.output), command.output, model, texture);
   files.open(baked_file(command, normals_ending)).write(normals);
   files.open(baked_file(command, displacement_ending)).write(displacements_png(baked.textures));

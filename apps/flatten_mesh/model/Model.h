@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <array>
 #include <cstddef>
@@ -60,6 +60,15 @@ struct Model : public Surface_soup
   Index normal(const Index corner) const
   {
     return has_point_normals ? vertices[corner] : corner_normals.empty() ? no_index : corner_normals[corner];
+  }
+
+  // Its corners have to be in `vertices` already.
+  void end_polygon()
+  {
+    if(vertices.size() >= no_index) {
+      throw Input_error("'" + name + "': the file has more than 4294967294 corners of faces; split the mesh");
+    }
+    first_corners.push_back(static_cast<Index>(vertices.size()));
   }
 
   // Gives back the memory that was taken for more: models are held to the end.

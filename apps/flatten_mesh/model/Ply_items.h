@@ -62,7 +62,7 @@ public:
     if(m_header.is_text) {
       m_text.refuse_at(m_line, name() + what);
     }
-    throw Input_error("'" + m_model.file + "': " + name() + what);
+    throw Input_error("'" + m_model.name + "': " + name() + what);
   }
 
   std::vector<std::vector<double>> numbers; // of each property of the item that was read last
@@ -164,7 +164,7 @@ private:
   [[noreturn]] void refuse_end() const
   {
     throw Input_error(
-        "'" + m_model.file + "': the header promises " + std::to_string(m_element->count) + " of '" +
+        "'" + m_model.name + "': the header promises " + std::to_string(m_element->count) + " of '" +
         m_element->name + "', but the file ends " +
         (m_header.is_text ? "after line " + std::to_string(m_text.lines.number() - 1) + " " : "") + "in " +
         name() + ": it was cut short, or a count is wrong; export the mesh again");

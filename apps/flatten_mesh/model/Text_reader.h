@@ -34,7 +34,7 @@ class Text_reader
 public:
   Text_reader(const std::string_view text, Model& model, const Degenerate_faces degenerate,
               const Text_lines::Joining joining = Text_lines::NOTHING)
-      : lines(text, joining), m_file(model.file), m_keeps_all(degenerate == Degenerate_faces::KEPT)
+      : lines(text, joining), m_file(model.name), m_keeps_all(degenerate == Degenerate_faces::KEPT)
   {}
 
   bool keeps_all() const { return m_keeps_all; }

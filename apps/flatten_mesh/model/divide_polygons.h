@@ -35,7 +35,7 @@ public:
     m_after.has_point_texture = before.has_point_texture;
     m_after.statements = before.statements;
     m_after.material_names = before.material_names;
-    m_after.file = before.file;
+    m_after.name = before.name;
     m_after.is_welded = before.is_welded;
   }
 

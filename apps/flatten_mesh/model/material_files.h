@@ -87,7 +87,7 @@ inline std::vector<Point_color> material_colors(const Model& model)
   if(!model.material_colors.empty()) {
     return model.material_colors;
   }
-  const std::filesystem::path folder = internal::folder_of(model.file);
+  const std::filesystem::path folder = internal::folder_of(model.name);
   std::map<std::string, Point_color> all;
   for(const Statement& statement : model.statements) {
     for(const std::string& name : internal::material_files_in(statement.text, folder)) {

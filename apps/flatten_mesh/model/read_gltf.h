@@ -89,7 +89,7 @@ private:
                first_normal = static_cast<Index>(m_model.normals.size()),
                first_texture = static_cast<Index>(m_model.texture.size());
     if(primitive.number_of_vertices() >= no_index - first) {
-      throw Input_error("'" + m_model.file + "': the file has more than 4294967294 vertices; split the mesh");
+      throw Input_error("'" + m_model.name + "': the file has more than 4294967294 vertices; split the mesh");
     }
     const auto material = static_cast<Index>(primitive.material); // -1 is `no_index`
     if(material != m_material) {
@@ -189,13 +189,13 @@ inline void read_gltf(const std::string_view content, Model& model, const Gltf_o
   const std::size_t first = content.find_first_not_of(" \t\r\n");
   if(!is_binary && (first == content.npos || content[first] != '{')) {
     throw Input_error(
-        "'" + model.file +
+        "'" + model.name +
         "': glTF files begin with 'glTF' if they are binary, and otherwise with '{'; export the "
         "mesh again");
   }
-  const Gltf_surface surface = gltf_surface(content, is_binary, model.file, options);
+  const Gltf_surface surface = gltf_surface(content, is_binary, model.name, options);
   internal::Gltf_model(surface, model).add_all(options.joins_vertices);
-  internal::tell_gltf(surface, options, model.file, notes);
+  internal::tell_gltf(surface, options, model.name, notes);
 }
 
 } // namespace flatten_mesh

@@ -53,7 +53,7 @@ inline void check_format(const std::string& name, const std::string& format)
 inline void check_surface(const Model& model)
 {
   if(model.points.empty() || model.number_of_polygons() == 0) {
-    throw Input_error("'" + model.file + "': the file has " +
+    throw Input_error("'" + model.name + "': the file has " +
                       (model.points.empty()
                            ? "no vertices; export the mesh again"
                            : "vertices but no faces; a point cloud has to be made into a surface first"));
@@ -98,7 +98,7 @@ FLATTEN_MESH_INLINE Model read_model(const std::string& name, const Degenerate_f
                                      const std::string& format_of_pipe, const Gltf_options& gltf)
 {
   Model model;
-  model.file = name;
+  model.name = name;
   const bool is_pipe = name == standard_input || is_other_file(name);
   const std::string format = is_pipe && !format_of_pipe.empty() ? format_of_pipe : file_format(name);
   internal::check_file_is_there(name);

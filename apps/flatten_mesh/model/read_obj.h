@@ -50,9 +50,9 @@ public:
                            std::to_string(m_model.points.size()) + "; export the mesh again");
     }
     m_values.end();
-    m_remarks.tell_skipped(m_model.file, notes);
+    m_remarks.tell_skipped(m_model.name, notes);
     if(m_keeps_all) {
-      m_remarks.tell_attributes(m_model.file, notes);
+      m_remarks.tell_attributes(m_model.name, notes);
     }
   }
 
@@ -215,7 +215,7 @@ private:
 
   [[noreturn]] void refuse_empty_file() const
   {
-    throw Input_error("'" + m_model.file + "': the file has " +
+    throw Input_error("'" + m_model.name + "': the file has " +
                       (m_model.points.empty()
                            ? "no vertices; export the mesh again"
                            : "vertices but no faces; a point cloud has to be made into a surface first") +

@@ -47,7 +47,7 @@ public:
     m_model.has_point_normals = m_has_normals;
     m_model.has_point_texture = m_has_texture;
     if(m_colored_faces > 0) {
-      notes.add("'" + m_model.file + "': outputs are without the colours of " +
+      notes.add("'" + m_model.name + "': outputs are without the colours of " +
                 count_text(m_colored_faces, "face"));
     }
   }
@@ -208,7 +208,7 @@ private:
 
   [[noreturn]] void refuse_end() const
   {
-    throw Input_error("'" + m_model.file + "': the header promises " +
+    throw Input_error("'" + m_model.name + "': the header promises " +
                       count_text(m_vertices, "vertex", "vertices") + " and " + count_text(m_faces, "face") +
                       ", but the file ends after line " + std::to_string(m_text.lines.number() - 1) +
                       " with " + std::to_string(m_model.points.size()) + " and " +

@@ -55,10 +55,10 @@ public:
       m_model.corner_texture.resize(m_model.number_of_corners(), no_index);
     }
     if(!m_left_out.empty()) {
-      m_notes.add("'" + m_model.file + "': outputs are without these properties: " + m_left_out);
+      m_notes.add("'" + m_model.name + "': outputs are without these properties: " + m_left_out);
     }
     if(m_header.names_textures) {
-      m_notes.add("'" + m_model.file + "': outputs are without the names of textures in its header");
+      m_notes.add("'" + m_model.name + "': outputs are without the names of textures in its header");
     }
   }
 
@@ -206,7 +206,7 @@ private:
       m_model.texture.clear();
       m_model.has_point_texture = false;
       m_notes.add(
-          "'" + m_model.file +
+          "'" + m_model.name +
           "': the texture coordinates of all vertices are equal, so that those of the faces are taken");
     }
   }
@@ -263,7 +263,7 @@ private:
 
   [[noreturn]] void refuse_header(const std::string& what) const
   {
-    throw Input_error("'" + m_model.file + "': the header of the file is wrong: " + what +
+    throw Input_error("'" + m_model.name + "': the header of the file is wrong: " + what +
                       "; export the mesh again");
   }
 

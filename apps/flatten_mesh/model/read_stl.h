@@ -65,13 +65,13 @@ private:
     const std::size_t found = bytes.size() / triangle_size;
     if(!has_count) {
       throw Input_error(
-          "'" + m_model.file +
+          "'" + m_model.name +
           "': an STL file begins with 'solid', or is binary and has 84 bytes or more; export the "
           "mesh again");
     }
     if(found != count) {
       throw Input_error(
-          "'" + m_model.file + "': the header promises " + count_text(count, "triangle") + ", but the file " +
+          "'" + m_model.name + "': the header promises " + count_text(count, "triangle") + ", but the file " +
           (found < count ? "ends after " + std::to_string(found) + ": it was cut short, or the count is wrong"
                          : "has room for " + std::to_string(found)) +
           "; export the mesh again");
@@ -92,7 +92,7 @@ private:
       colored += attributes != 0;
     }
     if(colored > 0) {
-      notes.add("'" + m_model.file + "': outputs are without the attributes, such as colours, of " +
+      notes.add("'" + m_model.name + "': outputs are without the attributes, such as colours, of " +
                 count_text(colored, "triangle"));
     }
   }

@@ -32,8 +32,8 @@ inline void read_vtp(Model& model)
   const boost::io::ios_rdbuf_saver no_output(std::cout, nullptr), no_errors(std::cerr, nullptr);
   vtkObject::GlobalWarningDisplayOff();
   std::vector<Polygon> polygons;
-  if(!CGAL::IO::read_VTP(model.file, model.points, polygons)) {
-    throw Input_error("cannot read '" + model.file + "': it is damaged or cut short; export the mesh again");
+  if(!CGAL::IO::read_VTP(model.name, model.points, polygons)) {
+    throw Input_error("cannot read '" + model.name + "': it is damaged or cut short; export the mesh again");
   }
   for(const Polygon& polygon : polygons) {
     for(const std::size_t v : polygon) {

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_TEXT_NUMBERS_H
 #define FLATTEN_MESH_TEXT_NUMBERS_H
 
-#include <CGAL/Texture_atlas/internal/files/text_numbers.h>
+#include <CGAL/Texture_atlas/internal/files/text_lines.h>
 
 #include <charconv>
 #include <cstddef>

@@ -137,7 +137,7 @@ private:
     auto statement = m_model.statements.begin();
     for(std::size_t p = 0; p <= m_model.number_of_polygons(); ++p) {
       for(; statement != m_model.statements.end() && statement->polygon <= p; ++statement) {
-        m_text += statement_elsewhere(*statement, m_model.file, m_name);
+        m_text += statement_elsewhere(*statement, m_model.name, m_name);
         end_line();
       }
       if(p < m_model.number_of_polygons()) {

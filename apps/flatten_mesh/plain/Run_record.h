@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
 
 #include <cstddef>
 #include <limits>
@@ -118,7 +118,7 @@ struct Run_record
   std::size_t split_edges = 0;      // which were in the way of that border
   std::vector<std::string> written;
   std::vector<std::string> notes;
-  std::vector<Skipped_part> skipped; // faces of the file that are left out
+  std::vector<CGAL::Texture_atlas::Atlas_report::Skipped> skipped; // faces of the file that are left out
 };
 
 // The name of a diagnosis, "OK" for none.

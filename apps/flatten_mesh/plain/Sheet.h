@@ -13,8 +13,8 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Texture_atlas/internal/prepare/Cut_mesh.h>
-#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
+#include <CGAL/Texture_atlas/internal/prepare/components.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <algorithm>
 #include <cstddef>

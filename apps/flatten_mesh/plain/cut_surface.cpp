@@ -14,7 +14,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Texture_atlas/internal/atlas/reduce_stretch.h>
-#include <CGAL/Texture_atlas/internal/prepare/Cut_mesh.h>
+#include <CGAL/Texture_atlas/internal/prepare/components.h>
 #include <CGAL/Texture_atlas/is_disk_cut.h>
 #include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Texture_atlas/select_seams.h>
@@ -111,7 +111,7 @@ void check_disks(const std::string& file, const Seamed_component& component)
 void read_seams(const std::string& file, Atlas_input& input, Seamed_component& component)
 {
   const Edge_marks seams = seam_marks(input.mesh);
-  internal::keep_seams_of_file(file, input, seams);
+  internal::keep_seams_of_file(file, input.mesh);
   for(const Edge e : component.part.mesh.edges()) {
     component.seams[e] = seams[component.part.edge_origins[e.idx()]];
   }

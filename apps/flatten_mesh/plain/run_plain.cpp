@@ -223,7 +223,7 @@ private:
   {
     const Mesh& mesh = m_input.mesh;
     Model model;
-    model.file = m_input.model.file;
+    model.name = m_input.model.name;
     model.points.assign(mesh.points().begin(), mesh.points().end());
     m_input.origins = Corner_origins();
     m_input.origins.corners.assign(mesh.number_of_halfedges(), no_index);

@@ -10,7 +10,7 @@
 #include "flatten_mesh/report_rows.h"
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
 
 #include <cstddef>
 #include <string>
@@ -42,7 +42,7 @@ struct Report_contents
   CGAL::Bbox_2 box;      // of the plane
   std::size_t pages = 1; // in this box, ten in a row
   std::vector<Chart_row> charts;
-  std::vector<Skipped_part> skipped;
+  std::vector<CGAL::Texture_atlas::Atlas_report::Skipped> skipped;
   Textured_surface surface;
   std::string up;                             // the axis of it that points upwards
   std::vector<Textured_surface::Index> faces; // of each triangle: its face in the file, from 0

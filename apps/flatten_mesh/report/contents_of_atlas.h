@@ -41,9 +41,9 @@ inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_r
     contents.charts.push_back({chart.number_of_faces, record.share_of_area[i], to_string(chart.method),
                                chart.l2_stretch, chart.scale_stretch, internal::seam_jump(chart)});
   }
-  contents.skipped = record.skipped;
-  for(Skipped_part& part : contents.skipped) {
-    part.message = (record.models.empty() ? "" : record.models[part.model].input + ": ") + part.message;
+  contents.skipped = record.report.skipped;
+  for(TA::Atlas_report::Skipped& part : contents.skipped) {
+    part.message = (record.models.empty() ? "" : record.models[part.mesh].input + ": ") + part.message;
   }
   contents.surface = std::move(surface);
   contents.up = up;

@@ -38,11 +38,11 @@ inline Json chart_row_json(const Report_contents::Chart_row& chart)
 }
 
 // Faces are counted from 0 here.
-inline Json page_skipped_json(const Skipped_part& part)
+inline Json page_skipped_json(const CGAL::Texture_atlas::Atlas_report::Skipped& part)
 {
-  return {{"faces", part.faces},
+  return {{"faces", part.number_of_faces},
           {"first_face", part.first_face},
-          {"diagnosis", part.status},
+          {"diagnosis", to_string(part.status)},
           {"message", part.message}};
 }
 

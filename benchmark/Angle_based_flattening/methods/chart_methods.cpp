@@ -10,7 +10,7 @@
 
 #include "../measure/subcommands.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 
 #include <vector>

@@ -17,10 +17,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/one_to_one.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
@@ -48,6 +46,18 @@ namespace Surface_mesh_parameterization {
 /// The map is nearly conformal, and it has no flipped triangles: an exact predicate checks the orientation of every
 /// triangle, on the coordinates that are written. On surfaces that are hard to flatten, it stretches much less than
 /// linear conformal maps.
+///
+/// These defaults are not those of the paper (Section \ref ABF_math explains them):
+///
+/// | option                                  | default     | why                                   | as in the paper |
+/// | :-------------------------------------- | :---------- | :------------------------------------ | :-------------- |
+/// | `Flattening_options::barrier`           | 0.1         | no angle goes to zero                 | 0               |
+/// | `ABF_plus_plus_options::step`           | `NEWTON`    | converges quadratically               | `SEQUENTIAL_LINEARLY_CONSTRAINED` |
+/// | `ABF_plus_plus_options::linear_solver`  | `ITERATIVE` | takes less time and memory            | `DIRECT`        |
+/// | `ABF_plus_plus_options::layout`         | `AUTOMATIC_LAYOUT` | exact where the angles close up | `LEAST_SQUARES_LAYOUT` |
+///
+/// Constraints in logarithms, the line search, the stopping rule and the pinned vertices of the layout are ours in any
+/// case.
 ///
 /// \cgalModels{Parameterizer_3}
 ///

@@ -52,6 +52,13 @@ enum class Diagnosis
   INCONSISTENT_COORDINATES, ///< Planar coordinates differ within a chart at a vertex without a seam.
   DEGENERATE_CHART, ///< A chart has no area in the plane up to rounding, or too large an area to compute.
 
+  // Points and polygons
+  WRONG_INPUT,              ///< Points and polygons are no surface as a whole.
+  DEGENERATE_FACE,          ///< A polygon has fewer than three different vertices.
+  DUPLICATE_FACE,           ///< A polygon has the same corners as another one.
+  INCONSISTENT_ORIENTATION, ///< Two polygons run along an edge in the same direction.
+  UNDIVIDED_FACE, ///< A polygon cannot be divided into triangles: all its diagonals are edges of others.
+
   // What is asked for
   WRONG_OPTION,    ///< An option is out of its range, or contradicts another option.
   WRONG_WEIGHT,    ///< A weight or importance is negative, out of its range, or not a number.
@@ -135,6 +142,11 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "NON_FINITE_COORDINATE",
                                    "INCONSISTENT_COORDINATES",
                                    "DEGENERATE_CHART",
+                                   "WRONG_INPUT",
+                                   "DEGENERATE_FACE",
+                                   "DUPLICATE_FACE",
+                                   "INCONSISTENT_ORIENTATION",
+                                   "UNDIVIDED_FACE",
                                    "WRONG_OPTION",
                                    "WRONG_WEIGHT",
                                    "WRONG_ANGLE_SUM",

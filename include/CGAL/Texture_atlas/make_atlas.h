@@ -14,10 +14,10 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Texture_atlas/internal/atlas/common_atlas.h>
-#include <CGAL/Texture_atlas/internal/atlas/mesh_atlas_builder.h>
+#include <CGAL/Texture_atlas/internal/prepare/mesh_atlas.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -30,7 +30,7 @@ namespace Texture_atlas {
 /*!
 \ingroup PkgTextureAtlasRef
 
-makes a texture atlas of any surface: cuts it open, flattens it, and packs the charts into the unit square, or, with
+makes a texture atlas of any mesh: cuts it open, flattens it, and packs the charts into the unit square, or, with
 `Packing_options::texels_per_unit`, into as many such pages as they take. Charts larger than a page are then cut in two.
 
 Each connected part of the surface, of any genus and with any number of borders, is cut to a disk along seams with a
@@ -43,10 +43,13 @@ overlaps itself, and no two charts come nearer to one another than the gutter. S
 `Diagnosis::STRETCH_BOUND_MISSED` says that some chart is not good (`Atlas_report::Chart::is_good`).
 
 A part that cannot be flattened is skipped and reported. Its coordinates are unchanged, and all other parts get charts.
-Faces that are no triangles or have vertices that are not finite or a billion times as far away as most are such parts
-by themselves. Faces whose corners are exactly on one line change no chart: each gets coordinates on an edge of a
+Faces with vertices that are not finite or a billion times as far away as most are such parts by themselves. Faces whose corners are exactly on one line change no chart: each gets coordinates on an edge of a
 neighbor (`Atlas_report::degenerate_triangles`). Edges where a chart ends beside such faces are seams, too. If anything
 else is wrong, nothing is written.
+
+Faces may have any number of corners. Larger ones are divided into triangles in a copy of the mesh, by diagonals that do
+not become seams, and each is strictly convex in the plane where that is possible, as with `face_patch_map`. The report
+counts faces of charts as triangles.
 
 For \f$n\f$ triangles, the time is \cgalBigO{n \log n}, plus factorizations of matrices of bounded size for each part.
 With `CGAL::TBB_support`, parts are flattened in parallel. The result does not depend on the number of threads.
@@ -60,7 +63,7 @@ With `CGAL::TBB_support`, parts are flattened in parallel. The result does not d
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a signed integer as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param mesh a triangle mesh, of any number of connected components
+\param mesh a mesh, of any number of connected components
 \param seams the seams: marked edges stay seams, and new seams are marked
 \param uv receives the coordinates: each halfedge of a face stores those of its target in this face
 \param charts receives the chart number of each face, from 0 on, and -1 for a face without chart
@@ -116,10 +119,11 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  internal::Mesh_atlas_builder<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap, NamedParameters>
-      builder(options, np);
-  builder.add(mesh, seams, uv, charts);
-  return builder.run();
+  const std::array<EdgeIsSeamMap, 1> all_seams = {seams};
+  const std::array<HalfedgeUVMap, 1> all_uv = {uv};
+  const std::array<FaceChartMap, 1> all_charts = {charts};
+  return internal::atlas_of_meshes(internal::One_mesh<TriangleMesh>{&mesh}, all_seams, all_uv, all_charts,
+                                   options, np);
 }
 
 /*!
@@ -138,10 +142,7 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  internal::Mesh_atlas_builder<TriangleMesh, std::nullptr_t, HalfedgeUVMap, std::nullptr_t, NamedParameters>
-      builder(options, np);
-  builder.add(mesh, nullptr, uv, nullptr);
-  return builder.run();
+  return make_atlas(mesh, nullptr, uv, nullptr, options, np);
 }
 
 /*!
@@ -159,7 +160,7 @@ part is wrong, nothing is written to any mesh.
         one map for each mesh
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param meshes triangle meshes, of any number of connected components
+\param meshes meshes, of any number of connected components
 \param seams the seams of each mesh: marked edges stay seams, and new seams are marked
 \param uv receives the coordinates: each halfedge of a face stores those of its target in this face
 \param charts receives the chart number of each face, from 0 on, and -1 for a face without chart

@@ -11,7 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Texture_atlas/internal/seams/opened_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

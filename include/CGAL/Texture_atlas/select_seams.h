@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Seam_report.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Texture_atlas/internal/seams/apply_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>

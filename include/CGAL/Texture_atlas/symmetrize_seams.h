@@ -12,8 +12,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/Symmetry_report.h>
-#include <CGAL/Texture_atlas/internal/seams/edge_graph.h>
-#include <CGAL/Texture_atlas/internal/seams/sides_of_plane.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Texture_atlas/internal/seams/mirror_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/symmetry.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>

@@ -40,4 +40,6 @@ void make_atlas(Mesh& mesh, Mesh::Property_map<Mesh::Edge_index, bool> seams,
   TA::select_seams(mesh, seams, TA::Seam_options(), np);
   TA::flatten_with_cones(mesh, 8, seams, uv, TA::Cone_options(), np);
   TA::make_atlas(mesh, uv, TA::Atlas_options(), np);
+  TA::Soup_atlas atlas;
+  TA::make_atlas(TA::Surface_soup(), atlas, TA::Soup_options(), np);
 }

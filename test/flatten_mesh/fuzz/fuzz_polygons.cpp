@@ -10,7 +10,7 @@
 
 #include "flatten_mesh/atlas/Atlas_input.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -108,8 +108,8 @@ void make_mesh(const Model& model, bool repair)
     const std::set<Index> polygons = require_whole(input);
     require_simple(input);
     std::size_t named = 0;
-    for(const Skipped_part& part : input.set_aside)
-      named += part.faces;
+    for(const TA::Atlas_report::Skipped& part : input.set_aside)
+      named += part.number_of_faces;
     const std::vector<bool>& has_no_area = input.origins.has_no_area; // which is told with the atlas
     named += static_cast<std::size_t>(std::count(has_no_area.begin(), has_no_area.end(), true));
     if(notes.texts().empty())

@@ -73,7 +73,7 @@ void read(std::string_view content, const std::string& format, bool repair)
   command.quiet = true;
   Notes notes = notes_of(command);
   Model model;
-  model.file = "fuzz." + format;
+  model.name = "fuzz." + format;
   try {
     read_content(content, format, Degenerate_faces::KEPT, model, notes);
     require_consistent(model);
@@ -82,8 +82,8 @@ void read(std::string_view content, const std::string& format, bool repair)
     std::sort(polygons.begin(), polygons.end());
     std::size_t found =
         static_cast<std::size_t>(std::unique(polygons.begin(), polygons.end()) - polygons.begin());
-    for(const Skipped_part& part : input.set_aside)
-      found += part.faces;
+    for(const TA::Atlas_report::Skipped& part : input.set_aside)
+      found += part.number_of_faces;
     const std::vector<bool>& has_no_area = input.origins.has_no_area; // which is told with the atlas
     found += static_cast<std::size_t>(std::count(has_no_area.begin(), has_no_area.end(), true));
     require(found == model.number_of_polygons(), "a lost polygon");

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <algorithm>
@@ -26,6 +26,17 @@
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
+
+class Atlas_stage : public Visited_stage<Atlas_visitor>
+{
+public:
+  Atlas_stage(Atlas_visitor* visitor, Atlas_visitor::Stage stage, double& seconds)
+      : Visited_stage(visitor, stage, names[stage], seconds)
+  {}
+
+private:
+  static constexpr const char* names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
+};
 
 // Reports progress from several threads to a visitor, which may cancel.
 class Atlas_progress

@@ -29,7 +29,6 @@
 #include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
 #include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Texture_atlas/internal/atlas/atlas_stage.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Texture_atlas/internal/overlaps/dual_patch.h>
+#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

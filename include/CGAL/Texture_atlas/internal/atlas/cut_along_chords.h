@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/border_of_piece.h>
 #include <CGAL/Texture_atlas/internal/atlas/chord_paths.h>
 #include <CGAL/Texture_atlas/internal/atlas/cut_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/border_of_piece.h>
+#include <CGAL/Texture_atlas/internal/atlas/chord_paths.h>
 
 #include <algorithm>
 #include <cmath>

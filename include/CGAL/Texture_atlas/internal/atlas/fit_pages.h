@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
-#include <CGAL/Texture_atlas/internal/overlaps/dual_patch.h>
+#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>

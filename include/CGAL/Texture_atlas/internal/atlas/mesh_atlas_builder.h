@@ -19,10 +19,10 @@
 #include <CGAL/Texture_atlas/internal/atlas/mesh_in_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/default_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
-#include <CGAL/Texture_atlas/internal/atlas/atlas_stage.h>
+#include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -49,12 +49,15 @@ class Mesh_atlas_builder
   typedef Atlas_stage Stage;
 
 public:
-  Mesh_atlas_builder(const Atlas_options& options, const NamedParameters& np) : m_options(options), m_np(np)
+  Mesh_atlas_builder(const Atlas_options& options, const Linear_solvers& solvers)
+      : m_options(options), m_solvers(solvers)
   {}
 
-  void add(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts)
+  // The named parameters are those of the mesh, and have to live as long as this builder.
+  void add(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
+           const NamedParameters& np)
   {
-    m_meshes.emplace_back(mesh, seams, uv, charts, keeps_charts(), m_np);
+    m_meshes.emplace_back(mesh, seams, uv, charts, keeps_charts(), np);
   }
 
   Report run()
@@ -62,7 +65,7 @@ public:
     Report report;
     report.message = wrong_option(m_options);
     if(report.message.empty() && keeps_charts() && !Read_mesh::has_readable_uv)
-      report.message = "charts can be kept only if the map of coordinates can be read";
+      report.message = unreadable_text;
     if(!report.message.empty()) {
       report.status = Diagnosis::WRONG_OPTION;
       return report;
@@ -177,7 +180,7 @@ private:
     }
     Atlas_settings options = m_options;
     options.texels_per_unit *= m_weight_scale;
-    Atlas atlas = build_atlas(parts, m_weight, options, linear_solvers(m_np), &round_to_points<Point>);
+    Atlas atlas = build_atlas(parts, m_weight, options, m_solvers, &round_to_points<Point>);
     std::size_t begin = 0;
     for(std::size_t i = 0; i < m_meshes.size(); begin += sizes[i++])
       m_meshes[i].set_charts(taken(parts, begin, sizes[i]), taken(atlas.parts, begin, sizes[i]),
@@ -240,7 +243,7 @@ private:
   }
 
   const Atlas_settings m_options;
-  const NamedParameters& m_np;
+  const Linear_solvers m_solvers;
   std::deque<Read_mesh> m_meshes;
   std::vector<double> m_weight; // of each triangle, divided by the scale; empty if all are 1
   double m_weight_scale = 1;

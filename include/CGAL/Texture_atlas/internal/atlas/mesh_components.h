@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -55,6 +56,9 @@ class Mesh_components
 
 public:
   Mesh_components(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
+
+  // Sets the number that messages call a face by, in place of its position.
+  void set_numbers(std::function<std::size_t(face_descriptor)> number) { m_number = std::move(number); }
 
   // Opened along the edges with `is_cut(e)`, and around wrong faces, which condemn no others
   template <typename IsCut>
@@ -143,8 +147,6 @@ private:
 
   Diagnosis defect(face_descriptor f) const
   {
-    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
-      return Diagnosis::NOT_TRIANGULATED;
     for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
       const Far_points::Point p = point(target(h, m_mesh));
       if(!Far_points::is_finite(p))
@@ -152,6 +154,8 @@ private:
       if(m_far_points.contain(p))
         return Diagnosis::FAR_POINT;
     }
+    if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
+      return Diagnosis::UNDIVIDED_FACE;
     return has_no_area(f) ? Diagnosis::NO_AREA : Diagnosis::NOTHING_WRONG;
   }
 
@@ -172,9 +176,9 @@ private:
   {
     const auto [x, y, z] = point(target(halfedge(f, m_mesh), m_mesh));
     std::ostringstream text;
-    text << "face " << get(m_rank, f) << " at (" << x << ", " << y << ", " << z << ") "
-         << (diagnosis == Diagnosis::NOT_TRIANGULATED
-                 ? "is not a triangle: call Polygon_mesh_processing::triangulate_faces() first"
+    text << "face " << (m_number ? m_number(f) : rank(f)) << " at (" << x << ", " << y << ", " << z << ") "
+         << (diagnosis == Diagnosis::UNDIVIDED_FACE
+                 ? "cannot be divided into triangles: other edges join its corners already"
              : diagnosis == Diagnosis::NO_AREA   ? "has no area, and no neighbor with a chart"
              : diagnosis == Diagnosis::FAR_POINT ? std::string("has a vertex that is ") + far_point_text
                                                  : "has a vertex whose coordinates are not all finite");
@@ -187,6 +191,7 @@ private:
       m_component,
       m_rank; // of each face
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Diagnosis>>::const_type m_defect;
+  std::function<std::size_t(face_descriptor)> m_number; // or null
   Far_points m_far_points;
   std::vector<face_descriptor> m_without_area;
   std::vector<Component> m_components;

@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/seams/seam_cost.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -40,6 +40,13 @@
 
 namespace CGAL::Texture_atlas::internal {
 
+template <typename PropertyMap>
+inline constexpr bool is_readable =
+    std::is_convertible<typename boost::property_traits<PropertyMap>::category,
+                        boost::readable_property_map_tag>::value;
+
+const char* const unreadable_text = "charts can be kept only if the map of coordinates can be read";
+
 // Reads a mesh, and writes the results. Maps of seams and charts may be null pointers.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename NamedParameters>
@@ -58,9 +65,7 @@ class Mesh_in_atlas
       !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
 public:
-  static constexpr bool has_readable_uv =
-      std::is_convertible<typename boost::property_traits<HalfedgeUVMap>::category,
-                          boost::readable_property_map_tag>::value;
+  static constexpr bool has_readable_uv = is_readable<HalfedgeUVMap>;
 
   struct Listed_part
   {
@@ -76,7 +81,11 @@ public:
         m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                               get_const_property_map(CGAL::vertex_point, mesh))),
         m_reader(mesh, m_points), m_components(mesh, m_points), m_without_area(mesh, m_points)
-  {}
+  {
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_index_t>::value)
+      m_components.set_numbers([numbers = parameters::get_parameter(np, internal_np::face_index)](
+                                   face_descriptor f) -> std::size_t { return get(numbers, f); });
+  }
 
   // Reads the faces that can be flattened. Returns whether there are not too many.
   bool read_faces(Report& report)

@@ -15,7 +15,7 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Texture_atlas/internal/overlaps/dual_patch.h>
+#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <cstddef>

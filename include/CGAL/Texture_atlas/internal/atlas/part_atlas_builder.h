@@ -25,7 +25,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/flat_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Texture_atlas/internal/overlaps/dual_patch.h>
+#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
 #include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>

@@ -5,26 +5,130 @@
 
 // Adds seams in rounds as long as a map stretches too much. `part_atlas_builder.h` does so for the parts of an atlas,
 // and the program `flatten_mesh` for a mesh that becomes a single chart.
+//
+// Leads further seams to the vertices where a map stretches most.
+// `part_atlas_builder.h` calls it as long as the stretch of a chart is above the bound.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_REDUCE_STRETCH_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_REDUCE_STRETCH_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/Seam_report.h>
-#include <CGAL/Texture_atlas/internal/atlas/add_terminals.h>
-#include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/seams/apply_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
-#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Texture_atlas/Seam_report.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
+
+// How vertices are chosen where a map stretches too much
+enum class Stretch_criterion
+{
+  LOG_SCALE, // finds tips, however small their triangles are
+  AREA       // finds what large triangles hide
+};
+
+// Joins vertices where a map stretches most to the seams of a disk, which remains a disk.
+class Terminal_adder
+{
+public:
+  // `cost` is that of the edge that each corner faces.
+  Terminal_adder(const Chart& surface, const std::vector<double>& cost, const std::vector<char>& is_seam)
+      : m_graph(surface), m_cost(cost), m_corner(surface.points.size(), -1)
+  {
+    for(int c = 0; c < surface.number_of_corners(); ++c) {
+      m_corner[surface.vertex[c]] = c;
+      if(is_seam[c] && !m_graph.is_seam(c))
+        m_graph.set_seam(c, true);
+    }
+  }
+
+  // Returns how many vertices were joined, at most `count`.
+  int add(const std::vector<Vertex_scale>& scales, Stretch_criterion criterion, std::size_t count)
+  {
+    std::vector<double> badness;
+    for(const Vertex_scale& scale : scales)
+      badness.push_back(criterion == Stretch_criterion::AREA ? scale.stretch_by_area()
+                                                             : std::abs(scale.log_scale));
+    int added = 0;
+    for(int v : worst_vertices(badness, count))
+      added += join(v);
+    return added;
+  }
+
+  std::vector<char> seams() const
+  {
+    std::vector<char> is_seam;
+    for(int c = 0; c < m_graph.surface().number_of_corners(); ++c)
+      is_seam.push_back(m_graph.is_seam(c));
+    return is_seam;
+  }
+
+private:
+  // The worst vertices among those that are worse than all their neighbours
+  std::vector<int> worst_vertices(const std::vector<double>& badness, std::size_t count) const
+  {
+    const auto is_worse = [&](int v, int w) {
+      return badness[v] > badness[w] || (badness[v] == badness[w] && v < w);
+    };
+    std::vector<int> worst;
+    for(int v = 0; v < m_graph.surface().number_of_vertices(); ++v)
+      if(m_corner[v] >= 0 && is_interior(v) && is_local_maximum(v, is_worse))
+        worst.push_back(v);
+    const std::size_t size = (std::min)(worst.size(), count);
+    std::partial_sort(worst.begin(), worst.begin() + static_cast<std::ptrdiff_t>(size), worst.end(),
+                      is_worse);
+    worst.resize(size);
+    return worst;
+  }
+
+  bool is_interior(int v) const { return !m_graph.is_on_border(m_graph.node(m_corner[v])); }
+
+  template <typename IsWorse>
+  bool is_local_maximum(int v, const IsWorse& is_worse) const
+  {
+    const Chart& surface = m_graph.surface();
+    const int first = m_corner[v];
+    int c = first;
+    do {
+      if(!is_worse(v, surface.vertex[next_corner(c)]))
+        return false;
+      c = surface.rotate(c); // around an interior vertex
+    } while(c != first);
+    return true;
+  }
+
+  // Returns whether there was a way to a seam or border.
+  bool join(int v)
+  {
+    if(!is_interior(v)) // one of those before was joined through it
+      return false;
+    Shortest_paths paths(m_graph, m_cost);
+    const int end =
+        paths.find({m_graph.node(m_corner[v])}, forbidden, [&](int x) { return m_graph.is_on_border(x); });
+    if(end < 0)
+      return false;
+    for(int c : paths.path(end))
+      m_graph.set_seam(c, true);
+    return true;
+  }
+
+  Sector_graph m_graph;
+  const std::vector<double>& m_cost;
+  std::vector<int> m_corner; // of each vertex: one of its corners
+};
 
 inline bool misses_stretch_bound(double stretch, double bound)
 {

@@ -14,7 +14,6 @@
 
 #include <CGAL/Texture_atlas/internal/baking/bake.h>
 #include <CGAL/Texture_atlas/internal/baking/chart_texels.h>
-#include <CGAL/Texture_atlas/internal/baking/fill_gutter.h>
 #include <CGAL/Texture_atlas/internal/baking/fine_surface_searches.h>
 #include <CGAL/Texture_atlas/internal/baking/fine_surface_tree.h>
 #include <CGAL/Texture_atlas/internal/baking/tangent_frames.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
 #include <CGAL/Texture_atlas/internal/files/check_obj_soup.h>
-#include <CGAL/Texture_atlas/internal/files/obj_soup.h>
+#include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Kernel_traits.h>

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
-#include <CGAL/Texture_atlas/internal/files/obj_soup.h>
+#include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/IO/OBJ_material.h>
-#include <CGAL/Texture_atlas/internal/files/obj_soup.h>
+#include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
 #include <CGAL/Texture_atlas/internal/files/write_obj_materials.h>
 #include <CGAL/Texture_atlas/internal/files/write_obj_mesh.h>
 

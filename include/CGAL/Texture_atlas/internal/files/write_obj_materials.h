@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/IO/OBJ_material.h>
-#include <CGAL/Texture_atlas/internal/files/text_numbers.h>
+#include <CGAL/Texture_atlas/internal/files/text_lines.h>
 
 #include <cmath>
 #include <cstddef>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Texture_atlas/IO/OBJ_material.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
-#include <CGAL/Texture_atlas/internal/files/obj_soup.h>
-#include <CGAL/Texture_atlas/internal/files/text_numbers.h>
+#include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
+#include <CGAL/Texture_atlas/internal/files/text_lines.h>
 #include <CGAL/Texture_atlas/internal/files/write_obj_materials.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

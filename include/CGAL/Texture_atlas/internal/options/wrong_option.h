@@ -27,6 +27,9 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_option
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options& options);
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Baking_options& options);
 
+// What is wrong with a gutter that must leave room on its page, or nothing
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_gutter(const Packing_options& options);
+
 } // namespace internal
 
 } // namespace CGAL::Texture_atlas

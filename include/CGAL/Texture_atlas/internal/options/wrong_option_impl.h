@@ -11,6 +11,7 @@
 #include <CGAL/Texture_atlas/internal/options/option_table.h>
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 
+#include <algorithm>
 #include <string>
 
 namespace CGAL::Texture_atlas::internal {
@@ -31,6 +32,16 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_option
 }
 
 // Charts that are not packed have no page.
+// What is wrong with the gutter of a page, or nothing
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_gutter(const Packing_options& options)
+{
+  const int most = (std::min)(options.resolution, options.number_of_rows()) / 4;
+  return options.gutter.value_or(0) <= most
+             ? ""
+             : "gutter is " + std::to_string(*options.gutter) + ", and must be from 0 to " +
+                   std::to_string(most) + ", a quarter of the shorter side of a page";
+}
+
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options& options)
 {
   Atlas_options checked = options;

@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Texture_atlas/internal/overlaps/dual_patch.h>
 #include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
 #include <CGAL/Texture_atlas/internal/overlaps/sheets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/triangle_pairs.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/write_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>

@@ -15,7 +15,6 @@
 #include <CGAL/Texture_atlas/internal/packing/chart_shape.h>
 #include <CGAL/Texture_atlas/internal/packing/charts_to_pack.h>
 #include <CGAL/Texture_atlas/internal/packing/texel_mask.h>
-#include <CGAL/Texture_atlas/internal/packing/turned_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
-#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 namespace CGAL::Texture_atlas::internal::prepare {
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -19,12 +19,6 @@
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal::prepare {
-
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using Face = Mesh::Face_index;
-using Halfedge = Mesh::Halfedge_index;
-using Edge = Mesh::Edge_index;
 
 // A triangle of a mesh in a polygon of a model, as corners of the model. Turned triangles are turned as in the mesh.
 struct Model_triangle

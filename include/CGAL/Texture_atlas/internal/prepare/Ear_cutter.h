@@ -114,7 +114,8 @@ private:
     const CGAL::Orientation turn = m_polygon.turn(before, i, after);
     const double first_x =
         (std::min)({m_polygon.plane(before).x(), m_polygon.plane(i).x(), m_polygon.plane(after).x()});
-    const Candidate candidate = {turn * m_polygon.shape(before, i, after), i, m_version[i], first_x};
+    const Candidate candidate = {static_cast<int>(turn) * m_polygon.shape(before, i, after), i, m_version[i],
+                                 first_x};
     m_corners.push(candidate);
     if(turn == CGAL::LEFT_TURN) {
       m_ears.push(candidate);

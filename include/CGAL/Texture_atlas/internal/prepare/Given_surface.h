@@ -10,7 +10,7 @@
 
 #include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,6 +39,18 @@ struct Given_surface
 
   Face in_common_mesh(const Face f) const { return Face(static_cast<Mesh::size_type>(first_face + f.idx())); }
 };
+
+// Adds a surface to a common mesh.
+inline void append(Given_surface& given, Mesh& common)
+{
+  given.first_face = common.number_of_faces();
+  given.first_halfedge = common.number_of_halfedges();
+  common += given.surface.mesh;
+  const Edge_marks is_diagonal = diagonals(given.surface.mesh), is_diagonal_of_common = diagonals(common);
+  for(const Edge e : given.surface.mesh.edges()) {
+    is_diagonal_of_common[given.in_common_mesh(e)] = is_diagonal[e];
+  }
+}
 
 // The one that a face of the common mesh is part of
 inline std::size_t surface_of_face(const std::vector<Given_surface>& given, const Face f)

@@ -8,7 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,16 +19,59 @@
 
 namespace CGAL::Texture_atlas::internal::prepare {
 
+// What users should know about a surface that was repaired, in sentences
+class Notes
+{
+public:
+  // `tell` is called with each sentence, and may change its words.
+  explicit Notes(std::function<void(std::string&)> tell = {}) : m_tell(std::move(tell)) {}
+
+  // Names what the next texts are about, unless they do: a file in quotes, or nothing.
+  void set_subject(const std::string& subject) { m_subject = subject; }
+
+  void add(std::string text)
+  {
+    if(!m_subject.empty() && text.compare(0, m_subject.size(), m_subject) != 0) {
+      text = m_subject + ": " + text;
+    }
+    if(m_tell) {
+      m_tell(text);
+    }
+    m_texts.push_back(std::move(text));
+  }
+
+  const std::vector<std::string>& texts() const { return m_texts; }
+
+private:
+  std::function<void(std::string&)> m_tell;
+  std::string m_subject;
+  std::vector<std::string> m_texts;
+};
+
+using Surface_mesh_parameterization::Diagnosis;
+
 // An error that the user has to correct, in a file or in arguments. The text is one line that names the error
 // and the remedy.
 struct Input_error : public std::runtime_error
 {
   std::vector<std::size_t> faces, vertices; // of the file, from 0, that the text names
+  Diagnosis status;
+  std::size_t soup = 0; // its number, if there are several
 
-  Input_error(const std::string& text, std::vector<std::size_t> faces = {},
-              std::vector<std::size_t> vertices = {})
-      : std::runtime_error(text), faces(std::move(faces)), vertices(std::move(vertices))
+  Input_error(const std::string& text, std::vector<std::size_t> wrong_faces = {},
+              std::vector<std::size_t> wrong_vertices = {},
+              const Diagnosis diagnosis = Diagnosis::WRONG_INPUT)
+      : std::runtime_error(text), faces(std::move(wrong_faces)), vertices(std::move(wrong_vertices)),
+        status(diagnosis)
   {}
+
+  // The same, about one of several inputs
+  Input_error about(const std::string& name, const std::size_t number) const
+  {
+    Input_error error(name + ": " + what(), faces, vertices, status);
+    error.soup = number;
+    return error;
+  }
 };
 
 // Vertices and faces counted from 1, as in OBJ files.

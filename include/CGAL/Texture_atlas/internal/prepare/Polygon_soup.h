@@ -8,10 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +19,38 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal::prepare {
 
+// Which vertices at the same place are joined
+struct Welding
+{
+  enum Extent
+  {
+    NONE,
+    SEPARATE_FACES, // if no two faces share a vertex
+    ALL
+  };
+
+  Extent extent = ALL;
+  double tolerance = 0; // the distance of points that count as the same
+};
+
 using Polygon = std::vector<std::size_t>;
+
+// Polygons that have no chart, and why
+using Skipped_part = Atlas_report::Skipped;
+
+inline Skipped_part skipped_part(const Diagnosis status, std::string message)
+{
+  Skipped_part part;
+  part.status = status;
+  part.message = std::move(message);
+  return part;
+}
 
 // The points and polygons of a model, which can be repaired.
 struct Polygon_soup
@@ -154,7 +179,7 @@ inline void leave_out(Polygon_soup& soup, std::vector<Index> part_of, std::vecto
   std::set<Index> divided; // polygons of the model, of which only the first triangle counts
   for(Skipped_part& part : parts) {
     part.first_face = (std::numeric_limits<std::size_t>::max)();
-    part.faces = 0;
+    part.number_of_faces = 0;
   }
   std::size_t kept = 0;
   std::map<std::size_t, std::vector<Index>> corners;
@@ -162,7 +187,7 @@ inline void leave_out(Polygon_soup& soup, std::vector<Index> part_of, std::vecto
     if(part_of[p] != no_index) {
       Skipped_part& part = parts[part_of[p]];
       part.first_face = (std::min)(part.first_face, std::size_t(soup.origins[p]));
-      part.faces += soup.corners.count(p) == 0 || divided.insert(soup.origins[p]).second;
+      part.number_of_faces += soup.corners.count(p) == 0 || divided.insert(soup.origins[p]).second;
     } else {
       soup.polygons[kept].swap(soup.polygons[p]);
       soup.origins[kept] = soup.origins[p];

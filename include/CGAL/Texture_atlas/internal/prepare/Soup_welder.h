@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Welding.h>
 #include <CGAL/Texture_atlas/internal/prepare/duplicate_polygons.h>
 #include <CGAL/Texture_atlas/internal/prepare/places_of_points.h>
 

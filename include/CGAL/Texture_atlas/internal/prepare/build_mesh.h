@@ -8,12 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
+#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
-#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Welding.h>
 
 namespace CGAL::Texture_atlas::internal::prepare {
 
@@ -29,6 +27,10 @@ struct Surface_of_model
 // that names the place unless the polygons form an oriented manifold with finite coordinates.
 Surface_of_model build_mesh(const Surface_soup& model, Polygon_soup& soup, bool repair, Notes& notes,
                             const Welding& welding = Welding());
+
+// Divides the larger polygons of a mesh into triangles, except where that is not possible. Sets the corners of
+// `origins` to the numbers of halfedges before.
+void divide_polygons(Surface_of_model& surface);
 
 } // namespace CGAL::Texture_atlas::internal::prepare
 

@@ -127,8 +127,9 @@ inline void check_not_empty(const Polygon_soup& soup)
   if(soup.points.empty() || soup.polygons.empty()) {
     throw Input_error(
         soup.points.empty()
-            ? "the file has no vertices; export the mesh again"
-            : "the file has vertices but no faces; a point cloud has to be made into a surface first");
+            ? "there are no vertices; export the mesh again"
+            : "there are vertices but no faces; a point cloud has to be made into a surface first",
+        {}, {}, Diagnosis::EMPTY_MESH);
   }
 }
 
@@ -164,6 +165,15 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Surface_of_model build_mesh(const Surface_sou
     throw Input_error(undivided_text(soup.origins[undivided.front()]) + "; triangulate it first");
   }
   return surface;
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE void divide_polygons(Surface_of_model& surface)
+{
+  for(const Halfedge h : surface.mesh.halfedges()) {
+    surface.origins.corners.push_back(surface.mesh.is_border(h) ? no_index : static_cast<Index>(h.idx()));
+  }
+  triangulate(surface.mesh);
+  add_origins_of_diagonals(surface.mesh, surface.origins);
 }
 
 } // namespace CGAL::Texture_atlas::internal::prepare

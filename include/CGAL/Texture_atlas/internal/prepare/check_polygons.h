@@ -103,9 +103,9 @@ inline std::vector<std::size_t> valences(const Polygon_soup& soup)
   for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
     for(const std::size_t v : soup.polygons[p]) {
       if(v >= soup.points.size()) {
-        throw Input_error(face_name(p) + " names a vertex that does not exist: the file has only " +
+        throw Input_error(face_name(p) + " names a vertex that does not exist: there are only " +
                               std::to_string(soup.points.size()) + "; export the mesh again",
-                          {p});
+                          {p}, {}, Diagnosis::NUMBER_OUT_OF_RANGE);
       }
       ++result[v];
     }

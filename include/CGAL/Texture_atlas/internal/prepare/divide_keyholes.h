@@ -8,12 +8,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
-#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/triangulate_polygon.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/triangulate.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
-#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -141,9 +140,9 @@ inline void leave_out_duplicates(Polygon_soup& soup)
     if(first[p] != p && !is_back[p]) {
       part_of[p] = 0;
       if(parts.empty()) {
-        parts.push_back({0, 0, "DUPLICATE_FACE",
-                         face_name(soup.origins[p]) + " has the same corners as " +
-                             face_name(soup.origins[first[p]]) + "; remove one of them"});
+        parts.push_back(skipped_part(Diagnosis::DUPLICATE_FACE,
+                                     face_name(soup.origins[p]) + " has the same corners as " +
+                                         face_name(soup.origins[first[p]]) + "; remove one of them"));
       }
     }
   }

@@ -8,7 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Seam_way.h>
+#include <CGAL/Texture_atlas/Soup_options.h>
+#include <CGAL/Texture_atlas/Soup_report.h>
 
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 #include <CGAL/Texture_atlas/seam_weights.h>
@@ -44,7 +45,8 @@ inline bool has_seams(const Mesh& mesh, const Edge_marks& is_seam)
 }
 
 // Marks seams along creases. They do not divide polygons.
-inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam)
+inline void lay_seams_along_creases(const double angle, Mesh& mesh, const Edge_marks& is_seam,
+                                    Soup_report::Seams& way)
 {
   const bool are_given = has_seams(mesh, is_seam);
   Crease_options options;
@@ -52,34 +54,45 @@ inline Seam_way lay_seams_along_creases(const double angle, Mesh& mesh, const Ed
   const auto report =
       select_crease_seams(mesh, is_seam, options, parameters::edge_is_constrained_map(diagonals(mesh)));
   if(!report) {
-    throw Input_error("cannot lay seams along creases: " + report.message);
+    throw Input_error("cannot lay seams along creases: " + report.message, {}, {}, report.status);
   }
-  if(are_given) { // seams may be on all creases already
-    return {"creases", angle, false, std::nullopt};
+  way.name = "creases";
+  way.crease_angle = angle;
+  if(!are_given) { // otherwise, seams may be on all creases already
+    way.lacks_creases = !has_seams(mesh, is_seam);
+    way.is_hard_surface = report.is_hard_surface();
   }
-  return {"creases", angle, !has_seams(mesh, is_seam), report.is_hard_surface()};
 }
 
-// Finds out what the choice means for a mesh, and marks seams along creases if they are asked for.
-inline Seam_way choose_seams(const Seam_choice& choice, Mesh& mesh, const Edge_marks& is_seam)
+// Finds out what the options mean for a mesh, and marks seams along creases if they are asked for.
+inline void choose_seams(const Soup_options& options, Mesh& mesh, const Edge_marks& is_seam,
+                         Soup_report::Seams& way)
 {
-  if(choice.crease_angle && !mesh.faces().empty()) {
-    return lay_seams_along_creases(*choice.crease_angle, mesh, is_seam);
-  }
-  Seam_way way;
-  way.name = choice.way;
-  if(way.name == "auto") {
-    way.name = "length";
-    if(choice.favors_creases) {
-      const Crease_report report = examine_creases(mesh);
-      way.is_hard_surface = report && report.is_hard_surface();
-      if(unfolds_well(report) && !has_seams(mesh, is_seam)) {
-        return lay_seams_along_creases(Crease_options().angle, mesh, is_seam);
-      }
-      way.name = *way.is_hard_surface ? "near-creases" : way.name;
+  switch(options.seams) {
+  case Soup_options::CREASES:
+    way.name = "creases";
+    if(!mesh.faces().empty()) {
+      lay_seams_along_creases(options.crease_angle, mesh, is_seam, way);
     }
+    break;
+  case Soup_options::AUTO: {
+    const Crease_report report = examine_creases(mesh);
+    way.is_hard_surface = report && report.is_hard_surface();
+    way.name = *way.is_hard_surface ? "near-creases" : "length";
+    if(unfolds_well(report) && !has_seams(mesh, is_seam)) {
+      lay_seams_along_creases(Crease_options().angle, mesh, is_seam, way);
+    }
+    break;
   }
-  return way;
+  case Soup_options::NEAR_CREASES:
+    way.name = "near-creases";
+    break;
+  case Soup_options::HIDDEN:
+    way.name = "hidden";
+    break;
+  case Soup_options::LENGTH:
+    way.name = "length";
+  }
 }
 
 // What seams cost along each edge, unless that is its length
@@ -90,7 +103,8 @@ inline void weigh_edges(const std::string& way, const Mesh& mesh,
   const auto report = way == "hidden" ? compute_visibility_weights(mesh, weight)
                                       : compute_crease_weights(mesh, weight, cheapest);
   if(!report) {
-    throw Input_error("cannot weigh edges for seams of the kind '" + way + "': " + report.message);
+    throw Input_error("cannot weigh edges for seams of the kind '" + way + "': " + report.message, {}, {},
+                      report.status);
   }
 }
 
@@ -99,19 +113,36 @@ inline Mesh::Property_map<Edge, double> edge_weights(Mesh& mesh)
   return mesh.add_property_map<Edge, double>("e:flatten_mesh_weight", 0).first;
 }
 
-inline bool has_weights(const Seam_way& way)
+inline bool has_weights(const Soup_report::Seams& way)
 {
   return way.name != "length" && way.name != "given";
 }
 
-// Marks and weighs edges for seams of this choice.
-inline Seam_way prepare_edges(const Seam_choice& choice, Mesh& mesh, const Edge_marks& is_seam)
+// Marks and weighs edges for the seams that are asked for.
+inline void prepare_edges(const Soup_options& options, Mesh& mesh, const Edge_marks& is_seam,
+                          Soup_report::Seams& way)
 {
-  const Seam_way way = choose_seams(choice, mesh, is_seam);
+  choose_seams(options, mesh, is_seam, way);
   if(has_weights(way) && !mesh.is_empty()) {
     weigh_edges(way.name, mesh, edge_weights(mesh));
   }
-  return way;
+}
+
+// What the seams of several surfaces have in common: "various" if they differ
+inline Soup_report::Seams seams_in_common(const std::vector<Soup_report::Seams>& ways)
+{
+  Soup_report::Seams common = ways.empty() ? Soup_report::Seams() : ways.front();
+  common.turned_charts = common.mirror_edges = 0;
+  for(const Soup_report::Seams& way : ways) {
+    common.name = way.name == common.name ? way.name : "various";
+    common.turned_charts += way.turned_charts;
+    common.mirror_edges += way.mirror_edges;
+    common.lacks_creases = common.lacks_creases && way.lacks_creases;
+    if(way.is_hard_surface) {
+      common.is_hard_surface = common.is_hard_surface.value_or(false) || *way.is_hard_surface;
+    }
+  }
+  return common;
 }
 
 } // namespace CGAL::Texture_atlas::internal::prepare

@@ -10,10 +10,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
-#include <CGAL/Texture_atlas/internal/prepare/Surface_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Welding.h>
+#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <cstddef>
 #include <vector>

@@ -8,11 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
+#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 #include <CGAL/Texture_atlas/internal/prepare/check_polygons.h>
 #include <CGAL/Texture_atlas/internal/prepare/one_sided_cut.h>
-#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -99,7 +98,7 @@ inline void separate_soup(const Surface_soup& model, Polygon_soup& soup, Notes& 
   for(std::size_t p = 0; p < is_turned.size(); ++p) {
     soup.is_turned[p] = soup.is_turned[p] != is_turned[p];
   }
-  const std::string begin = "'" + model.file + "': ";
+  const std::string begin = model.name.empty() ? "" : "'" + model.name + "': ";
   const auto turned = std::find(is_turned.begin(), is_turned.end(), true);
   if(turned != is_turned.end()) {
     notes.add(begin + "faces were oriented inconsistently: " +

@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Skipped_part.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh_impl.h>
 #include <CGAL/Texture_atlas/internal/prepare/check_polygons.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
@@ -68,14 +67,14 @@ public:
   {
     part_of.assign(m_soup.polygons.size(), no_index);
     std::vector<Skipped_part> result;
-    std::map<std::string, Index> part_of_kind; // of polygons that are wrong by themselves
-    std::map<std::size_t, Index> part_of_set;  // of others, by the representative of what hangs together
+    std::map<Diagnosis, Index> part_of_kind;  // of polygons that are wrong by themselves
+    std::map<std::size_t, Index> part_of_set; // of others, by the representative of what hangs together
     for(const auto& [p, defect] : m_defects) {
       Index& part = is_alone(p) ? part_of_kind.try_emplace(defect.first, no_index).first->second
                                 : part_of_set.try_emplace(m_sets.find_set(p), no_index).first->second;
       if(part == no_index) {
         part = static_cast<Index>(result.size());
-        result.push_back({0, 0, defect.first, defect.second});
+        result.push_back(skipped_part(defect.first, defect.second));
       }
       if(is_alone(p)) {
         part_of[p] = part;
@@ -91,8 +90,8 @@ public:
       if(const auto part = part_of_kind.find(kind); vertices.size() > 1 && part != part_of_kind.end()) {
         result[part->second].message =
             vertex_name(*vertices.begin()) + " and " + count_text(vertices.size() - 1, "other") +
-            (kind == "FAR_POINT" ? std::string(" are ") + far_point_text
-                                 : " have coordinates that are not finite numbers");
+            (kind == Diagnosis::FAR_POINT ? std::string(" are ") + far_point_text
+                                          : " have coordinates that are not finite numbers");
       }
     }
     return result;
@@ -107,7 +106,7 @@ private:
     std::size_t from, to, polygon;
   };
 
-  void add_defect(const std::size_t p, const std::string& diagnosis, const std::string& message)
+  void add_defect(const std::size_t p, const Diagnosis diagnosis, const std::string& message)
   {
     m_defects.try_emplace(p, diagnosis, message);
   }
@@ -116,8 +115,8 @@ private:
   bool is_alone(const std::size_t p) const
   {
     const auto defect = m_defects.find(p);
-    return defect != m_defects.end() &&
-           (defect->second.first == "DEGENERATE_FACE" || m_wrong_points.count(defect->second.first) > 0);
+    return defect != m_defects.end() && (defect->second.first == Diagnosis::DEGENERATE_FACE ||
+                                         m_wrong_points.count(defect->second.first) > 0);
   }
 
   void inspect_polygon(const std::size_t p)
@@ -125,18 +124,18 @@ private:
     try {
       check_polygon(m_soup, p);
     } catch(const Input_error& error) {
-      add_defect(p, "DEGENERATE_FACE", error.what());
+      add_defect(p, Diagnosis::DEGENERATE_FACE, error.what());
     }
     for(const std::size_t v : m_soup.polygons[p]) {
       if(!is_finite(m_soup.points[v])) {
-        add_wrong_point(p, v, "NON_FINITE_POINT", " has a coordinate that is not a finite number");
+        add_wrong_point(p, v, Diagnosis::NON_FINITE_POINT, " has a coordinate that is not a finite number");
       } else if(m_is_far[v]) {
-        add_wrong_point(p, v, "FAR_POINT", std::string(" is ") + far_point_text);
+        add_wrong_point(p, v, Diagnosis::FAR_POINT, std::string(" is ") + far_point_text);
       }
     }
   }
 
-  void add_wrong_point(const std::size_t p, const std::size_t v, const std::string& kind,
+  void add_wrong_point(const std::size_t p, const std::size_t v, const Diagnosis kind,
                        const std::string& text)
   {
     m_wrong_points[kind].insert(v);
@@ -208,11 +207,11 @@ private:
       return;
     }
     if(count > 2) {
-      add_defect(sides[0].polygon, "NON_MANIFOLD_EDGE",
+      add_defect(sides[0].polygon, Diagnosis::NON_MANIFOLD_EDGE,
                  edge_name(sides[0].from, sides[0].to) + " has " + std::to_string(count) +
                      " faces, so the surface is not a manifold");
     } else if(count == 2 && sides[0].from == sides[1].from) {
-      add_defect(sides[0].polygon, "INCONSISTENT_ORIENTATION",
+      add_defect(sides[0].polygon, Diagnosis::INCONSISTENT_ORIENTATION,
                  "faces " + std::to_string(m_soup.origins[sides[0].polygon] + 1) + " and " +
                      std::to_string(m_soup.origins[sides[1].polygon] + 1) +
                      " are oriented differently: both run along " + edge_name(sides[0].from, sides[0].to) +
@@ -222,11 +221,10 @@ private:
 
   const Polygon_soup& m_soup;
   bool m_is_repaired;
-  const std::vector<bool>& m_is_far;                           // of each point
-  std::map<std::string, std::set<std::size_t>> m_wrong_points; // of each diagnosis
+  const std::vector<bool>& m_is_far;                         // of each point
+  std::map<Diagnosis, std::set<std::size_t>> m_wrong_points; // of each diagnosis
   CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets m_sets;
-  std::map<std::size_t, std::pair<std::string, std::string>>
-      m_defects; // of polygons: in one word, and in a sentence
+  std::map<std::size_t, std::pair<Diagnosis, std::string>> m_defects; // of polygons, with a sentence
 };
 
 // Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says
@@ -253,7 +251,7 @@ inline void set_undivided_aside(const std::vector<std::size_t>& undivided, Polyg
   std::vector<Skipped_part> parts;
   for(const std::size_t p : undivided) {
     part_of[p] = static_cast<Index>(parts.size());
-    parts.push_back({0, 0, "UNDIVIDED_FACE", undivided_text(soup.origins[p])});
+    parts.push_back(skipped_part(Diagnosis::UNDIVIDED_FACE, undivided_text(soup.origins[p])));
   }
   leave_out(soup, part_of, parts);
 }

@@ -8,21 +8,19 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/Atlas_options.h>
-#include <CGAL/Texture_atlas/Atlas_visitor.h>
+#include <CGAL/Texture_atlas/internal/atlas/mesh_atlas_builder.h>
 #include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/components.h>
-#include <CGAL/Texture_atlas/internal/prepare/Cut_mesh.h>
-#include <CGAL/Texture_atlas/internal/prepare/Edge_marks.h>
 #include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
 #include <CGAL/Texture_atlas/internal/prepare/Given_surface.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
+#include <CGAL/Texture_atlas/internal/prepare/place_in_rows.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_edges.h>
-#include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
-#include <CGAL/Texture_atlas/internal/prepare/Seam_way.h>
-#include <CGAL/Texture_atlas/internal/prepare/Soup_options.h>
+#include <CGAL/Texture_atlas/internal/prepare/report_on_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 #include <CGAL/Texture_atlas/internal/prepare/symmetric_atlas.h>
-#include <CGAL/Texture_atlas/make_atlas.h>
+#include <CGAL/Texture_atlas/Soup_options.h>
+#include <CGAL/Texture_atlas/Soup_report.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -30,17 +28,28 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <optional>
-#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal::prepare {
 
+// The options, and the solvers of linear systems
+struct Soup_settings : public Soup_options
+{
+  Linear_solvers solvers;
+
+  Soup_settings(const Soup_options& options, const Linear_solvers& linear_solvers)
+      : Soup_options(options), solvers(linear_solvers)
+  {}
+};
+
 // No seam divides a polygon of the input. Edges are prepared.
-inline Report_on_atlas call_make_atlas(const Soup_options& given, Mesh& mesh, const Atlas& atlas,
-                                       const Seam_way& way, Atlas_visitor& visitor)
+inline Report_on_atlas call_make_atlas(const Soup_settings& options, Mesh& mesh, const Atlas& atlas,
+                                       const Soup_report::Seams& way)
 {
   namespace np = parameters;
   const Edge_marks is_diagonal = diagonals(mesh);
@@ -48,10 +57,12 @@ inline Report_on_atlas call_make_atlas(const Soup_options& given, Mesh& mesh, co
       boost::make_function_property_map<Edge>([is_diagonal](const Edge e) { return !is_diagonal[e]; });
   auto polygon = mesh.add_property_map<Face, std::size_t>().first;
   Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
-  Atlas_options options = given;
-  options.visitor = &visitor;
   const auto make = [&](const auto& parameters) -> Report_on_atlas {
-    return make_atlas(mesh, atlas.seams, atlas.uv, atlas.chart, options, parameters);
+    Mesh_atlas_builder<Mesh, Edge_marks, decltype(atlas.uv), decltype(atlas.chart),
+                       std::decay_t<decltype(parameters)>>
+        builder(options, options.solvers);
+    builder.add(mesh, atlas.seams, atlas.uv, atlas.chart, parameters);
+    return builder.run();
   };
   Report_on_atlas report;
   if(has_weights(way)) {
@@ -73,23 +84,26 @@ inline void weigh_by_length(const Mesh& mesh, const Mesh::Property_map<Edge, dou
 }
 
 // The same, with symmetric seams if they are asked for and possible
-inline Report_on_atlas make_charts(const Soup_options& options, Mesh& mesh, const Atlas& atlas, Seam_way& way,
-                                   Atlas_visitor& visitor)
+inline Report_on_atlas make_charts(const Soup_settings& options, Mesh& mesh, const Atlas& atlas,
+                                   Soup_report::Seams& way)
 {
-  if(!options.is_symmetric) {
-    return call_make_atlas(options, mesh, atlas, way, visitor);
+  if(!options.symmetric) {
+    return call_make_atlas(options, mesh, atlas, way);
   }
-  Soup_options uncut = options;
+  Soup_settings uncut = options;
   uncut.seam_price = std::numeric_limits<double>::infinity();
-  Seam_way weighted = way;
+  Soup_report::Seams weighted = way;
   weighted.name = "weighted";
   const auto make = [&](const Atlas& result, const bool cuts_charts) {
-    return call_make_atlas(cuts_charts ? options : uncut, mesh, result, weighted, visitor);
+    return call_make_atlas(cuts_charts ? options : uncut, mesh, result, weighted);
   };
   if(!has_weights(way)) {
     weigh_by_length(mesh, edge_weights(mesh));
   }
-  return Symmetric_atlas_maker(mesh, make).run(atlas, way.symmetry.emplace());
+  Soup_report::Symmetry symmetry;
+  Report_on_atlas report = Symmetric_atlas_maker(mesh, make).run(atlas, symmetry);
+  way.symmetry = std::move(symmetry);
+  return report;
 }
 
 inline bool keeps_charts(const Atlas_options& options)
@@ -97,23 +111,33 @@ inline bool keeps_charts(const Atlas_options& options)
   return options.given_charts != Atlas_options::REPLACE;
 }
 
-// Seams of charts that are kept are given.
-inline Seam_way prepare_edges_of(const Soup_options& options, Mesh& mesh, const Edge_marks& is_seam)
+// Prepares edges for new seams. Charts that are kept have their seams.
+inline void prepare_edges_of(const Soup_options& options, Mesh& mesh, const Edge_marks& is_seam,
+                             Soup_report::Seams& way)
 {
   if(keeps_charts(options)) {
-    return {"given", std::nullopt, false, std::nullopt};
+    way.name = "given";
+  } else {
+    prepare_edges(options, mesh, is_seam, way);
   }
-  return prepare_edges(options.seams, mesh, is_seam);
 }
 
-// Makes the charts of texture coordinates those of the atlas, if they are to be kept.
+// Marks the seams that are given, and makes the charts of texture coordinates those of the atlas, if they are to be kept.
 template <class Uv>
-Mirrored_charts take_charts(const Soup_options& options, Given_surface& given, const Edge_marks& is_seam,
-                            const Uv& uv)
+void take_given(const Soup_options& options, Given_surface& given, const Edge_marks& is_seam, const Uv& uv,
+                Soup_report::Seams& way)
 {
-  const bool repairs = options.given_charts == Atlas_options::REPAIR;
-  return keeps_charts(options) ? take_texture(repairs, given.soup, given.surface, is_seam, uv)
-                               : Mirrored_charts();
+  mark_seams_of_soup(given.soup, given.surface, is_seam);
+  if(options.texture_seams) {
+    keep_seams_of_texture(given.soup, given.surface, is_seam);
+  }
+  if(options.material_seams) {
+    keep_seams_of_materials(given.soup, given.surface, is_seam);
+  }
+  if(keeps_charts(options)) {
+    const bool repairs = options.given_charts == Atlas_options::REPAIR;
+    take_texture(repairs, given.soup, given.surface, is_seam, uv, way);
+  }
 }
 
 // A component as a mesh of its own
@@ -142,8 +166,8 @@ inline Separate_component separate_component(Mesh& mesh, const std::size_t numbe
 }
 
 // The elements of the report are those of the whole mesh.
-inline Report_on_atlas make_atlas_of_component(const Soup_options& options, Mesh& mesh, const Atlas& atlas,
-                                               Seam_way& way, Atlas_visitor& visitor)
+inline Report_on_atlas make_atlas_of_component(const Soup_settings& options, Mesh& mesh, const Atlas& atlas,
+                                               Soup_report::Seams& way)
 {
   Separate_component component = separate_component(mesh, *options.component);
   Mesh& part = component.part.mesh;
@@ -153,8 +177,8 @@ inline Report_on_atlas make_atlas_of_component(const Soup_options& options, Mesh
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
-  way = prepare_edges_of(options, part, atlas_of_part.seams);
-  Report_on_atlas report = make_charts(options, part, atlas_of_part, way, visitor);
+  prepare_edges_of(options, part, atlas_of_part.seams, way);
+  Report_on_atlas report = make_charts(options, part, atlas_of_part, way);
   for(const Edge e : part.edges()) {
     atlas.seams[component.part.edge_origins[e.idx()]] = atlas_of_part.seams[e];
   }
@@ -181,15 +205,16 @@ inline Report_on_atlas make_atlas_of_component(const Soup_options& options, Mesh
 }
 
 // Each surface by itself: another one neither hides its edges nor has its seams.
-inline Seam_way prepare_given_surface(const Soup_options& options, Given_surface& given, const Atlas& whole,
-                                      const Mesh::Property_map<Edge, double>& weights)
+inline Soup_report::Seams prepare_given_surface(const Soup_options& options, Given_surface& given,
+                                                const Atlas& whole,
+                                                const Mesh::Property_map<Edge, double>& weights)
 {
+  Soup_report::Seams way;
   Mesh& mesh = given.surface.mesh;
   const Edge_marks is_seam = seam_marks(mesh);
   const auto uv = [&](const Halfedge h) -> Kernel::Point_2& { return whole.uv[given.in_common_mesh(h)]; };
-  const Mirrored_charts mirrored = take_charts(options, given, is_seam, uv);
-  Seam_way way = prepare_edges_of(options, mesh, is_seam);
-  way.mirrored = mirrored;
+  take_given(options, given, is_seam, uv, way);
+  prepare_edges_of(options, mesh, is_seam, way);
   const auto weight = edge_weights(mesh);
   if(!has_weights(way)) {
     weigh_by_length(mesh, weight);
@@ -201,44 +226,74 @@ inline Seam_way prepare_given_surface(const Soup_options& options, Given_surface
   return way;
 }
 
-// Makes charts of one surface, or of one component of it, and says where seams run. Seams that are given are marked in
-// `atlas`. Throws an `Input_error`.
-inline Report_on_atlas make_surface_atlas(const Soup_options& options, Given_surface given,
-                                          const Atlas& atlas, Seam_way& way, Atlas_visitor& visitor)
+// Makes charts of one surface, or of one component of it, and says where seams run. Seams that are given otherwise than
+// by the soup are marked in the mesh. Throws an `Input_error`.
+inline Report_on_atlas make_surface_atlas(const Soup_settings& options, Given_surface& given,
+                                          const Atlas& atlas, Soup_report::Seams& way)
 {
   Mesh& mesh = given.surface.mesh;
   const auto uv = [&atlas](const Halfedge h) -> Kernel::Point_2& { return atlas.uv[h]; };
-  const Mirrored_charts mirrored = take_charts(options, given, atlas.seams, uv);
-  Report_on_atlas report;
+  take_given(options, given, atlas.seams, uv, way);
   if(options.component) {
-    report = make_atlas_of_component(options, mesh, atlas, way, visitor);
-  } else {
-    way = prepare_edges_of(options, mesh, atlas.seams);
-    report = make_charts(options, mesh, atlas, way, visitor);
+    return make_atlas_of_component(options, mesh, atlas, way);
   }
-  way.mirrored = mirrored;
-  return report;
+  prepare_edges_of(options, mesh, atlas.seams, way);
+  return make_charts(options, mesh, atlas, way);
 }
 
-// Makes one atlas of several surfaces, which follow one another in the mesh `whole`. Seams that are given are marked in
-// the mesh of each. Throws an `Input_error` that begins with the name of a surface.
-inline Report_on_atlas make_common_surface_atlas(const Soup_options& options,
+// Makes one atlas of several surfaces, which follow one another in the mesh `whole`, as above. Throws an `Input_error`
+// that begins with the name of a surface.
+inline Report_on_atlas make_common_surface_atlas(const Soup_settings& options,
                                                  std::vector<Given_surface>& given, Mesh& whole,
-                                                 const Atlas& atlas, Seam_way& way, Atlas_visitor& visitor)
+                                                 const Atlas& atlas, Soup_report::Seams& way)
 {
   const auto weights = edge_weights(whole);
-  std::vector<Seam_way> ways;
+  std::vector<Soup_report::Seams> ways;
   for(Given_surface& each : given) {
     try {
       if(!each.surface.mesh.is_empty()) {
         ways.push_back(prepare_given_surface(options, each, atlas, weights));
       }
     } catch(const Input_error& error) {
-      throw Input_error(each.name + ": " + error.what());
+      throw error.about(each.name, static_cast<std::size_t>(&each - given.data()));
     }
   }
-  way = way_in_common(ways);
-  return call_make_atlas(options, whole, atlas, way, visitor);
+  way = seams_in_common(ways);
+  return call_make_atlas(options, whole, atlas, way);
+}
+
+// Of those that faces use
+inline std::size_t number_of_used_vertices(const Mesh& mesh)
+{
+  const auto vertices = mesh.vertices();
+  return static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(),
+                                                [&mesh](const Vertex v) { return !mesh.is_isolated(v); }));
+}
+
+// Makes an atlas of one surface, whose mesh `mesh` is, or of several, as above. Charts that are not packed lie in rows.
+inline Soup_report make_atlas_of_surfaces(const Soup_settings& options, std::vector<Given_surface>& given,
+                                          Mesh& mesh, const Atlas& atlas, Notes& notes)
+{
+  Report_on_atlas of_mesh;
+  Soup_report::Seams seams;
+  std::size_t components = 0;
+  if(mesh.is_empty()) {
+    of_mesh.status = Diagnosis::NOTHING_FLATTENED;
+    of_mesh.message = "no part of the surface can be flattened";
+  } else {
+    components = components_by_size(mesh).size();
+    of_mesh = &given.front().surface.mesh == &mesh
+                  ? make_surface_atlas(options, given.front(), atlas, seams)
+                  : make_common_surface_atlas(options, given, mesh, atlas, seams);
+    if(of_mesh.has_atlas() && !options.pack_into_square) {
+      place_in_rows(mesh, atlas, of_mesh.charts.size());
+    }
+  }
+  Soup_report report = report_on_soups(options, given, mesh, atlas, std::move(of_mesh), seams, notes);
+  report.number_of_components = components;
+  report.number_of_vertices = number_of_used_vertices(mesh);
+  report.number_of_triangles = mesh.number_of_faces();
+  return report;
 }
 
 } // namespace CGAL::Texture_atlas::internal::prepare

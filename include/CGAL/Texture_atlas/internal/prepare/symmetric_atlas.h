@@ -10,7 +10,7 @@
 
 #include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_edges.h>
-#include <CGAL/Texture_atlas/internal/prepare/Seam_way.h>
+#include <CGAL/Texture_atlas/Soup_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <CGAL/Real_timer.h>
@@ -38,7 +38,7 @@ public:
   }
 
   // Fills `atlas`, where seams may be given.
-  Report_on_atlas run(const Atlas& atlas, Symmetry& symmetry)
+  Report_on_atlas run(const Atlas& atlas, Soup_report::Symmetry& symmetry)
   {
     Real_timer timer;
     timer.start();
@@ -178,7 +178,7 @@ private:
   std::vector<double> m_weights;
   Atlas m_attempt, m_best;
   Report_on_atlas m_usual, m_report; // the second is of the best attempt
-  Symmetry m_symmetry;
+  Soup_report::Symmetry m_symmetry;
 };
 
 } // namespace CGAL::Texture_atlas::internal::prepare

@@ -8,13 +8,11 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Notes.h>
+#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 #include <CGAL/Texture_atlas/internal/prepare/Soup_welder.h>
-#include <CGAL/Texture_atlas/internal/prepare/Welding.h>
 #include <CGAL/Texture_atlas/internal/prepare/check_polygons.h>
 #include <CGAL/Texture_atlas/internal/prepare/duplicate_polygons.h>
-#include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,9 +45,9 @@ inline void leave_out_collapsed(Polygon_soup& soup)
     if(has_repeated_vertex(polygon) || (is_separate && has_repeated_point(soup, polygon))) {
       part_of[p] = 0;
       if(parts.empty()) {
-        parts.push_back(
-            {0, 0, "DEGENERATE_FACE",
-             face_name(soup.origins[p]) + " has two corners at the same place; remove such faces"});
+        parts.push_back(skipped_part(Diagnosis::DEGENERATE_FACE,
+                                     face_name(soup.origins[p]) +
+                                         " has two corners at the same place; remove such faces"));
       }
     }
   }

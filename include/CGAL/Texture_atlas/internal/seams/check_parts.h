@@ -13,7 +13,7 @@
 
 #include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/rank_text.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Texture_atlas/internal/seams/opened_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

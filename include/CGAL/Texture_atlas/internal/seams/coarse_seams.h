@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarse_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
 #include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>

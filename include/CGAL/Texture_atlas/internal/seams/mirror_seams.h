@@ -4,18 +4,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Makes seams symmetric: those on one side of a plane replace those on the other side. `symmetry_impl.h` calls it.
+//
+// A plane of symmetry, and on which side of it vertices are. `symmetry.h` offers what is computed with it, by
+// `symmetry_impl.h` and `mirror_seams.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_MIRROR_SEAMS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_MIRROR_SEAMS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/seams/edge_graph.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
 #include <CGAL/Texture_atlas/internal/seams/join_small_regions.h>
-#include <CGAL/Texture_atlas/internal/seams/nearest_objects.h>
+#include <CGAL/Texture_atlas/internal/seams/nearest_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/seam_router.h>
-#include <CGAL/Texture_atlas/internal/seams/sides_of_plane.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Origin.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +29,40 @@
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
+
+struct Mirror_plane
+{
+  Seam_kernel::Vector_3 normal{1, 0, 0}; // of length 1
+  double offset = 0;                     // of the points of the plane along the normal
+  double deviation = 0;                  // the root mean square distance of the mirror image from the surface
+
+  double height(const Seam_kernel::Point_3& p) const { return normal * (p - CGAL::ORIGIN) - offset; }
+  Seam_kernel::Point_3 mirrored(const Seam_kernel::Point_3& p) const { return p - 2 * height(p) * normal; }
+};
+
+inline double diagonal_of(const std::vector<Seam_kernel::Point_3>& points)
+{
+  CGAL::Bbox_3 box;
+  for(const Seam_kernel::Point_3& p : points)
+    box += p.bbox();
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+// On which side of the plane each vertex is: -1, 1, or 0. Of two vertices on different sides of the plane that an edge
+// joins, the nearer one counts as on the plane.
+inline std::vector<signed char> sides_of_vertices(const Edge_graph& graph, const Mirror_plane& plane)
+{
+  std::vector<double> height;
+  for(const Seam_kernel::Point_3& p : graph.points)
+    height.push_back(plane.height(p));
+  std::vector<signed char> side;
+  for(double h : height)
+    side.push_back(static_cast<signed char>((h > 0) - (h < 0)));
+  for(const auto& [a, b] : graph.ends)
+    if(height[a] * height[b] < 0)
+      side[std::abs(height[b]) < std::abs(height[a]) ? b : a] = 0;
+  return side;
+}
 
 // Draws the seams on one side of the plane again on the other one.
 class Seam_mirror

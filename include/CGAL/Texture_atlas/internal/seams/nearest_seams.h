@@ -5,6 +5,9 @@
 
 // Shortest paths from the nearest border or seam to all nodes of an opened surface, which are kept up to date while
 // seams change. `greedy_cones.h` adds seams to terminals along them, `shorten_paths.h` exchanges seams by them.
+//
+// A tree that finds the triangle or segment nearest to a point. `symmetry_impl.h`, `seam_router.h` and `mirror_seams.h`
+// search in it.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_NEAREST_SEAMS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_NEAREST_SEAMS_H
@@ -14,15 +17,78 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
 #include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
-#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
+
+#include <CGAL/AABB_tree.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#if __has_include(<CGAL/AABB_traits_3.h>) // CGAL 6
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
 namespace CGAL::Texture_atlas::internal {
+
+// `Object` is a triangle or a segment. There is at least one, and none is degenerate.
+template <typename Object>
+class Nearest_objects
+{
+  typedef typename std::vector<Object>::const_iterator Iterator;
+  static constexpr bool are_triangles = std::is_same<Object, Seam_kernel::Triangle_3>::value;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+  typedef std::conditional_t<are_triangles, CGAL::AABB_triangle_primitive_3<Seam_kernel, Iterator>,
+                             CGAL::AABB_segment_primitive_3<Seam_kernel, Iterator>>
+      Primitive;
+  typedef CGAL::AABB_traits_3<Seam_kernel, Primitive> Traits;
+#else
+  typedef std::conditional_t<are_triangles, CGAL::AABB_triangle_primitive<Seam_kernel, Iterator>,
+                             CGAL::AABB_segment_primitive<Seam_kernel, Iterator>>
+      Primitive;
+  typedef CGAL::AABB_traits<Seam_kernel, Primitive> Traits;
+#endif
+
+public:
+  explicit Nearest_objects(std::vector<Object> objects)
+      : m_objects(std::move(objects)), m_tree(m_objects.cbegin(), m_objects.cend())
+  {
+    m_tree.build();
+  }
+
+  Seam_kernel::Point_3 point(const Seam_kernel::Point_3& p) const
+  {
+    return m_tree.closest_point(p);
+  }
+
+  double squared_distance(const Seam_kernel::Point_3& p) const
+  {
+    return m_tree.squared_distance(p);
+  }
+
+  std::size_t object(const Seam_kernel::Point_3& p) const
+  {
+    return static_cast<std::size_t>(m_tree.closest_point_and_primitive(p).second - m_objects.cbegin());
+  }
+
+private:
+  const std::vector<Object> m_objects;
+  CGAL::AABB_tree<Traits> m_tree;
+};
 
 // The Voronoi diagram of borders and seams: a forest of shortest paths from the nodes there, its sources. When a path
 // becomes seams, or no longer is, only the nodes are visited that are nearest to it.

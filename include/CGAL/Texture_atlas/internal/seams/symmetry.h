@@ -12,8 +12,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Texture_atlas/internal/seams/edge_graph.h>
-#include <CGAL/Texture_atlas/internal/seams/sides_of_plane.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Texture_atlas/internal/seams/mirror_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

@@ -6,6 +6,10 @@
 // Checks whether prescribed angles along the outer border are possible, so that Newton's method is not asked for the
 // impossible. Called by `set_angle_sums()`. Circle packings show that the test suffices (Thurston 1978, Chow and Luo
 // 2003).
+//
+// The edges of a border in the plane, as the angles alone determine them: by turns at the vertices, and the sine rule.
+// Holes and seams need it for their equations (`hole_equations.h`, `loop_equations.h`), and the layout to place the
+// border.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_CHECK_ANGLE_SUMS_H
@@ -26,6 +30,35 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A directed edge in the plane
+struct Planar_edge
+{
+  double direction = 0, log_length = 0;
+};
+
+// The edges of a planar border, that the angles alone determine up to a similarity. The last one is the first one
+// again, after a turn around the border.
+typedef std::vector<Planar_edge> Border_walk;
+
+// At a vertex the border turns by pi less the angles there, and its edges' lengths are related by the sine rule through
+// the fan.
+inline Border_walk walk_along_border(const Chart& chart, const std::vector<double>& alpha,
+                                     const std::vector<int>& border, Planar_edge edge = {})
+{
+  Border_walk walk;
+  walk.reserve(border.size() + 1);
+  walk.push_back(edge);
+  for(int first : border) {
+    edge.direction += pi;
+    for(int c = previous_corner(first); c >= 0; c = chart.rotate(c)) {
+      edge.direction -= alpha[c];
+      edge.log_length += std::log(std::sin(alpha[previous_corner(c)]) / std::sin(alpha[next_corner(c)]));
+    }
+    walk.push_back(edge);
+  }
+  return walk;
+}
 
 // Prescribed angles may miss their total by this much; the largest one is then corrected.
 inline constexpr double largest_rounding_of_angles = 1e-6;

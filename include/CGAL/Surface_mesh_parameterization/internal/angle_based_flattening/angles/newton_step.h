@@ -43,9 +43,9 @@ struct Newton_step
 };
 
 // Computes steps by solving Eq. 16, whose matrix is a sum over triangles:
-//   S = sum B P B',   S dlambda = C + sum B P r,   d = P (r - B' dlambda)
-// with P = T (T' H T)^-1 T', as `reduced_hessian_inverse()` says, and r minus the gradient of the Lagrangian. This S is
-// positive definite. With holes, Z' S Z takes its place: see `Bound_matrix`.
+//   S = sum J_2 P J_2',   S dlambda_2 = C + sum J_2 P b_1,   d = P (b_1 - J_2' dlambda_2)
+// with P = T (T' Lambda T)^-1 T', as `reduced_hessian_inverse()` says, and b_1 minus the gradient of the Lagrangian.
+// This S is positive definite. With holes, Z' S Z takes its place: see `Bound_matrix`.
 class Newton_system
 {
 public:
@@ -117,8 +117,8 @@ private:
   struct Local_system
   {
     Vector_3 cotangents;
-    Matrix_2 inverse; // (T' H T)^-1
-    Vector_2 force;   // T' r
+    Matrix_2 inverse; // (T' Lambda T)^-1
+    Vector_2 force;   // T' b_1
   };
 
   static std::vector<int> holes_of_bound_nodes(const Chart& chart)
@@ -173,7 +173,7 @@ private:
     complete_diagonal();
   }
 
-  // B T: rows 2k and 2k + 1 belong to the node of corner k. Rows without a node are unused.
+  // J_2 T: rows 2k and 2k + 1 belong to the node of corner k. Rows without a node are unused.
   Plane_jacobian plane_jacobian(int t, const Vector_3& cotangents) const
   {
     const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();

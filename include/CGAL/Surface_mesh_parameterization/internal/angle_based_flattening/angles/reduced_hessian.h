@@ -57,14 +57,17 @@ inline Matrix_2 lifted_inverse(const Matrix_2& matrix, const Matrix_2& metric)
 
 // Both matrix splits of the paper (Eqs. 7 to 17), for one triangle.
 //
-// Eq. 6 for the angles of a triangle reads H d + B' dlambda + mu 1 = r, with the diagonal Hessian H of the
-// Lagrangian, the Jacobian B of the constraints at its vertices, and the multiplier mu of its own constraint
-// d_1 + d_2 + d_3 = 0. The first split (Eq. 10) eliminates d, the second (Eq. 17) mu; together
-//   d = P (r - B' dlambda)   with   P = T (T' H T)^-1 T',
-// T being a basis of the steps with sum zero. Summed over all triangles, B d = -C then is Eq. 16.
+// Eq. 6 for the angles of a triangle reads Lambda d + J_1' dlambda_1 + J_2' dlambda_2 = b_1, with the diagonal Hessian
+// Lambda of the Lagrangian, the row J_1 = (1 1 1) of its own constraint, d_1 + d_2 + d_3 = 0, and the Jacobian J_2 of
+// the constraints at its vertices. The first split (Eq. 10) eliminates d, the second (Eq. 17) dlambda_1. With
+// Lambda* = J_1 Lambda^-1 J_1', J* = J_2 Lambda^-1 J_1' and J** = J_2 Lambda^-1 J_2' (Eq. 12), both together leave
+//   J** - J* Lambda*^-1 J*' = J_2 P J_2'   with   P = Lambda^-1 - Lambda^-1 J_1' Lambda*^-1 J_1 Lambda^-1,
+// the negative of the matrix of Eq. 16, and d = P (b_1 - J_2' dlambda_2). As P maps to steps with sum zero, it is
+//   P = T (T' Lambda T)^-1 T',
+// T being a basis of these steps. Summed over all triangles, J_2 d = -C then is Eq. 16.
 //
-// Returns (T' H T)^-1. `curvature` is the diagonal of H; where H is less than `least_relative_curvature` times the
-// energy's own Hessian in some direction of the plane, it is lifted to that.
+// Returns (T' Lambda T)^-1. `curvature` is the diagonal of Lambda; where Lambda is less than `least_relative_curvature`
+// times the energy's own Hessian in some direction of the plane, it is lifted to that.
 inline Matrix_2 reduced_hessian_inverse(const Vector_3& energy_curvature, const Vector_3& curvature)
 {
   const Sum_preserving_steps& basis = basis_of_sum_preserving_steps();

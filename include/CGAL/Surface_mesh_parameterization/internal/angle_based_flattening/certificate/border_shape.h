@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
 
 #include <algorithm>
 #include <cmath>

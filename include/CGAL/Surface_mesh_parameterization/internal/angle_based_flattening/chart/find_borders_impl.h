@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_places.h>
 
 #include <cstddef>
 #include <vector>

@@ -6,6 +6,10 @@
 // What callers prescribe for a mesh: importance of faces, sums of angles, positions, and both sides of seams, with the
 // types of their maps hidden.
 // `run_parameterizer.h`, cones and atlas charts take it into the chart, before target angles are computed.
+//
+// Reads the importance of faces as weights of triangles in the energy, and refuses weights with which Newton's method
+// is slow. `prescriptions.h` calls it when a mesh is read; `coarse_solver.h` keeps the weights of coarse charts in the
+// same range.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_PRESCRIPTIONS_H
@@ -16,9 +20,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
+
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -28,11 +33,58 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// Newton's method takes up to 4 times as many steps where neighbours differ by a factor of 10, up to 25 times as many
+// where they differ by 100, and often does not converge where they differ by 1000.
+inline constexpr double least_importance = 0.1, largest_importance = 10;
+
+// The importance of each face of a mesh; empty if all are equal. It hides the type of the caller's property map.
+template <typename TriangleMesh>
+using Face_importance =
+    std::function<double(const typename boost::graph_traits<TriangleMesh>::face_descriptor&)>;
+
+template <typename TriangleMesh, typename FaceImportanceMap>
+Face_importance<TriangleMesh> face_importance(FaceImportanceMap map)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  return [map](const face_descriptor& f) { return static_cast<double>(get(map, f)); };
+}
+
+// Finds the weights of triangles that are out of range.
+inline Chart_defect find_wrong_weight(const std::vector<double>& weight)
+{
+  Chart_defect defect;
+  for(std::size_t t = 0; t < weight.size(); ++t)
+    if(!(weight[t] >= least_importance && weight[t] <= largest_importance))
+      defect.triangles.push_back(static_cast<int>(t));
+  if(defect.triangles.empty())
+    return defect;
+  std::ostringstream text;
+  text << "the importance of a face is " << weight[defect.triangles.front()] << ", but must be between "
+       << least_importance << " and " << largest_importance;
+  defect.status = Diagnosis::WRONG_WEIGHT;
+  defect.message = text.str();
+  return defect;
+}
+
+// Sets the weights of the triangles of the chart that was read, from the importance of its faces.
+template <typename ChartReader, typename FaceImportance>
+Chart_defect read_importance(ChartReader& reader, const FaceImportance& importance)
+{
+  if(!importance)
+    return {};
+  std::vector<double>& weight = reader.chart.weight;
+  weight.reserve(reader.number_of_faces());
+  for(int t = 0; t < reader.number_of_faces(); ++t)
+    weight.push_back(importance(reader.face_of_triangle(t)));
+  return find_wrong_weight(weight);
+}
 
 // The prescribed angle sum of each vertex of a mesh, if there is one. It hides the type of the caller's property map.
 template <typename TriangleMesh>
@@ -133,7 +185,7 @@ struct Prescriptions
   }
 };
 
-// Sets the prescribed angles of a chart if they are possible. The body is in `angles/set_angle_sums.h`, as the check
+// Sets the prescribed angles of a chart if they are possible. The body is in `angles/check_surface_sums.h`, as the check
 // needs what is there.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart);
 

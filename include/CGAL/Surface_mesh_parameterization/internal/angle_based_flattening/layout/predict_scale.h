@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How much the scale of a conformal map will vary over a chart with holes, from one Poisson equation and without a map.
-// `strategies/limit_scale.h` refuses charts by it, such as long tubes, whose coordinates no number type can hold
+// `strategies/lay_out_angles.h` refuses charts by it, such as long tubes, whose coordinates no number type can hold
 // usefully.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PREDICT_SCALE_H
@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/definite_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/newton_equation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
 #include <algorithm>

@@ -6,6 +6,8 @@
 // Hides the types of the caller's solver traits, and of their counterpart of lower precision, so that numerics are
 // compiled only once. Every stage that solves a linear system gets its solvers from here: angles, layouts, seams, cones
 // and injective maps.
+//
+// The solver of programs that name none. Only these need SuperLU: all others compile and link without it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_LINEAR_SOLVERS_H
@@ -14,6 +16,10 @@
 
 #include <CGAL/Solver_traits_factory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
 
 #ifdef CGAL_SUPERLU_ENABLED
 #include <CGAL/SuperLU_solver_traits.h>
@@ -98,6 +104,33 @@ public:
 private:
   std::shared_ptr<const Solver_source> m_source;
 };
+
+// `User` is whatever asks for the default: without SuperLU, the error is where that is instantiated, and nowhere else.
+template <typename User>
+struct Default_solver_traits
+{
+#ifdef CGAL_SUPERLU_ENABLED
+  typedef SuperLU_solver_traits<> type;
+#else
+  static_assert(
+      std::is_void<User>::value,
+      "The default solver of linear systems needs SuperLU: link with the CMake target CGAL::SuperLU_support, "
+      "or name another solver, such as CGAL::Eigen_solver_traits.");
+#endif
+};
+
+// The solvers that the named parameters give, or the default ones
+template <typename NamedParameters>
+Linear_solvers linear_solvers(const NamedParameters& np)
+{
+  typedef internal_np::sparse_linear_solver_t Parameter;
+  if constexpr(parameters::is_default_parameter<NamedParameters, Parameter>::value) {
+    (void)np;
+    return Linear_solvers(typename Default_solver_traits<NamedParameters>::type());
+  } else {
+    return Linear_solvers(parameters::get_parameter(np, internal_np::sparse_linear_solver));
+  }
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/importance.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 
 #include <CGAL/Surface_mesh.h>
 

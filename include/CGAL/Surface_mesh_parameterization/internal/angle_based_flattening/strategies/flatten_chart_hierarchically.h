@@ -29,7 +29,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_to_fine.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/lay_out_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
 
 #include <optional>
 #include <string>

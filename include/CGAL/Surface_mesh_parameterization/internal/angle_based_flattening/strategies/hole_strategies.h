@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/direct_strategies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/limit_scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/lay_out_angles.h>
 
 #include <optional>
 #include <utility>
