@@ -22,7 +22,9 @@ file(MAKE_DIRECTORY ${checkout}/Solver_interface/package_info/Solver_interface)
 
 run(${BASH} ${SOURCE_DIR}/scripts/drop-into-cgal ${checkout})
 file(READ ${checkout}/Texture_atlas/include/CGAL/Texture_atlas/make_atlas.h header)
-if(NOT header MATCHES "^// Copyright[^\n]*\n// All rights reserved.\n//\n// This file is part of CGAL \\(www.cgal.org\\).\n//\n// \\$URL\\$\n// \\$Id\\$\n// SPDX-[^\n]*\n//\n//\n// Author\\(s\\)     : [^\n]*\n\n#ifndef CGAL_TEXTURE_ATLAS_MAKE_ATLAS_H")
+string(CONCAT head "^// Copyright[^\n]*\n// All rights reserved.\n//\n// This file is part of CGAL \\(www.cgal.org\\).\n"
+  "//\n// \\$URL\\$\n// \\$Id\\$\n// SPDX-[^\n]*\n//\n//\n// Author\\(s\\)     : [^\n]*\n\n#ifndef")
+if(NOT header MATCHES "${head}")
   message(FATAL_ERROR "make_atlas.h does not begin as headers of CGAL do")
 endif()
 
