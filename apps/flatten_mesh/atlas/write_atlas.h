@@ -156,7 +156,7 @@ inline void write_model_or_baked(const Command_line& command, const Model& model
     Model_texture texture = texture_of(model, mesh, origins, atlas);
     texture.is_second_set = command.atlas.uv_set == 1;
     if(!texture.is_second_set) {
-      keep_left_out_texture(face_choice_of(command.atlas), model, texture);
+      keep_given_texture(model, left_out_polygons(face_choice_of(command.atlas), model), texture);
     }
     write_model(files.open(command.output), command.output, model, texture);
   }

@@ -137,19 +137,6 @@ inline std::vector<bool> left_out_polygons(const Face_choice& choice, const Mode
   return is_left_out;
 }
 
-// Polygons that are left out keep their coordinates.
-inline void keep_left_out_texture(const Face_choice& choice, const Model& model, Model_texture& texture)
-{
-  const std::vector<bool> is_left_out = left_out_polygons(choice, model);
-  for(std::size_t p = 0; p < is_left_out.size(); ++p) {
-    for(Index c = model.first_corners[p]; c < model.first_corners[p + 1] && is_left_out[p]; ++c) {
-      if(const Index point = model.texture_point(c); point != no_index) {
-        texture.uv[c] = model.texture[point];
-      }
-    }
-  }
-}
-
 } // namespace flatten_mesh
 
 #endif // FLATTEN_MESH_FACE_CHOICE_H

@@ -251,6 +251,19 @@ inline Model_texture texture_of(const Surface_soup& model, const Mesh& mesh, con
   return texture;
 }
 
+// Polygons that are left out keep their coordinates. `is_left_out` may be empty.
+inline void keep_given_texture(const Surface_soup& soup, const std::vector<bool>& is_left_out,
+                               Model_texture& texture)
+{
+  for(std::size_t p = 0; p < is_left_out.size(); ++p) {
+    for(Index c = soup.first_corners[p]; c < soup.first_corners[p + 1] && is_left_out[p]; ++c) {
+      if(const Index point = soup.texture_point(c); point != no_index) {
+        texture.uv[c] = soup.texture[point];
+      }
+    }
+  }
+}
+
 } // namespace CGAL::Texture_atlas::internal::prepare
 
 #endif // CGAL_TEXTURE_ATLAS_INTERNAL_PREPARE_MODEL_TEXTURE_H
