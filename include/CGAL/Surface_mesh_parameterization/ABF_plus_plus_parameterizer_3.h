@@ -49,12 +49,12 @@ namespace Surface_mesh_parameterization {
 ///
 /// These defaults are not those of the paper (Section \ref ABF_math explains them):
 ///
-/// | option                                  | default     | why                                   | as in the paper |
-/// | :-------------------------------------- | :---------- | :------------------------------------ | :-------------- |
-/// | `Flattening_options::barrier`           | 0.1         | no angle goes to zero                 | 0               |
-/// | `ABF_plus_plus_options::step`           | `NEWTON`    | converges quadratically               | `SEQUENTIAL_LINEARLY_CONSTRAINED` |
-/// | `ABF_plus_plus_options::linear_solver`  | `ITERATIVE` | takes less time and memory            | `DIRECT`        |
-/// | `ABF_plus_plus_options::layout`         | `AUTOMATIC_LAYOUT` | exact where the angles close up | `LEAST_SQUARES_LAYOUT` |
+/// | option | default | why | as in the paper |
+/// | :----- | :------ | :-- | :-------------- |
+/// | `Flattening_options::barrier` | 0.1 | keeps angles away from zero | 0 |
+/// | `ABF_plus_plus_options::step` | `NEWTON` | converges quadratically | `SEQUENTIAL_LINEARLY_CONSTRAINED` |
+/// | `ABF_plus_plus_options::linear_solver` | `ITERATIVE` | needs fewer factorizations | `DIRECT` |
+/// | `ABF_plus_plus_options::layout` | `AUTOMATIC_LAYOUT` | spreads no errors | `LEAST_SQUARES_LAYOUT` |
 ///
 /// Constraints in logarithms, the line search, the stopping rule and the pinned vertices of the layout are ours in any
 /// case.

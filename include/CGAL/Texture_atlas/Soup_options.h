@@ -57,7 +57,7 @@ struct Soup_options : Atlas_options
   /// The only component that gets charts, numbered by falling number of triangles. For one soup.
   std::optional<std::size_t> component;
 
-  /// sets the options for a purpose, as `Atlas_options` does. With another one than `TEXTURE`, automatic seams are short.
+  /// sets the options for a purpose, as `Atlas_options` does. `seams` is `LENGTH` unless the purpose is `TEXTURE`.
   Soup_options(Purpose purpose = TEXTURE) : Atlas_options(purpose), seams(purpose == TEXTURE ? AUTO : LENGTH)
   {}
 };

@@ -26,8 +26,8 @@ namespace Texture_atlas {
 ///
 /// The report of `make_atlas()` and `make_common_atlas()` for points and polygons.
 ///
-/// `Atlas_report::skipped` has all polygons without chart, also those that cannot be part of a surface. Its `first_face`
-/// is the number of a polygon, and its `number_of_faces` counts polygons.
+/// `Atlas_report::skipped` has all polygons without chart, also those that cannot be part of a surface. Its
+/// `first_face` is the number of a polygon, and its `number_of_faces` counts polygons.
 struct Soup_report : Atlas_report
 {
   /// Whether seams could be made symmetric.
@@ -43,8 +43,8 @@ struct Soup_report : Atlas_report
   /// How seams were chosen.
   struct Seams
   {
-    /// `"length"`, `"near-creases"`, `"creases"`, `"hidden"`; `"weighted"` for symmetric seams, `"given"` if charts were
-    /// given, `"various"` for surfaces that differ.
+    /// `"length"`, `"near-creases"`, `"creases"`, `"hidden"`; `"given"` if charts were given, `"various"` for surfaces
+    /// that differ.
     std::string name = "length";
     std::optional<double> crease_angle;  ///< If creases are seams: the least angle of a crease, in radians.
     bool lacks_creases = false;          ///< Whether creases were asked for, and there is none.

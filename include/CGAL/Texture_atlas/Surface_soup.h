@@ -63,7 +63,7 @@ struct Surface_soup
   /// Edges that are seams in any case, each as the numbers of two points.
   std::vector<std::pair<Index, Index>> marked_seams;
 
-  /// Of each polygon: whether it gets no chart. It keeps the coordinates in `texture`. Empty if all polygons get charts.
+  /// Of each polygon: whether it gets no chart. It keeps the coordinates in `texture`. Empty if all get charts.
   std::vector<bool> is_ignored;
 
   std::string name; ///< A name for messages, if there are several soups.

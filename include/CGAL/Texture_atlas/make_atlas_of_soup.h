@@ -33,8 +33,8 @@ makes a texture atlas of points and polygons, which need not be a surface yet.
 
 Points at the same place are joined; polygons are oriented alike, separated where more than two meet at an edge, and
 divided into triangles, which seams do not divide. What cannot be part of a surface is left out, and reported in
-`Soup_report::skipped`: polygons with fewer than three different corners, duplicates, and polygons at points that are not
-finite or far away. `Soup_report::notes` tells what was changed. The rest is as of `make_atlas()` for meshes.
+`Soup_report::skipped`: polygons with fewer than three different corners, duplicates, and polygons at points that are
+not finite or far away. `Soup_report::notes` tells what was changed. The rest is as of `make_atlas()` for meshes.
 
 If there is no atlas (`Atlas_report::has_atlas()`), `atlas` is unchanged.
 
@@ -77,8 +77,8 @@ Soup_report make_atlas(const Surface_soup& soup, Soup_atlas& atlas,
 
 makes one texture atlas of several soups, with the same texel density, as `make_atlas()` does of one.
 
-Soups that touch are not joined. Charts are numbered through, those of the first soup first. `Atlas_report::Chart::mesh`,
-`Atlas_report::Skipped::mesh` and `Soup_report::offending_soup` are numbers of soups.
+Soups that touch are not joined. Charts are numbered through, those of the first soup first.
+`Atlas_report::Chart::mesh`, `Atlas_report::Skipped::mesh` and `Soup_report::offending_soup` are numbers of soups.
 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
