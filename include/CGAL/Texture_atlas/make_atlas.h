@@ -17,7 +17,8 @@
 #include <CGAL/Texture_atlas/internal/prepare/mesh_atlas.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
-#include <array>
+#include <CGAL/Iterator_range.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -43,9 +44,10 @@ overlaps itself, and no two charts come nearer to one another than the gutter. S
 `Diagnosis::STRETCH_BOUND_MISSED` says that some chart is not good (`Atlas_report::Chart::is_good`).
 
 A part that cannot be flattened is skipped and reported. Its coordinates are unchanged, and all other parts get charts.
-Faces with vertices that are not finite or a billion times as far away as most are such parts by themselves. Faces whose corners are exactly on one line change no chart: each gets coordinates on an edge of a
-neighbor (`Atlas_report::degenerate_triangles`). Edges where a chart ends beside such faces are seams, too. If anything
-else is wrong, nothing is written.
+Faces with vertices that are not finite or a billion times as far away as most are such parts by themselves. Faces whose
+corners are exactly on one line change no chart: each gets coordinates on an edge of a neighbor
+(`Atlas_report::degenerate_triangles`). Edges where a chart ends beside such faces are seams, too. If anything else is
+wrong, nothing is written.
 
 Faces may have any number of corners. Larger ones are divided into triangles in a copy of the mesh, by diagonals that do
 not become seams, and each is strictly convex in the plane where that is possible, as with `face_patch_map`. The report
@@ -119,11 +121,8 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
                                                    const Atlas_options& options = Atlas_options(),
                                                    const NamedParameters& np = parameters::default_values())
 {
-  const std::array<EdgeIsSeamMap, 1> all_seams = {seams};
-  const std::array<HalfedgeUVMap, 1> all_uv = {uv};
-  const std::array<FaceChartMap, 1> all_charts = {charts};
-  return internal::atlas_of_meshes(internal::One_mesh<TriangleMesh>{&mesh}, all_seams, all_uv, all_charts,
-                                   options, np);
+  const auto one = [](const auto& value) { return CGAL::make_range(&value, &value + 1); };
+  return internal::atlas_of_meshes(one(mesh), one(seams), one(uv), one(charts), options, np);
 }
 
 /*!

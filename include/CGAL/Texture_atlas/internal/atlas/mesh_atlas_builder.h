@@ -49,8 +49,10 @@ class Mesh_atlas_builder
   typedef Atlas_stage Stage;
 
 public:
-  Mesh_atlas_builder(const Atlas_options& options, const Linear_solvers& solvers)
-      : m_options(options), m_solvers(solvers)
+  // `round` rounds coordinates to the caller's number type.
+  Mesh_atlas_builder(const Atlas_options& options, const Linear_solvers& solvers,
+                     const Rounding round = &round_to_points<Point>)
+      : m_options(options), m_solvers(solvers), m_round(round)
   {}
 
   // The named parameters are those of the mesh, and have to live as long as this builder.
@@ -180,7 +182,7 @@ private:
     }
     Atlas_settings options = m_options;
     options.texels_per_unit *= m_weight_scale;
-    Atlas atlas = build_atlas(parts, m_weight, options, m_solvers, &round_to_points<Point>);
+    Atlas atlas = build_atlas(parts, m_weight, options, m_solvers, m_round);
     std::size_t begin = 0;
     for(std::size_t i = 0; i < m_meshes.size(); begin += sizes[i++])
       m_meshes[i].set_charts(taken(parts, begin, sizes[i]), taken(atlas.parts, begin, sizes[i]),
@@ -244,6 +246,7 @@ private:
 
   const Atlas_settings m_options;
   const Linear_solvers m_solvers;
+  const Rounding m_round;
   std::deque<Read_mesh> m_meshes;
   std::vector<double> m_weight; // of each triangle, divided by the scale; empty if all are 1
   double m_weight_scale = 1;

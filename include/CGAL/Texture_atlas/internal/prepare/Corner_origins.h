@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal::prepare {
@@ -51,6 +52,28 @@ inline std::vector<Index> polygons_of_faces(const Surface_soup& model, const Mes
   polygons.reserve(mesh.number_of_faces());
   for(const Face f : mesh.faces()) {
     polygons.push_back(model.polygon_of_corner(origins.corners[mesh.halfedge(f).idx()]));
+  }
+  return polygons;
+}
+
+// The polygons, `polygon_of(f)`, of the faces without chart that hang together with one of them
+template <class Polygon_of>
+std::set<std::size_t> polygons_of_part(const Mesh& mesh, const Edge_marks& seams,
+                                       const Mesh::Property_map<Face, int>& charts, const Face first,
+                                       const Polygon_of& polygon_of)
+{
+  std::set<std::size_t> polygons;
+  std::set<Face> faces = {first};
+  for(std::vector<Face> stack = {first}; !stack.empty();) {
+    const Face f = stack.back();
+    stack.pop_back();
+    polygons.insert(polygon_of(f));
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Face next = mesh.face(mesh.opposite(h));
+      if(next != Mesh::null_face() && charts[next] < 0 && !seams[mesh.edge(h)] && faces.insert(next).second) {
+        stack.push_back(next);
+      }
+    }
   }
   return polygons;
 }

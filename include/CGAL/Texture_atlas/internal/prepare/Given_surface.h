@@ -70,6 +70,12 @@ inline std::size_t polygon_of_face(const std::vector<Given_surface>& given, cons
   return each.soup.polygon_of_corner(each.surface.origins.corners[mesh.halfedge(own).idx()]);
 }
 
+// The point of its soup that a halfedge of the common mesh ends at, in a face of this surface
+inline Index point_of_corner(const Given_surface& given, const Halfedge h)
+{
+  return given.soup.vertices[given.surface.origins.corners[h.idx() - given.first_halfedge]];
+}
+
 // The part of the common atlas that belongs to a surface, as properties of its own mesh
 inline Atlas atlas_of_surface(const Atlas& whole, const Given_surface& given)
 {

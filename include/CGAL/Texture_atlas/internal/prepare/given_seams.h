@@ -29,7 +29,8 @@ namespace CGAL::Texture_atlas::internal::prepare {
 
 // Turns mirrored charts over. Models of games often show one half of the texture on both sides, one of them mirrored:
 // where the orientation changes, a seam is added if `adds_seams`, but not within polygons. Charts of both orientations
-// stay as they are, and `report` counts what was changed. `uv(h)` is a reference; a map without numbers has no orientation.
+// stay as they are, and `report` counts what was changed. `uv(h)` is a reference; a map without numbers has no
+// orientation.
 template <class Uv>
 void orient_texture(const bool adds_seams, Mesh& mesh, const Edge_marks& seams, const Uv& uv,
                     Soup_report::Seams& report)

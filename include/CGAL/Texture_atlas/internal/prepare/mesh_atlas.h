@@ -38,37 +38,6 @@ std::size_t size_of(const Range& range)
 
 namespace prepare {
 
-// Makes one atlas of copies, in their maps.
-template <typename Point>
-Mesh_report<Mesh, Atlas_report> make_atlas_of_copies(const std::vector<Mapped_mesh<Point>*>& copies,
-                                                     const Atlas_options& options,
-                                                     const Linear_solvers& solvers)
-{
-  typedef Mapped_mesh<Point> Copy;
-  const auto parameters_of = [](const Copy& copy) {
-    return parameters::edge_weight_map(copy.weights)
-        .edge_is_constrained_map(copy.is_constrained)
-        .face_size_map(copy.sizes)
-        .face_patch_map(copy.polygons)
-        .face_index_map(copy.numbers);
-  };
-  typedef decltype(parameters_of(*copies.front())) Parameters;
-  std::deque<Parameters> np;
-  Mesh_atlas_builder<Mesh, decltype(Copy::seams), decltype(Copy::uv), decltype(Copy::charts), Parameters>
-      builder(options, solvers);
-  for(Copy* const copy : copies) {
-    np.push_back(parameters_of(*copy));
-    builder.add(copy->mesh, copy->seams, copy->uv, copy->charts, np.back());
-  }
-  return builder.run();
-}
-
-#ifdef CGAL_ANGLE_BASED_FLATTENING_COMPILED
-extern template Mesh_report<Mesh, Atlas_report>
-make_atlas_of_copies(const std::vector<Mapped_mesh<Kernel::Point_2>*>&, const Atlas_options&,
-                     const Linear_solvers&);
-#endif
-
 // One atlas of any meshes, with property maps of each. Polygons are divided in copies.
 template <typename MeshRange, typename SeamMaps, typename UVMaps, typename ChartMaps,
           typename NamedParameters>
@@ -84,8 +53,8 @@ make_atlas_of_polygon_meshes(const MeshRange& meshes, const SeamMaps& seams, con
     report.message = unreadable_text;
     return report;
   }
-  std::deque<Triangulated_copy<PolygonMesh, Point>> copies;
-  std::vector<Mapped_mesh<Point>*> pointers;
+  std::deque<Triangulated_copy<PolygonMesh>> copies;
+  std::vector<Mapped_mesh*> pointers;
   auto seam_map = std::begin(seams);
   auto uv_map = std::begin(uv);
   for(const PolygonMesh& mesh : meshes) {
@@ -93,8 +62,9 @@ make_atlas_of_polygon_meshes(const MeshRange& meshes, const SeamMaps& seams, con
     copies.back().read(*seam_map++, *uv_map++, options.given_charts != Atlas_options::REPLACE);
     pointers.push_back(&copies.back());
   }
-  Mesh_report<Mesh, Atlas_report> of_copies = make_atlas_of_copies(pointers, options, linear_solvers(np));
-  static_cast<Atlas_report&>(report) = static_cast<Atlas_report&>(of_copies);
+  const Report_on_atlas of_copies =
+      make_atlas_of_mapped_meshes(pointers, options, linear_solvers(np), &round_to_points<Point>);
+  static_cast<Atlas_report&>(report) = of_copies;
   for(Atlas_report::Skipped& part : report.skipped)
     copies[part.mesh].translate_part(part);
   if(copies.size() == 1) // elements of several meshes are not named
@@ -157,15 +127,6 @@ Atlas_report common_atlas(const MeshRange& meshes, const SeamMaps& seams, const 
     }
   return atlas_of_meshes(meshes, seams, uv, charts, options, np);
 }
-
-// A range of one mesh, which is not copied
-template <typename TriangleMesh>
-struct One_mesh
-{
-  const TriangleMesh* mesh;
-  const TriangleMesh* begin() const { return mesh; }
-  const TriangleMesh* end() const { return mesh + 1; }
-};
 
 } // namespace CGAL::Texture_atlas::internal
 

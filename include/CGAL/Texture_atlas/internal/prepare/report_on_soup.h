@@ -40,26 +40,6 @@ inline std::string rounded_text(const double number, const int digits)
   return text.str();
 }
 
-// The number of polygons that a part without chart consists of
-inline std::size_t count_polygons(const std::vector<Given_surface>& given, const Mesh& mesh,
-                                  const Atlas& atlas, const Face first)
-{
-  std::set<std::size_t> polygons;
-  std::set<Face> triangles = {first};
-  for(std::vector<Face> stack = {first}; !stack.empty();) {
-    const Face f = stack.back();
-    stack.pop_back();
-    polygons.insert(polygon_of_face(given, f));
-    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      const Face next = mesh.face(mesh.opposite(h));
-      if(next != Mesh::null_face() && !atlas.seams[mesh.edge(h)] && triangles.insert(next).second) {
-        stack.push_back(next);
-      }
-    }
-  }
-  return polygons.size();
-}
-
 // Tells of the polygons of a soup that have no area, and lists those that no neighbor gives coordinates. If only one
 // component is to be flattened, it is not known whether they belong to it.
 inline void report_polygons_without_area(const Given_surface& given, const Atlas& atlas,
@@ -112,7 +92,9 @@ inline void report_skipped(const Soup_options& options, std::vector<Given_surfac
   for(Skipped_part part : report.skipped) {
     const Face first(static_cast<Mesh::size_type>(part.first_face));
     part.first_face = polygon_of_face(given, first);
-    part.number_of_faces = count_polygons(given, mesh, atlas, first);
+    part.number_of_faces = polygons_of_part(mesh, atlas.seams, atlas.chart, first, [&given](const Face f) {
+                             return polygon_of_face(given, f);
+                           }).size();
     part.mesh = surface_of_face(given, first);
     skipped.push_back(std::move(part));
   }
@@ -123,8 +105,8 @@ inline void report_skipped(const Soup_options& options, std::vector<Given_surfac
 }
 
 // Names the elements of a soup that the diagnosis is about: of the first part without chart, or of the mesh.
-inline void report_offending(const std::vector<Given_surface>& given, const Report_on_atlas& of_mesh,
-                             Soup_report& report)
+inline void report_offending(const std::vector<Given_surface>& given, const Mesh& mesh,
+                             const Report_on_atlas& of_mesh, Soup_report& report)
 {
   const std::vector<Face>& faces = of_mesh.offending_faces;
   report.offending_soup = !report.skipped.empty() ? report.skipped.front().mesh
@@ -145,6 +127,17 @@ inline void report_offending(const std::vector<Given_surface>& given, const Repo
   for(const Face f : faces) {
     if(surface_of_face(given, f) == report.offending_soup) {
       polygons.insert(polygon_of_face(given, f));
+    }
+  }
+  std::vector<Vertex> ends = of_mesh.offending_vertices;
+  for(const Edge e : of_mesh.offending_edges) {
+    ends.insert(ends.end(), {mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  }
+  for(const Vertex v : ends) {
+    for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      if(!mesh.is_border(h) && surface_of_face(given, mesh.face(h)) == report.offending_soup) {
+        points.insert(point_of_corner(given[report.offending_soup], h));
+      }
     }
   }
   report.offending_polygons.assign(polygons.begin(), polygons.end());
@@ -205,7 +198,7 @@ inline Soup_report report_on_soups(const Soup_options& options, std::vector<Give
     report.message = report.skipped.front().message;
   }
   if(!report) {
-    report_offending(given, of_mesh, report);
+    report_offending(given, mesh, of_mesh, report);
   }
   tell_of_charts(options, report, notes);
   return report;

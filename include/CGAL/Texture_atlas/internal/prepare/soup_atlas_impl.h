@@ -33,12 +33,10 @@ inline void check_size(const std::string& array, const std::size_t size, const s
   }
 }
 
-// `is_none` tells what stands for no number.
-inline void check_numbers(const std::string& array, const std::vector<Index>& numbers, const std::size_t end,
-                          const Index none)
+inline void check_numbers(const std::string& array, const std::vector<Index>& numbers, const std::size_t end)
 {
   for(std::size_t i = 0; i < numbers.size(); ++i) {
-    if(numbers[i] >= end && numbers[i] != none) {
+    if(numbers[i] >= end && numbers[i] != no_index) {
       throw Input_error(array + "[" + std::to_string(i) + "] is " + std::to_string(numbers[i]) +
                             ", and there are only " + std::to_string(end),
                         {}, {}, Diagnosis::NUMBER_OUT_OF_RANGE);
@@ -63,11 +61,11 @@ inline void check_arrays(const Surface_soup& soup)
   }
   if(!soup.corner_texture.empty()) {
     check_size("corner_texture", soup.corner_texture.size(), soup.number_of_corners());
-    check_numbers("corner_texture", soup.corner_texture, soup.texture.size(), no_index);
+    check_numbers("corner_texture", soup.corner_texture, soup.texture.size());
   }
   if(!soup.materials.empty()) {
     check_size("materials", soup.materials.size(), soup.number_of_polygons());
-    check_numbers("materials", soup.materials, soup.material_names.size(), no_index);
+    check_numbers("materials", soup.materials, soup.material_names.size());
   }
   if(!soup.is_ignored.empty()) {
     check_size("is_ignored", soup.is_ignored.size(), soup.number_of_polygons());
@@ -119,14 +117,11 @@ inline Soup_atlas atlas_of_soup(const Given_surface& given, const Atlas& atlas)
 {
   const Surface_soup& soup = given.soup;
   Model_texture texture = texture_of(soup, given.surface.mesh, given.surface.origins, atlas);
+  keep_given_texture(soup, soup.is_ignored, texture);
   Soup_atlas result{std::move(texture.uv), {}, {}, seams_of(given, atlas.seams)};
   result.is_turned = std::move(texture.is_turned);
-  for(Index p = 0; p < soup.number_of_polygons(); ++p) {
-    result.charts.push_back(texture.charts[p] == no_index ? -1 : static_cast<int>(texture.charts[p]));
-    for(Index c = soup.first_corners[p]; c < soup.first_corners[p + 1]; ++c) {
-      const Index t = soup.is_ignored.empty() || !soup.is_ignored[p] ? no_index : soup.texture_point(c);
-      result.uv[c] = t == no_index ? result.uv[c] : soup.texture[t];
-    }
+  for(const Index chart : texture.charts) {
+    result.charts.push_back(chart == no_index ? -1 : static_cast<int>(chart));
   }
   return result;
 }
@@ -159,11 +154,6 @@ inline Soup_report try_atlas_of_soups(const std::vector<const Surface_soup*>& so
   }
   notes.set_subject("");
   Mesh& mesh = is_common ? common : surfaces.front().mesh;
-  if(options.component && *options.component >= components_by_size(mesh).size()) {
-    throw Input_error("component is " + std::to_string(*options.component) + ", and there are only " +
-                          std::to_string(components_by_size(mesh).size()),
-                      {}, {}, Diagnosis::WRONG_OPTION);
-  }
   const double seconds = timer.time();
   const Atlas atlas = empty_atlas(mesh);
   Soup_report report = make_atlas_of_surfaces(options, given, mesh, atlas, notes);

@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -122,7 +123,7 @@ inline void prepare_edges_of(const Soup_options& options, Mesh& mesh, const Edge
   }
 }
 
-// Marks the seams that are given, and makes the charts of texture coordinates those of the atlas, if they are to be kept.
+// Marks the seams that are given. If charts are kept, their texture coordinates become those of the atlas.
 template <class Uv>
 void take_given(const Soup_options& options, Given_surface& given, const Edge_marks& is_seam, const Uv& uv,
                 Soup_report::Seams& way)
@@ -282,6 +283,11 @@ inline Soup_report make_atlas_of_surfaces(const Soup_settings& options, std::vec
     of_mesh.message = "no part of the surface can be flattened";
   } else {
     components = components_by_size(mesh).size();
+    if(options.component && *options.component >= components) {
+      throw Input_error("component is " + std::to_string(*options.component) + ", and there are only " +
+                            std::to_string(components),
+                        {}, {}, Diagnosis::WRONG_OPTION);
+    }
     of_mesh = &given.front().surface.mesh == &mesh
                   ? make_surface_atlas(options, given.front(), atlas, seams)
                   : make_common_surface_atlas(options, given, mesh, atlas, seams);
