@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_JSON_H
 #define FLATTEN_MESH_JSON_H
 
-#include <CGAL/Texture_atlas/internal/json/Json.h>
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
 
 #include <string>
 

@@ -18,7 +18,7 @@
 #include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
-#include <CGAL/Texture_atlas/internal/options/seam_words.h>
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 
 #include <algorithm>

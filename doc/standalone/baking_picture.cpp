@@ -18,7 +18,7 @@
 #include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Texture_atlas/bake_surface.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/make_atlas.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include "surfaces.h"
 
 #include <CGAL/Texture_atlas/internal/json/report_json.h>
-#include <CGAL/Texture_atlas/internal/options/seam_words.h>
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
 #include <CGAL/Texture_atlas/make_atlas_of_soup.h>
 
 #include <pybind11/stl.h>

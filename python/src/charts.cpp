@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Texture_atlas/internal/json/Json.h>
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
 
 #include <pybind11/stl.h>
 

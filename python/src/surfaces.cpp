@@ -11,7 +11,7 @@
 
 #include <CGAL/Texture_atlas/bake_surface.h>
 #include <CGAL/Texture_atlas/flatten_with_cones.h>
-#include <CGAL/Texture_atlas/internal/json/Json.h>
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
 #include <CGAL/Texture_atlas/seam_weights.h>
 #include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Texture_atlas/select_seams.h>

@@ -10,7 +10,7 @@
 
 #include "planar_charts.h"
 
-#include <CGAL/Texture_atlas/internal/packing/occupied_cells.h>
+#include <CGAL/Texture_atlas/internal/packing/place_charts.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/texel_mask.h>
 #include <CGAL/Texture_atlas/internal/packing/visit_texels.h>

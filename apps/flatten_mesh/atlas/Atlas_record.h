@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Texture_atlas/internal/json/report_json.h>
-#include <CGAL/Texture_atlas/internal/options/seam_words.h>
+#include <CGAL/Texture_atlas/internal/options/option_table.h>
 #include <CGAL/Texture_atlas/internal/prepare/surface_atlas.h>
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 #include "flatten_mesh/atlas/Atlas_record.h"
 
 #include <CGAL/Texture_atlas/Atlas_visitor.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 namespace flatten_mesh {
 

@@ -9,7 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 #include <CGAL/Texture_atlas/seam_selection.h>
 
 #include <string>

@@ -9,7 +9,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/place_in_rows.h>
 
 #include <cstddef>

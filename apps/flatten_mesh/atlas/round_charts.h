@@ -13,7 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "flatten_mesh/pictures/Textured_surface.h"
 #include "flatten_mesh/pictures/seam_chains.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <array>

@@ -41,7 +41,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 #include <CGAL/Texture_atlas/seam_selection.h>
 

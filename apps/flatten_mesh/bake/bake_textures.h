@@ -12,7 +12,7 @@
 #include "flatten_mesh/bake/Baking_record.h"
 
 #include <CGAL/Texture_atlas/Baked_textures.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 namespace flatten_mesh {
 

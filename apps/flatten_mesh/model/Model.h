@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/texts.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
-#include <CGAL/Texture_atlas/internal/polygons/convex_polygon.h>
+#include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Texture_atlas/internal/packing/visit_texels.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

@@ -14,7 +14,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 #include <CGAL/Texture_atlas/internal/prepare/components.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>

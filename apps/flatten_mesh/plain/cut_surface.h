@@ -12,7 +12,7 @@
 #include "flatten_mesh/plain/Run_record.h"
 #include "flatten_mesh/plain/Sheet.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 namespace flatten_mesh {
 

@@ -15,7 +15,7 @@
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <algorithm>
 #include <array>

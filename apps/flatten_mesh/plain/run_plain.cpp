@@ -36,7 +36,7 @@
 #endif
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 #include <iostream>
 #include <optional>

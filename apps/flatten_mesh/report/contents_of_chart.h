@@ -14,7 +14,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/bounding_box.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
-#include <CGAL/Texture_atlas/internal/prepare/soup_atlas.h>
 #include <CGAL/Texture_atlas/Soup_options.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
 #include <CGAL/Texture_atlas/Surface_soup.h>
@@ -25,6 +24,15 @@
 namespace CGAL {
 
 namespace Texture_atlas {
+
+namespace internal::prepare {
+
+// Makes one atlas of soups. If `is_common`, messages name them.
+CGAL_ANGLE_BASED_FLATTENING_INLINE Soup_report make_atlas_of_soups(
+    const std::vector<const Surface_soup*>& soups, bool is_common, const Soup_options& options,
+    const Linear_solvers& solvers, std::vector<Soup_atlas>& atlases);
+
+} // namespace internal::prepare
 
 /*!
 \ingroup PkgTextureAtlasRef
@@ -105,6 +113,10 @@ Soup_report make_common_atlas(const std::vector<Surface_soup>& soups, std::vecto
 } // namespace Texture_atlas
 
 } // namespace CGAL
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Texture_atlas/internal/prepare/soup_atlas_impl.h>
+#endif
 
 #include <CGAL/enable_warnings.h>
 

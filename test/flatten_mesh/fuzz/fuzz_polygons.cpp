@@ -10,7 +10,7 @@
 
 #include "flatten_mesh/atlas/Atlas_input.h"
 
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -13,7 +13,6 @@
 #include <CGAL/Texture_atlas/IO/OBJ_material.h>
 #include <CGAL/Texture_atlas/internal/files/build_obj_mesh.h>
 #include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
-#include <CGAL/Texture_atlas/internal/files/write_obj_files.h>
 #include <CGAL/Texture_atlas/internal/files/write_obj_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>

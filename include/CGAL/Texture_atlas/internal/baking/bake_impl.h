@@ -15,8 +15,7 @@
 #include <CGAL/Texture_atlas/internal/baking/bake.h>
 #include <CGAL/Texture_atlas/internal/baking/chart_texels.h>
 #include <CGAL/Texture_atlas/internal/baking/fine_surface_searches.h>
-#include <CGAL/Texture_atlas/internal/baking/fine_surface_tree.h>
-#include <CGAL/Texture_atlas/internal/baking/tangent_frames.h>
+#include <CGAL/Texture_atlas/internal/baking/shaded_surfaces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>

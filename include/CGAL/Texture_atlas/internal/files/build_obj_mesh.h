@@ -9,26 +9,167 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
-#include <CGAL/Texture_atlas/internal/files/check_obj_soup.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/Kernel_traits.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
+
+// Finds what keeps faces from being a mesh of halfedges. `is_polygon_soup_a_polygon_mesh()` of CGAL names no face, and
+// refuses vertices of several fans on borders, which meshes can have.
+class Obj_soup_check
+{
+  struct Edge
+  {
+    std::size_t from, to, corner; // where it begins
+
+    std::pair<std::size_t, std::size_t> ends() const { return {from, to}; }
+  };
+
+public:
+  explicit Obj_soup_check(const Obj_soup& soup) : m_soup(soup) {}
+
+  OBJ_report run()
+  {
+    if(const std::size_t c = repeated_corner(); c != Obj_soup::none)
+      return failure(Diagnosis::REPEATED_VERTEX, c, " names " + vertex_name(c) + " twice");
+    list_edges();
+    if(const std::size_t e = repeated_edge(); e != Obj_soup::none)
+      return edge_failure(m_edges[e - 1].corner, m_edges[e].corner);
+    if(const std::size_t c = pinched_corner(); c != Obj_soup::none)
+      return failure(Diagnosis::NON_MANIFOLD_VERTEX, c,
+                     " has " + vertex_name(c) +
+                         ", which is surrounded by faces and belongs to others as well");
+    return OBJ_report();
+  }
+
+private:
+  std::size_t repeated_corner() const
+  {
+    std::vector<std::size_t> corner_of(m_soup.points.size(), Obj_soup::none); // the last one so far
+    for(std::size_t f = 0; f < m_soup.number_of_faces(); ++f)
+      for(std::size_t c = m_soup.first_corners[f]; c < m_soup.first_corners[f + 1]; ++c) {
+        std::size_t& last = corner_of[m_soup.vertices[c]];
+        if(last != Obj_soup::none && last >= m_soup.first_corners[f])
+          return c;
+        last = c;
+      }
+    return Obj_soup::none;
+  }
+
+  void list_edges()
+  {
+    for(std::size_t f = 0; f < m_soup.number_of_faces(); ++f)
+      for(std::size_t c = m_soup.first_corners[f]; c < m_soup.first_corners[f + 1]; ++c) {
+        const std::size_t next = c + 1 < m_soup.first_corners[f + 1] ? c + 1 : m_soup.first_corners[f];
+        m_edges.push_back({m_soup.vertices[c], m_soup.vertices[next], c});
+      }
+    std::sort(m_edges.begin(), m_edges.end(), [](const Edge& a, const Edge& b) {
+      return std::make_pair(a.ends(), a.corner) < std::make_pair(b.ends(), b.corner);
+    });
+  }
+
+  // Of those that come after an equal one, that of the first corner
+  std::size_t repeated_edge() const
+  {
+    std::size_t found = Obj_soup::none;
+    for(std::size_t e = 1; e < m_edges.size(); ++e)
+      if(m_edges[e - 1].ends() == m_edges[e].ends() &&
+         (found == Obj_soup::none || m_edges[e].corner < m_edges[found].corner))
+        found = e;
+    return found;
+  }
+
+  // A corner in one of several fans at a vertex, if one of these is closed
+  std::size_t pinched_corner() const
+  {
+    Disjoint_sets fans(m_soup.vertices.size());
+    std::vector<std::size_t> ends; // corners where a fan ends
+    for(const Edge& edge : m_edges) {
+      const std::pair<std::size_t, std::size_t> opposite(edge.to, edge.from);
+      const auto other =
+          std::lower_bound(m_edges.begin(), m_edges.end(), opposite,
+                           [](const Edge& e, const auto& wanted) { return e.ends() < wanted; });
+      if(other != m_edges.end() && other->ends() == opposite)
+        fans.union_set(edge.corner, m_soup.next(other->corner));
+      else
+        ends.push_back(edge.corner);
+    }
+    std::vector<bool> is_open(m_soup.vertices.size(), false);
+    for(const std::size_t c : ends)
+      is_open[fans.find_set(c)] = true;
+    std::vector<std::size_t> first_fan(m_soup.points.size(), Obj_soup::none);
+    for(std::size_t c = 0; c < m_soup.vertices.size(); ++c) {
+      const std::size_t fan = fans.find_set(c);
+      std::size_t& first = first_fan[m_soup.vertices[c]];
+      if(first == Obj_soup::none)
+        first = fan;
+      else if(first != fan && !(is_open[first] && is_open[fan]))
+        return c;
+    }
+    return Obj_soup::none;
+  }
+
+  std::string vertex_name(std::size_t corner) const
+  {
+    return "vertex " + std::to_string(m_soup.vertices[corner] + 1);
+  }
+
+  OBJ_report edge_failure(std::size_t before, std::size_t corner) const
+  {
+    return failure(Diagnosis::NON_MANIFOLD_EDGE, corner,
+                   " has the edge from " + vertex_name(corner) + " to " + vertex_name(m_soup.next(corner)) +
+                       " in the same direction as face " + std::to_string(m_soup.face(before) + 1));
+  }
+
+  OBJ_report failure(Diagnosis status, std::size_t corner, const std::string& what) const
+  {
+    const std::size_t f = m_soup.face(corner);
+    return obj_failure(status, "face " + std::to_string(f + 1) + what, m_soup.lines[f]);
+  }
+
+  const Obj_soup& m_soup;
+  std::vector<Edge> m_edges; // of all faces, sorted by their ends
+};
+
+// Finds a corner with other texture coordinates than one before it at the same vertex.
+inline OBJ_report check_vertex_coordinates(const Obj_soup& soup)
+{
+  std::vector<std::size_t> first(soup.points.size(), Obj_soup::none);
+  for(std::size_t c = 0; c < soup.vertices.size(); ++c) {
+    if(soup.corner_coordinates[c] == Obj_soup::none)
+      continue;
+    std::size_t& before = first[soup.vertices[c]];
+    if(before == Obj_soup::none)
+      before = soup.corner_coordinates[c];
+    else if(soup.coordinates[before] != soup.coordinates[soup.corner_coordinates[c]]) {
+      const std::size_t f = soup.face(c);
+      return obj_failure(Diagnosis::INCONSISTENT_COORDINATES,
+                         "vertex " + std::to_string(soup.vertices[c] + 1) +
+                             " has other coordinates in face " + std::to_string(f + 1) +
+                             " than before: read coordinates of halfedges",
+                         soup.lines[f]);
+    }
+  }
+  return OBJ_report();
+}
 
 // Adds the vertices and faces of an OBJ file to a mesh, if they fit together.
 template <typename PolygonMesh, typename UVMap, typename VertexPointMap>

@@ -11,16 +11,43 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
-#include <CGAL/Texture_atlas/internal/json/Json.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json json_optional(const std::optional<Value>& value)
+{
+  return value ? Json(*value) : Json();
+}
+
+// The JSON of each value, by a function
+template <class Values, class Function>
+Json json_array(const Values& values, const Function& json_of)
+{
+  Json array = Json::array();
+  for(const auto& value : values) {
+    array.push_back(json_of(value));
+  }
+  return array;
+}
+
+// Bytes that are no UTF-8, as names of files may have, become the replacement character U+FFFD.
+inline std::string json_text(const Json& json, const int indentation = -1)
+{
+  return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
+}
 
 // All are `null` if there are none.
 inline void add_measures(Json& json, const Flattening_measures* measures)

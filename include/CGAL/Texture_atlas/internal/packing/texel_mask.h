@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Sets of texels as bits, 64 of a row in a word, with dilation by the gutter. `chart_shape.h` draws charts into them,
-// `occupied_cells.h` compares them, and `certify_packing_impl.h` checks the result with them.
+// `place_charts.h` compares them, and `certify_packing_impl.h` checks the result with them.
 //
 // Turns a set of texels by a right angle, which takes less time than to draw the chart anew. `scaled_charts.h` makes the
 // masks of most directions with it.

@@ -8,7 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -125,6 +126,22 @@ inline void add_origins_of_diagonals(const Mesh& mesh, Corner_origins& origins)
       }
     }
   }
+}
+
+using Report_on_atlas = Surface_mesh_parameterization::Mesh_report<Mesh, Atlas_report>;
+
+// The charts of a mesh, as properties of it
+struct Atlas
+{
+  Mesh::Property_map<Halfedge, Kernel::Point_2> uv; // at the target of a halfedge in its face
+  Mesh::Property_map<Face, int> chart;              // from 0 on; -1 without one
+  Edge_marks seams;
+};
+
+inline Atlas empty_atlas(Mesh& mesh)
+{
+  return {mesh.add_property_map<Halfedge, Kernel::Point_2>("h:flatten_mesh_uv").first,
+          mesh.add_property_map<Face, int>("f:flatten_mesh_chart", -1).first, seam_marks(mesh)};
 }
 
 } // namespace CGAL::Texture_atlas::internal::prepare

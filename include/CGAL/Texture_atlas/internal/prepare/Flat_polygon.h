@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <CGAL/Kernel/global_functions.h>
 

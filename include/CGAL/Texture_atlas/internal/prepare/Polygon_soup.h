@@ -10,7 +10,9 @@
 
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/Surface_soup.h>
+
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,31 @@
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal::prepare {
+
+using Texture_atlas::Surface_soup;
+using Kernel = Surface_soup::Kernel;
+using Index = Surface_soup::Index;
+constexpr Index no_index = Surface_soup::none;
+
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+
+using Edge_marks = Mesh::Property_map<Edge, bool>;
+
+// The edges along which a mesh is cut open.
+inline Edge_marks seam_marks(Mesh& mesh)
+{
+  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_seam", false).first;
+}
+
+// The edges that divide larger polygons into triangles.
+inline Edge_marks diagonals(Mesh& mesh)
+{
+  return mesh.add_property_map<Edge, bool>("e:flatten_mesh_diagonal", false).first;
+}
 
 // Which vertices at the same place are joined
 struct Welding

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 #include <CGAL/Texture_atlas/internal/prepare/check_polygons.h>
-#include <CGAL/Texture_atlas/internal/prepare/duplicate_polygons.h>
 #include <CGAL/Texture_atlas/internal/prepare/separate_soup.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/triangulate.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

@@ -8,22 +8,176 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_atlas_builder.h>
+#include <CGAL/Texture_atlas/internal/atlas/mesh_in_atlas.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
-#include <CGAL/Texture_atlas/internal/prepare/Triangulated_copy.h>
+#include <CGAL/Texture_atlas/internal/prepare/Mapped_mesh.h>
 
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <iterator>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace CGAL::Texture_atlas::internal::prepare {
+
+// A copy of any mesh, whose larger polygons are divided into triangles
+template <typename PolygonMesh>
+class Triangulated_copy : public Mapped_mesh
+{
+  typedef boost::graph_traits<PolygonMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+
+public:
+  template <typename NamedParameters>
+  Triangulated_copy(const PolygonMesh& given, const NamedParameters& np) : m_given(given)
+  {
+    std::vector<std::pair<vertex_descriptor, Vertex>> vertices;
+    std::vector<std::pair<halfedge_descriptor, Halfedge>> halfedges;
+    const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                     get_const_property_map(vertex_point, given));
+    copy_face_graph(given, mesh,
+                    parameters::vertex_point_map(points)
+                        .vertex_to_vertex_output_iterator(std::back_inserter(vertices))
+                        .halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges)));
+    m_vertices.resize(vertices.size());
+    for(const auto& [source, copy] : vertices)
+      m_vertices[copy.idx()] = source;
+    m_halfedges.resize(halfedges.size());
+    for(const auto& [source, copy] : halfedges)
+      m_halfedges[copy.idx()] = source;
+    std::vector<std::size_t> polygon_of_halfedge;
+    for(const Halfedge h : mesh.halfedges())
+      polygon_of_halfedge.push_back(mesh.face(h).idx());
+    m_number_of_polygons = mesh.number_of_faces();
+    divide_polygons(surface);
+    add_maps();
+    for(const Face f : mesh.faces())
+      numbers[f] = polygon_of_halfedge[surface.origins.corners[mesh.halfedge(f).idx()]];
+    read_parameters(np);
+  }
+
+  template <typename EdgeIsSeamMap, typename HalfedgeUVMap>
+  void read(EdgeIsSeamMap given_seams, HalfedgeUVMap given_uv, const bool keeps_charts)
+  {
+    if constexpr(!std::is_same<EdgeIsSeamMap, std::nullptr_t>::value)
+      for(const Edge e : mesh.edges())
+        seams[e] = !is_diagonal(e) && get(given_seams, given_edge(e));
+    if constexpr(is_readable<HalfedgeUVMap>)
+      for(const Halfedge h : mesh.halfedges())
+        if(keeps_charts && !mesh.is_border(h)) {
+          const auto& p = get(given_uv, given_halfedge(h));
+          uv[h] = Kernel::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+        }
+  }
+
+  template <typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap>
+  void write(EdgeIsSeamMap given_seams, HalfedgeUVMap given_uv, FaceChartMap given_charts) const
+  {
+    if constexpr(!std::is_same<EdgeIsSeamMap, std::nullptr_t>::value)
+      for(const Edge e : mesh.edges())
+        if(seams[e] && !is_diagonal(e))
+          put(given_seams, given_edge(e), true);
+    typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
+    for(const Halfedge h : mesh.halfedges())
+      if(!mesh.is_border(h) && charts[mesh.face(h)] >= 0)
+        put(given_uv, given_halfedge(h), planar_point<Point>(Chart::Point_2(uv[h].x(), uv[h].y())));
+    if constexpr(!std::is_same<FaceChartMap, std::nullptr_t>::value)
+      for(const Face f : mesh.faces())
+        put(given_charts, given_face(f),
+            static_cast<typename boost::property_traits<FaceChartMap>::value_type>(charts[f]));
+  }
+
+  // The descriptors of the given mesh, in place of those of the copy
+  template <typename Given_report, typename Report>
+  void translate(const Report& report, Given_report& given) const
+  {
+    for(const Vertex v : report.offending_vertices)
+      given.offending_vertices.push_back(m_vertices[v.idx()]);
+    for(const Edge e : report.offending_edges)
+      given.offending_edges.push_back(given_edge(e));
+    for(const Face f : report.offending_faces)
+      given.offending_faces.push_back(given_face(f));
+  }
+
+  // Counts faces of the given mesh instead of triangles.
+  template <typename Skipped>
+  void translate_part(Skipped& part) const
+  {
+    const Face first(static_cast<Mesh::size_type>(part.first_face));
+    const std::set<std::size_t> faces =
+        polygons_of_part(mesh, seams, charts, first, [this](const Face f) { return numbers[f]; });
+    part.first_face = *faces.begin();
+    part.number_of_faces = faces.size();
+  }
+
+private:
+  halfedge_descriptor given_halfedge(const Halfedge h) const
+  {
+    return m_halfedges[surface.origins.corners[h.idx()]];
+  }
+  edge_descriptor given_edge(const Edge e) const { return edge(m_halfedges[2 * e.idx()], m_given); }
+  face_descriptor given_face(const Face f) const { return face(given_halfedge(mesh.halfedge(f)), m_given); }
+  bool is_diagonal(const Edge e) const { return e.idx() >= m_halfedges.size() / 2; }
+
+  template <typename NamedParameters>
+  void read_parameters(const NamedParameters& np)
+  {
+    using parameters::get_parameter;
+    using parameters::is_default_parameter;
+    const auto constrained =
+        parameters::choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                     Static_boolean_property_map<edge_descriptor, false>());
+    for(const Edge e : mesh.edges()) {
+      is_constrained[e] = is_diagonal(e) || get(constrained, given_edge(e));
+      const Kernel::Vector_3 side(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+      weights[e] = std::hypot(side.x(), side.y(), side.z()); // whose squares may be too large
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_weight_t>::value)
+        if(!is_diagonal(e))
+          weights[e] = CGAL::to_double(get(get_parameter(np, internal_np::edge_weight), given_edge(e)));
+    }
+    Disjoint_sets sets(m_number_of_polygons);
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::face_patch_t>::value) {
+      const auto patches = get_parameter(np, internal_np::face_patch);
+      for(const Edge e : mesh.edges()) {
+        const Face f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1));
+        if(!mesh.is_border(e) && get(patches, given_face(f)) == get(patches, given_face(g)))
+          sets.union_set(numbers[f], numbers[g]);
+      }
+    }
+    for(const Face f : mesh.faces()) {
+      polygons[f] = sets.find_set(numbers[f]);
+      if constexpr(!is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value)
+        sizes[f] = CGAL::to_double(get(get_parameter(np, internal_np::face_size_map), given_face(f)));
+    }
+  }
+
+  const PolygonMesh& m_given;
+  std::size_t m_number_of_polygons = 0;
+  std::vector<vertex_descriptor> m_vertices;    // of each vertex of the copy
+  std::vector<halfedge_descriptor> m_halfedges; // of each halfedge of the copy that is no diagonal's
+};
+
+} // namespace CGAL::Texture_atlas::internal::prepare
 
 namespace CGAL::Texture_atlas::internal {
 

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <CGAL/Bbox_2.h>
 

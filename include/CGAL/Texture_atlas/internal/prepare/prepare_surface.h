@@ -12,7 +12,6 @@
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <cstddef>
 #include <vector>

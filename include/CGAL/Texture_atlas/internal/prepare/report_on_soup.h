@@ -8,11 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/Given_surface.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 #include <CGAL/Texture_atlas/Soup_options.h>
 #include <CGAL/Texture_atlas/Soup_report.h>

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Texture_atlas/make_atlas_of_soup.h>
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
-#include <CGAL/Texture_atlas/internal/prepare/soup_atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/surface_atlas.h>
 
 #include <CGAL/number_type_config.h>

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/internal/atlas/mesh_atlas_builder.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/components.h>
 #include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
 #include <CGAL/Texture_atlas/internal/prepare/Given_surface.h>
@@ -17,7 +17,7 @@
 #include <CGAL/Texture_atlas/internal/prepare/place_in_rows.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_edges.h>
 #include <CGAL/Texture_atlas/internal/prepare/report_on_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
+#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 #include <CGAL/Texture_atlas/internal/prepare/symmetric_atlas.h>
 #include <CGAL/Texture_atlas/Soup_options.h>
 #include <CGAL/Texture_atlas/Soup_report.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_edges.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>

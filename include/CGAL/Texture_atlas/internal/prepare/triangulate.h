@@ -12,7 +12,6 @@
 #include <CGAL/Texture_atlas/internal/prepare/Ear_cutter.h>
 #include <CGAL/Texture_atlas/internal/prepare/Flat_polygon.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/surface_types.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
