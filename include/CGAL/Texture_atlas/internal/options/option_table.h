@@ -3,9 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The table of options of seams, packing, atlases and baking
-//
-// The words for seams of the program and of Python
+// The table of options of seams, packing, atlases and baking, and the words for seams of the program and of Python
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_OPTIONS_OPTION_TABLE_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_OPTIONS_OPTION_TABLE_H
@@ -121,6 +119,16 @@ void visit_options(Atlas_options& options, const Visit& visit)
         "coordinates are rounded to single precision before they are certified");
   visit("threads", options.threads, numbers_of_threads,
         "number of threads; 0: one on each processor. It never changes the result");
+}
+
+template <class Visit>
+void visit_options(Soup_options& options, const Visit& visit)
+{
+  visit_options(static_cast<Atlas_options&>(options), visit);
+  visit("crease_angle", options.crease_angle, Option_range{0, CGAL_PI, false, false},
+        "the least angle of a crease, in radians, where creases are seams");
+  visit("weld_tolerance", options.weld_tolerance, finite_numbers,
+        "the distance of points that count as the same place");
 }
 
 template <class Visit>

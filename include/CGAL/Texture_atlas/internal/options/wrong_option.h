@@ -19,12 +19,14 @@ struct Atlas_options;
 struct Baking_options;
 struct Packing_options;
 struct Seam_options;
+struct Soup_options;
 
 namespace internal {
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Seam_options& options);
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_options& options);
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options& options);
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Soup_options& options);
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Baking_options& options);
 
 // What is wrong with a gutter that must leave room on its page, or nothing

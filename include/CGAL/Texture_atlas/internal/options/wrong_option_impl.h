@@ -42,13 +42,24 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_gutter(const Packing_option
                    std::to_string(most) + ", a quarter of the shorter side of a page";
 }
 
+// Options of pages do not matter to charts in rows.
+template <class Options>
+std::string wrong_atlas_option(Options options)
+{
+  if(!options.pack_into_square)
+    static_cast<Packing_options&>(options) = Packing_options();
+  const std::string wrong = option_out_of_range(options);
+  return wrong.empty() ? wrong_option(static_cast<const Packing_options&>(options)) : wrong;
+}
+
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options& options)
 {
-  Atlas_options checked = options;
-  if(!options.pack_into_square)
-    static_cast<Packing_options&>(checked) = Packing_options();
-  const std::string wrong = option_out_of_range(checked);
-  return wrong.empty() ? wrong_option(static_cast<const Packing_options&>(checked)) : wrong;
+  return wrong_atlas_option(options);
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Soup_options& options)
+{
+  return wrong_atlas_option(options);
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Baking_options& options)

@@ -13,11 +13,9 @@
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
 #include <CGAL/Texture_atlas/internal/prepare/surface_atlas.h>
 
-#include <CGAL/number_type_config.h>
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -80,19 +78,13 @@ inline std::string wrong_soup_option(const Soup_options& options,
       options.texture_seams || options.material_seams || options.given_charts != Atlas_options::REPLACE ||
       std::any_of(soups.begin(), soups.end(),
                   [](const Surface_soup* const soup) { return !soup->marked_seams.empty(); });
-  if(!(options.crease_angle > 0 && options.crease_angle < CGAL_PI)) {
-    return "crease_angle must be above 0 and below pi";
-  }
-  if(!(options.weld_tolerance >= 0) || !std::isfinite(options.weld_tolerance)) {
-    return "weld_tolerance must be a finite number of at least 0";
-  }
   if(soups.size() != 1 && (options.symmetric || options.component)) {
     return std::string(options.symmetric ? "symmetric" : "component") + " goes with one soup only";
   }
   if(options.symmetric && has_seams) {
     return "symmetric goes without given seams and charts: these stay where they are";
   }
-  const std::string wrong = wrong_option(static_cast<const Atlas_options&>(options));
+  const std::string wrong = wrong_option(options);
   return wrong.empty() && options.pack_into_square ? wrong_gutter(options) : wrong;
 }
 
