@@ -233,7 +233,7 @@ Atlas cut_through(Mesh& mesh, const TA::Cone_selection<Mesh>& cones)
 {
   const Atlas atlas = empty_atlas(mesh);
   const std::set<Vertex> terminals = cones.vertices();
-  const TA::Seam_report report = TA::cut_to_disks(
+  const auto report = TA::cut_to_disks(
       mesh, atlas.seams,
       CGAL::parameters::vertex_is_constrained_map(CGAL::make_boolean_property_map(terminals)));
   check(bool(report), "seams through cones");
@@ -290,7 +290,7 @@ void draw_overlaps(const std::string& data, const Pictures& pictures)
       flatten("injective", dinosaur, SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh>(options)),
       dinosaur_view, true);
   const Atlas atlas = flatten("the same, overlapping", dinosaur, SMP::ABF_plus_plus_parameterizer_3<Mesh>());
-  const TA::Overlap_split_report split = TA::split_overlaps(dinosaur, atlas.uv, atlas.seams, atlas.chart);
+  const auto split = TA::split_overlaps(dinosaur, atlas.uv, atlas.seams, atlas.chart);
   check(!!split, "splitting");
   check(!!TA::pack_charts(dinosaur, atlas.chart, atlas.uv), "packing");
   pictures.draw("split", dinosaur, atlas, dinosaur_view, true, true);

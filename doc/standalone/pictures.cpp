@@ -115,13 +115,13 @@ Flat_mesh_ptr flatten(const std::string& name, const Mesh& mesh, Parameterizer p
   flat->mean_angle_change.resize(mesh.number_of_faces());
   flat->areas.resize(mesh.number_of_faces());
   flat->flipped.resize(mesh.number_of_faces());
-  flat->measures = SMP::measure_flattening(
-      flat->mesh, border, flat->uv, [&](const Face f, const SMP::Flattening_face_measures& face) {
-        flat->angle_change[f.idx()] = in_degrees(face.rms_angle_change);
-        flat->mean_angle_change[f.idx()] = in_degrees(face.mean_angle_change);
-        flat->areas[f.idx()] = face.area;
-        flat->flipped[f.idx()] = face.flipped;
-      });
+  const auto note = [&](const Face f, const SMP::Flattening_face_measures& face) {
+    flat->angle_change[f.idx()] = in_degrees(face.rms_angle_change);
+    flat->mean_angle_change[f.idx()] = in_degrees(face.mean_angle_change);
+    flat->areas[f.idx()] = face.area;
+    flat->flipped[f.idx()] = face.flipped;
+  };
+  flat->measures = SMP::measure_flattening(flat->mesh, border, flat->uv, CGAL::parameters::visitor(note));
   return flat;
 }
 
@@ -517,7 +517,7 @@ Mesh read_camel(const std::string& folder)
 {
   Mesh camel = read_mesh(folder + "/camel.off");
   const Seam_map seams = camel.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-  const TA::Seam_report report = TA::select_seams(camel, seams);
+  const auto report = TA::select_seams(camel, seams);
   if(!report)
     throw std::runtime_error(report.message);
   std::cout << "camel: " << report.number_of_terminals << " terminals, relative seam length "
@@ -550,7 +550,7 @@ Mesh read_cut_dinosaur(const std::string& folder)
   const Seam_map seams = dinosaur.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   TA::Seam_options options;
   options.stretch_bound = 1.05;
-  const TA::Seam_report report = TA::select_seams(dinosaur, seams, options);
+  const auto report = TA::select_seams(dinosaur, seams, options);
   if(!report)
     throw std::runtime_error(report.message);
   return cut_open(dinosaur, seams);
@@ -626,7 +626,7 @@ public:
     TA::overlapping_faces(m_mesh, flat.uv, std::back_inserter(overlapping));
     for(const Face f : overlapping)
       m_overlaps[f.idx()] = true;
-    const TA::Overlap_split_report report = TA::split_overlaps(m_mesh, flat.uv, m_seams, m_piece);
+    const auto report = TA::split_overlaps(m_mesh, flat.uv, m_seams, m_piece);
     if(!report)
       throw std::runtime_error(report.message);
     m_number_of_pieces = static_cast<int>(report.number_of_pieces);
@@ -661,7 +661,7 @@ public:
       uv[h] = Kernel::Point_2(atlas.point(atlas.target(h)).x(), atlas.point(atlas.target(h)).y());
     TA::Packing_options options;
     options.gutter = 4;
-    const TA::Packing_report report = TA::pack_charts(surface, m_piece, uv, options);
+    const auto report = TA::pack_charts(surface, m_piece, uv, options);
     if(!report)
       throw std::runtime_error(report.message);
     std::cout << "dinosaur: " << report.number_of_charts << " charts cover "
@@ -762,7 +762,7 @@ public:
     const auto chart = copy.add_property_map<Face, int>("f:chart").first;
     const Seam_map seams = copy.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
     const TA::Atlas_options options(is_dense ? TA::Atlas_options::CONFORMAL : TA::Atlas_options::FEW_CHARTS);
-    const TA::Atlas_report report = TA::make_atlas(copy, seams, uv, chart, options);
+    const auto report = TA::make_atlas(copy, seams, uv, chart, options);
     if(!report)
       throw std::runtime_error(name + ": " + report.message);
     std::cout << name << ": " << report.number_of_parts << " part(s), " << report.charts.size()

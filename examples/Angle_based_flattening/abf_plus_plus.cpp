@@ -26,7 +26,7 @@ int main(int argc, char* argv[])
   }
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
 
-  const SMP::ABF_plus_plus_report report = SMP::flatten_surface(mesh, uv);
+  const auto report = SMP::flatten_surface(mesh, uv);
   if(!report) {
     std::cerr << report.message << "\n";
     return 1;

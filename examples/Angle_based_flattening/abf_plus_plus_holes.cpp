@@ -24,14 +24,12 @@ bool flatten(const char* name, const SMP::Flattening_options::Holes holes, Mesh&
   SMP::ABF_plus_plus_options options;
   options.holes = holes;
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const SMP::ABF_plus_plus_report report =
-      SMP::flatten_surface(mesh, uv, SMP::ABF_plus_plus_parameterizer_3<Mesh>(options));
+  const auto report = SMP::flatten_surface(mesh, uv, options);
   if(!report) {
     std::cerr << report.message << "\n";
     return false;
   }
-  const SMP::Flattening_measures measures =
-      SMP::measure_flattening(mesh, PMP::longest_border(mesh).first, uv);
+  const auto measures = SMP::measure_flattening(mesh, PMP::longest_border(mesh).first, uv);
   const double degrees = 180. / CGAL_PI;
   std::cout << name << std::fixed << std::setprecision(2) << std::setw(8)
             << measures.mean_angle_change * degrees << std::setw(11)

@@ -31,7 +31,7 @@ void compare(const char* name, const Parameterizer& parameterizer, Mesh& mesh)
   auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   std::cout << std::setw(6) << name;
   if(SMP::parameterize(mesh, parameterizer, border, uv) == SMP::OK) {
-    const SMP::Flattening_measures measures = SMP::measure_flattening(mesh, border, uv);
+    const auto measures = SMP::measure_flattening(mesh, border, uv);
     const double degrees = 180. / CGAL_PI;
     std::cout << std::fixed << std::setprecision(2) << std::setw(8) << measures.mean_angle_change * degrees
               << std::setw(11) << measures.mean_corner_angle_change * degrees << std::setprecision(3)

@@ -30,10 +30,14 @@ Mesh cut_open(Mesh& surface)
   const auto seams = surface.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   TA::Seam_options seam_options;
   seam_options.stretch_bound = 1.05;
-  TA::select_seams(surface, seams, seam_options);
   Mesh chart;
-  CGAL::copy_face_graph(TA::make_seam_mesh(surface, seams).mesh, chart);
-  return chart;
+  if(const auto report = TA::select_seams(surface, seams, seam_options); !report)
+    std::cerr << report.message << "\n";
+  else if(const auto opened = TA::make_seam_mesh(surface, seams); !opened)
+    std::cerr << opened.message << "\n";
+  else
+    CGAL::copy_face_graph(opened.mesh, chart);
+  return chart; // without faces if anything is wrong
 }
 
 bool flatten(const std::string& name, Mesh& chart, const SMP::Hierarchical_options& options)
@@ -45,7 +49,7 @@ bool flatten(const std::string& name, Mesh& chart, const SMP::Hierarchical_optio
     std::cerr << parameterizer.report().message << "\n";
     return false;
   }
-  const SMP::Flattening_measures measures = SMP::measure_flattening(chart, border, uv);
+  const auto measures = SMP::measure_flattening(chart, border, uv);
   std::cout << name << ": energy " << measures.angular_distortion << ", symmetric Dirichlet energy "
             << measures.symmetric_dirichlet_energy << ", contact " << parameterizer.report().contact
             << (SMP::is_injective(chart, uv) ? ", injective\n" : ", overlaps itself\n");
@@ -60,6 +64,8 @@ int main(int argc, char* argv[])
     return 1;
   }
   Mesh chart = cut_open(surface);
+  if(faces(chart).empty())
+    return 1;
   std::cout.precision(3);
 
   SMP::Hierarchical_options options;

@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
   TA::Seam_options options;
   options.stretch_bound = 1.1;
-  const TA::Seam_report report = TA::select_seams(surface, seams, options);
+  const auto report = TA::select_seams(surface, seams, options);
   if(!report) {
     std::cerr << report.message << "\n";
     return 1;
@@ -45,7 +45,12 @@ int main(int argc, char* argv[])
 
   // A vertex on a seam has a place in the plane on each side: coordinates belong to halfedges.
   const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
+  auto opened = TA::make_seam_mesh(surface, seams);
+  if(!opened) {
+    std::cerr << opened.message << "\n";
+    return 1;
+  }
+  Mesh& mesh = opened.mesh;
   for(const auto& disk : TA::is_disk_cut(surface, seams).parts) {
     const auto border = TA::border_halfedge(mesh, disk.face);
     SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
@@ -53,7 +58,7 @@ int main(int argc, char* argv[])
       std::cerr << parameterizer.report().message << "\n";
       return 1;
     }
-    const SMP::Flattening_measures measures = SMP::measure_flattening(mesh, border, uv);
+    const auto measures = SMP::measure_flattening(mesh, border, uv);
     std::cout << parameterizer.report().triangles << " triangles, stretch " << measures.l2_stretch << ", "
               << measures.flipped_triangles << " flipped\n";
   }

@@ -32,13 +32,18 @@ int main(int argc, char* argv[])
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
   TA::Seam_options seam_options;
   seam_options.stretch_bound = 1.05;
-  const TA::Seam_report cut = TA::select_seams(surface, seams, seam_options);
+  const auto cut = TA::select_seams(surface, seams, seam_options);
   if(!cut) {
     std::cerr << cut.message << "\n";
     return 1;
   }
   const auto uv_of_seam_mesh = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
+  auto opened = TA::make_seam_mesh(surface, seams);
+  if(!opened) {
+    std::cerr << opened.message << "\n";
+    return 1;
+  }
+  Mesh& mesh = opened.mesh;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
   if(SMP::parameterize(mesh, parameterizer, TA::border_halfedge(mesh), uv_of_seam_mesh) != SMP::OK) {
     std::cerr << parameterizer.report().message << "\n";
@@ -52,7 +57,7 @@ int main(int argc, char* argv[])
       uv[h] = uv_of_seam_mesh[target(Mesh::halfedge_descriptor(h), mesh)];
 
   const auto chart = surface.add_property_map<Surface::Face_index, int>("f:chart").first;
-  const TA::Overlap_split_report split = TA::split_overlaps(surface, uv, seams, chart);
+  const auto split = TA::split_overlaps(surface, uv, seams, chart);
   if(!split) {
     std::cerr << split.message << "\n";
     return 1;
@@ -60,7 +65,7 @@ int main(int argc, char* argv[])
   TA::Packing_options packing_options;
   packing_options.resolution = 2048;
   packing_options.gutter = 4;
-  const TA::Packing_report packing = TA::pack_charts(surface, chart, uv, packing_options);
+  const auto packing = TA::pack_charts(surface, chart, uv, packing_options);
   if(!packing) {
     std::cerr << packing.message << "\n";
     return 1;

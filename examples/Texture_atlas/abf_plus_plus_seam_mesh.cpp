@@ -41,7 +41,12 @@ int main(int argc, char* argv[])
   }
 
   // Along its seam the closed surface is cut open.
-  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
+  auto opened = TA::make_seam_mesh(surface, seams);
+  if(!opened) {
+    std::cerr << opened.message << "\n";
+    return 1;
+  }
+  Mesh& mesh = opened.mesh;
   const auto border = TA::border_halfedge(mesh);
 
   // A vertex on the seam has a place in the plane on each side: coordinates belong to halfedges.

@@ -36,14 +36,19 @@ int main(int argc, char* argv[])
   const auto seams = surface.add_property_map<Surface::Edge_index, bool>("e:seam", false).first;
   TA::Seam_options seam_options;
   seam_options.stretch_bound = 1.05;
-  const TA::Seam_report cut = TA::select_seams(surface, seams, seam_options);
+  const auto cut = TA::select_seams(surface, seams, seam_options);
   if(!cut) {
     std::cerr << cut.message << "\n";
     return 1;
   }
 
   const auto uv = surface.add_property_map<Halfedge, Kernel::Point_2>("h:uv", {0, 0}).first;
-  Mesh mesh = TA::make_seam_mesh(surface, seams).mesh;
+  auto opened = TA::make_seam_mesh(surface, seams);
+  if(!opened) {
+    std::cerr << opened.message << "\n";
+    return 1;
+  }
+  Mesh& mesh = opened.mesh;
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
   if(SMP::parameterize(mesh, parameterizer, TA::border_halfedge(mesh), uv) != SMP::OK) {
     std::cerr << parameterizer.report().message << "\n";
@@ -57,7 +62,7 @@ int main(int argc, char* argv[])
   const auto corner_uv = boost::make_function_property_map<Halfedge>(
       [&](Halfedge h) { return uv[target(Mesh::halfedge_descriptor(h), mesh)]; });
   const auto piece = surface.add_property_map<Surface::Face_index, int>("f:piece").first;
-  const TA::Overlap_split_report split = TA::split_overlaps(surface, corner_uv, seams, piece);
+  const auto split = TA::split_overlaps(surface, corner_uv, seams, piece);
   if(!split) {
     std::cerr << split.message << "\n";
     return 1;

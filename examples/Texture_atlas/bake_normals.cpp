@@ -123,7 +123,7 @@ int main(int argc, char* argv[])
   const UV_map uv = simple.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
   TA::Atlas_options atlas_options(TA::Atlas_options::FEW_CHARTS);
   atlas_options.resolution = 512;
-  const TA::Atlas_report atlas = TA::make_atlas(simple, uv, atlas_options);
+  const auto atlas = TA::make_atlas(simple, uv, atlas_options);
   if(!atlas) {
     std::cerr << atlas.message << "\n";
     return 1;

@@ -25,7 +25,7 @@ int main(int argc, char* argv[])
   }
 
   const UV_map uv = surface.add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first;
-  const TA::Atlas_report report = TA::make_atlas(surface, uv);
+  const auto report = TA::make_atlas(surface, uv);
   for(const auto& part : report.skipped)
     std::cerr << part.number_of_faces << " faces have no chart: " << part.message << "\n";
   if(!report.has_atlas()) {

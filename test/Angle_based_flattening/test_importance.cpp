@@ -92,9 +92,10 @@ Distortions distortions(Mesh& mesh, double importance, Parameterizer parameteriz
       boost::make_function_property_map<Face>([&](Face f) { return is_in_patch(f, mesh) ? importance : 1; }));
   BOOST_TEST(SMP::parameterize(mesh, parameterizer, border, uv) == SMP::OK);
   Distortions result;
-  SMP::measure_flattening(mesh, border, uv, [&](Face f, const SMP::Flattening_face_measures& measures) {
+  const auto add = [&](Face f, const SMP::Flattening_face_measures& measures) {
     (is_in_patch(f, mesh) ? result.patch : result.others) += measures.angular_distortion;
-  });
+  };
+  SMP::measure_flattening(mesh, border, uv, CGAL::parameters::visitor(add));
   return result;
 }
 

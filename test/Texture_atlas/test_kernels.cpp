@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(atlases, Some_kernel, Kernels)
       mesh.template add_property_map<typename Some_mesh::Halfedge_index, typename Some_kernel::Point_2>(
               "h:uv")
           .first;
-  const TA::Atlas_report report = TA::make_atlas(mesh, uv, TA::Atlas_options::FEW_CHARTS);
+  const auto report = TA::make_atlas(mesh, uv, TA::Atlas_options::FEW_CHARTS);
   BOOST_TEST(bool(report), report.message);
   BOOST_TEST(report.charts.size() == 1u);
   for(const auto h : mesh.halfedges()) {

@@ -156,7 +156,7 @@ void choose_seams(const Command_line& command, Atlas_input& input, Seamed_compon
   } else if(command.cut == "auto") {
     TA::Seam_options options;
     options.stretch_bound = command.stretch_bound;
-    const TA::Seam_report report = TA::select_seams(mesh, component.seams, options, forbidden);
+    const auto report = TA::select_seams(mesh, component.seams, options, forbidden);
     check_report(report);
     record.stretch_bound = command.stretch_bound;
     record.terminals = report.number_of_terminals;
@@ -287,7 +287,7 @@ Split_record split_chart(const Sheet& sheet, const Flattening& flattening, const
       [&](const Vertex v) { return flattening.uv[alone.origins[v.idx()]]; });
   const auto forbidden =
       boost::make_function_property_map<Edge>([&](const Edge e) { return is_diagonal[input_edge(e)]; });
-  const TA::Overlap_split_report report =
+  const auto report =
       TA::split_overlaps(alone.mesh, uv, seams, piece, CGAL::parameters::edge_is_constrained_map(forbidden));
   if(!report) {
     throw Seams_failed("cannot split overlaps: " + report.message);

@@ -232,12 +232,13 @@ void measure(const Sheet& sheet, Flattening& flattening)
   timer.start();
   flattening.distortion = mesh.add_property_map<Face, double>("f:flatten_mesh_distortion", 0.).first;
   double area = 0, stretched = 0;
-  flattening.measures = SMP::measure_flattening(
-      mesh, sheet.border, flattening.uv, [&](const Face f, const SMP::Flattening_face_measures& measures) {
-        flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
-        area += measures.area;
-        stretched += measures.area > 0 ? measures.area / (measures.scale * measures.scale) : 0;
-      });
+  const auto add = [&](const Face f, const SMP::Flattening_face_measures& measures) {
+    flattening.distortion[f] = measures.rms_angle_change * 180. / CGAL_PI;
+    area += measures.area;
+    stretched += measures.area > 0 ? measures.area / (measures.scale * measures.scale) : 0;
+  };
+  flattening.measures =
+      SMP::measure_flattening(mesh, sheet.border, flattening.uv, CGAL::parameters::visitor(add));
   flattening.scale_stretch = std::sqrt(stretched / area);
   if(flattening.method == "hierarchical") {
     flattening.report.largest_seam_jump = seam_jump(sheet, flattening.uv);

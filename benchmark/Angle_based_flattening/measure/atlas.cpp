@@ -205,7 +205,7 @@ void atlas(const std::string& file, const Atlas_choice& choice, Measurement& m)
   if(choice.bound > 0)
     options.stretch_bound = choice.bound;
   const Gauge gauge;
-  const TA::Atlas_report report = TA::make_atlas(t.mesh, t.is_seam, t.uv, t.chart, options);
+  const auto report = TA::make_atlas(t.mesh, t.is_seam, t.uv, t.chart, options);
   gauge.add_to(m);
   m.add("diagnosis", to_string(report.status));
   if(!report.has_atlas())

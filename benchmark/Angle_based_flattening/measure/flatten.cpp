@@ -59,7 +59,7 @@ void measure_map(Surface& surface, Measurement& m)
     square += face.area / CGAL::square(face.scale);
   };
   const SMP::Flattening_measures measures =
-      SMP::measure_flattening(surface.mesh, surface.border, surface.uv, add_face);
+      SMP::measure_flattening(surface.mesh, surface.border, surface.uv, CGAL::parameters::visitor(add_face));
   const CGAL::Aff_transformation_2<abf::Chart::Kernel> turn(CGAL::ROTATION, std::sqrt(0.5), std::sqrt(0.5));
   for(const Mesh::Vertex_index v : surface.mesh.vertices())
     surface.uv[v] = turn(surface.uv[v]);

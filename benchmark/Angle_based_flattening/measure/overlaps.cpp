@@ -28,7 +28,7 @@ void overlaps(const std::string& file, double bound, Measurement& m)
   if(!TA::is_disk_cut(mesh, seams)) {
     TA::Seam_options options;
     options.stretch_bound = bound;
-    const TA::Seam_report report = TA::select_seams(mesh, seams, options);
+    const auto report = TA::select_seams(mesh, seams, options);
     if(!report)
       return m.fail(report.message);
   }

@@ -133,7 +133,7 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   }
   const auto cuts = mesh.add_property_map<Edge, bool>("e:cut", false).first;
   const auto chart = mesh.add_property_map<Face, int>("f:chart", 0).first;
-  const TA::Overlap_split_report split = TA::split_overlaps(mesh, uv_of_vertices, cuts, chart);
+  const auto split = TA::split_overlaps(mesh, uv_of_vertices, cuts, chart);
   if(!split)
     return m.fail(split.message);
   const auto uv = mesh.add_property_map<Halfedge, abf::Chart::Point_2>("h:uv", {0, 0}).first;

@@ -40,7 +40,7 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
   if(choice == "cones") {
     TA::Seam_options seam_options;
     seam_options.stretch_bound = options.bound;
-    const TA::Seam_report report = TA::select_seams(mesh, seams, seam_options);
+    const auto report = TA::select_seams(mesh, seams, seam_options);
     check(report);
     return report.number_of_terminals;
   }
@@ -71,7 +71,7 @@ TA::Seam_report predict(const Mesh& mesh, Seam_map seams)
 {
   TA::Seam_options options;
   options.maximum_number_of_terminals = 0;
-  const TA::Seam_report report = TA::select_seams(mesh, seams, options);
+  const auto report = TA::select_seams(mesh, seams, options);
   check(report);
   return report;
 }

@@ -199,11 +199,20 @@ inline std::ostream& operator<<(std::ostream& stream, Diagnosis diagnosis)
   return stream << to_string(diagnosis);
 }
 
+template <typename Mesh, typename Report_>
+struct Mesh_report;
+
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// What all reports have in common. A report converts to `true` if nothing is wrong.
+/// What all reports have in common. A report converts to `true` if nothing is wrong. A `Mesh_report` does not become a
+/// report without its elements of the mesh: take it as `const auto`.
 struct Report
 {
+  Report() = default;
+
+  template <typename Mesh, typename Report_>
+  Report(const Mesh_report<Mesh, Report_>&) = delete;
+
   Diagnosis status = Diagnosis::NOTHING_WRONG; ///< What is wrong.
   std::string message; ///< A sentence that says what is wrong and where; empty if nothing is wrong.
 

@@ -25,6 +25,8 @@ namespace Surface_mesh_parameterization {
 /// The common part of the reports of `ABF_plus_plus_parameterizer_3` and `Hierarchical_parameterizer_3`.
 struct Flattening_report : Report
 {
+  using Report::Report;
+
   /// Wall clock time of each stage, in seconds; 0 for stages that the method does not have.
   struct Seconds
   {
@@ -168,6 +170,8 @@ struct ABF_plus_plus_step
 /// The report of the last run of `ABF_plus_plus_parameterizer_3`.
 struct ABF_plus_plus_report : Flattening_report
 {
+  using Flattening_report::Flattening_report;
+
   /// The ways to a valid map, in the order in which they are tried.
   enum Strategy
   {
@@ -244,6 +248,8 @@ struct ABF_plus_plus_report : Flattening_report
 /// The report of the last run of `Hierarchical_parameterizer_3`.
 struct Hierarchical_report : Flattening_report
 {
+  using Flattening_report::Flattening_report;
+
   /// Where the refinement started.
   enum Start
   {

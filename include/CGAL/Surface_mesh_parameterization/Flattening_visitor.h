@@ -23,6 +23,8 @@ namespace Surface_mesh_parameterization {
 /// with `Diagnosis::TIMED_OUT`, and needs no visitor. If a function throws an exception, the exception passes through
 /// `parameterize()`, with the same effects.
 ///
+/// \cgalModels{FlatteningVisitor}
+///
 /// One thread at a time calls the functions. With \tbb and a number of threads in the options, this thread may differ
 /// from the caller of `parameterize()`. The functions of the base class do nothing.
 class Flattening_visitor

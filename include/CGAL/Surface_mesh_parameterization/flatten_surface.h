@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -37,6 +38,9 @@ namespace CGAL {
 namespace Surface_mesh_parameterization {
 
 #ifndef DOXYGEN_RUNNING
+template <typename TriangleMesh, typename CoarseParameterizer, typename SolverTraits>
+class Hierarchical_parameterizer_3;
+
 namespace internal::ABF {
 
 // A halfedge on the longest border, or on any one if lengths are not finite; the null halfedge for a closed surface
@@ -74,6 +78,29 @@ struct Noted_map
   }
 };
 
+// The parameterizer that options are for. Anything else is a parameterizer.
+template <typename TriangleMesh, typename Method>
+struct Parameterizer_of
+{
+  typedef Method type;
+};
+
+template <typename TriangleMesh>
+struct Parameterizer_of<TriangleMesh, ABF_plus_plus_options>
+{
+  typedef ABF_plus_plus_parameterizer_3<TriangleMesh> type;
+};
+
+template <typename TriangleMesh>
+struct Parameterizer_of<TriangleMesh, Hierarchical_options>
+{
+  typedef Hierarchical_parameterizer_3<TriangleMesh, Default, Default> type;
+};
+
+template <typename TriangleMesh, typename Method>
+using Report_of_method =
+    std::decay_t<decltype(std::declval<typename Parameterizer_of<TriangleMesh, Method>::type&>().report())>;
+
 } // namespace internal::ABF
 #endif // DOXYGEN_RUNNING
 
@@ -87,20 +114,21 @@ or `Diagnosis::EMPTY_MESH`. Coordinates, requirements on the surface, errors and
 `parameterize()`. Finding the longest border takes linear time.
 
 \code{.cpp}
-const auto report = flatten_surface(mesh, uvmap);
-if(report.status != Diagnosis::NOTHING_WRONG)
+const auto report = flatten_surface(mesh, uvmap); // or flatten_surface(mesh, uvmap, options, np)
+if(!report)
   std::cerr << report.message << "\n";
 \endcode
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with an internal vertex point property map
 \tparam VertexUVMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a `Point_2` of any kernel as value type
-\tparam Parameterizer `ABF_plus_plus_parameterizer_3` or `Hierarchical_parameterizer_3`
+\tparam Method `ABF_plus_plus_options`, `Hierarchical_options` (include `Hierarchical_parameterizer_3.h`), or a
+        parameterizer of this package
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh a triangle mesh
 \param uvmap receives the planar coordinates; on any error it is unchanged
-\param parameterizer the parameterizer, with its options
+\param method the options of a parameterizer, or a parameterizer
 \param np optional named parameters:
 
 \cgalNamedParamsBegin
@@ -109,25 +137,46 @@ if(report.status != Diagnosis::NOTHING_WRONG)
     \cgalParamType{a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_points()`}
     \cgalParamDefault{those of the parameterizer}
   \cgalParamNEnd
+  \cgalParamNBegin{face_importance_map}
+    \cgalParamDescription{how much the angles of each face count}
+    \cgalParamType{a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_importance()`}
+    \cgalParamDefault{that of the parameterizer}
+    \cgalParamExtra{It comes first: `parameters::face_importance_map(importance).visitor(visitor)`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{follows the computation, and may stop it}
+    \cgalParamType{a model of `FlatteningVisitor`, or a `std::reference_wrapper` of one. Parameterizers have
+                   `Flattening_options::visitor` instead.}
+    \cgalParamDefault{`Flattening_options::visitor`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return a copy of the report of the parameterizer, with all its members: a `Mesh_report` with an `ABF_plus_plus_report`
 or a `Hierarchical_report`, which are kinds of `Flattening_report`. `error_code()` returns the error code of its
 diagnosis.
 */
-template <typename TriangleMesh, typename VertexUVMap,
-          typename Parameterizer = ABF_plus_plus_parameterizer_3<TriangleMesh>,
+template <typename TriangleMesh, typename VertexUVMap, typename Method,
           typename NamedParameters = parameters::Default_named_parameters>
 #ifndef DOXYGEN_RUNNING
-std::decay_t<decltype(std::declval<Parameterizer&>().report())>
+internal::ABF::Report_of_method<TriangleMesh, Method>
 #else
 unspecified_type
 #endif
-flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameterizer = Parameterizer(),
+flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Method method,
                 const NamedParameters& np = parameters::default_values())
 {
+  internal::ABF::Check_vertex_map<TriangleMesh, VertexUVMap>();
+  internal::ABF::Visitor_parameter<Flattening_visitor, NamedParameters> visitor(np);
+  if constexpr(std::is_base_of<Flattening_options, Method>::value)
+    method.visitor = visitor.pointer(method.visitor);
+  else
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value,
+                  "The visitor of a parameterizer is one of its options.");
+  typename internal::ABF::Parameterizer_of<TriangleMesh, Method>::type parameterizer(std::move(method));
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
     parameterizer.set_points(parameters::get_parameter(np, internal_np::vertex_point));
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_importance_t>::value)
+    parameterizer.set_importance(parameters::get_parameter(np, internal_np::face_importance));
   const auto border = internal::ABF::halfedge_on_border(mesh, internal::ABF::given_points<TriangleMesh>(np));
   if(border != boost::graph_traits<TriangleMesh>::null_halfedge()) {
     typedef internal::ABF::Noted_map<VertexUVMap> Noted_map;
@@ -138,7 +187,7 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameteriz
       put(uvmap, vertex, point);
     return report;
   }
-  std::decay_t<decltype(parameterizer.report())> report;
+  internal::ABF::Report_of_method<TriangleMesh, Method> report;
   if(faces(mesh).empty())
     internal::ABF::fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
   else
@@ -146,6 +195,22 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Parameterizer parameteriz
         report, Diagnosis::NO_BORDER,
         "the surface is closed: it has no border; cut it open first, for example by select_seams()");
   return report;
+}
+
+/*!
+\ingroup PkgAngleBasedFlatteningRef
+
+flattens a surface as above, by `ABF_plus_plus_parameterizer_3` with its default options.
+*/
+template <typename TriangleMesh, typename VertexUVMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+#ifndef DOXYGEN_RUNNING
+internal::ABF::Report_of_method<TriangleMesh, ABF_plus_plus_options>
+#else
+unspecified_type
+#endif
+flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return flatten_surface(mesh, uvmap, ABF_plus_plus_options(), np);
 }
 
 } // namespace Surface_mesh_parameterization

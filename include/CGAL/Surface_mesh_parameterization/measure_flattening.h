@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -29,6 +30,17 @@
 namespace CGAL {
 
 namespace Surface_mesh_parameterization {
+
+namespace internal::ABF {
+
+struct No_face_visitor
+{
+  template <typename Face>
+  void operator()(const Face&, const Flattening_face_measures&) const
+  {}
+};
+
+} // namespace internal::ABF
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
@@ -49,15 +61,11 @@ namespace Surface_mesh_parameterization {
 /// \tparam VertexUVMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a two-dimensional point as
 ///         value type. Coordinates are converted to `double`.
-/// \tparam FaceVisitor a function object that can be called with a
-///         `boost::graph_traits<TriangleMesh>::%face_descriptor` and a `const Flattening_face_measures&`.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a triangulated surface.
 /// \param bhd a halfedge on the border of `mesh`: one without a face.
 /// \param uvmap the map to be measured. It may have any size and flipped triangles.
-/// \param visitor is called once for each face of the component, with the measures of the face, by the calling
-/// thread.
 /// \param np optional named parameters:
 ///
 /// \cgalNamedParamsBegin
@@ -66,19 +74,28 @@ namespace Surface_mesh_parameterization {
 ///     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is called once for each face, with the measures of the face, by the calling thread}
+///     \cgalParamType{a function object that takes a `boost::graph_traits<TriangleMesh>::%face_descriptor` and a
+///                    `const Flattening_face_measures&`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the measures of the whole component, or what is wrong: `bhd` is not a border halfedge
 ///   (`Diagnosis::NOT_ON_BORDER`) or has no face on the other side (`Diagnosis::EMPTY_MESH`), a face is not a triangle
 ///   (`Diagnosis::NOT_TRIANGULATED`), or a point of the component has a coordinate that is not finite
 ///   (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
-template <typename TriangleMesh, typename VertexUVMap, typename FaceVisitor,
+template <typename TriangleMesh, typename VertexUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Flattening_measures_report<TriangleMesh>
 measure_flattening(const TriangleMesh& mesh,
                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
-                   FaceVisitor visitor, const NamedParameters& np = parameters::default_values())
+                   const NamedParameters& np = parameters::default_values())
 {
+  internal::ABF::Check_vertex_map<TriangleMesh, VertexUVMap>();
+  auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                              internal::ABF::No_face_visitor());
   Flattening_measures_report<TriangleMesh> report;
   internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np));
   internal::ABF::Chart_defect defect = reader.read(bhd);
@@ -109,24 +126,10 @@ measure_flattening(const TriangleMesh& mesh,
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// measures the distortion of a map, as above.
-template <typename TriangleMesh, typename VertexUVMap>
-Flattening_measures_report<TriangleMesh>
-measure_flattening(const TriangleMesh& mesh,
-                   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  return measure_flattening(mesh, bhd, uvmap, [](face_descriptor, const Flattening_face_measures&) {});
-}
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
 /// measures the distortion of a map of the whole surface, such as an atlas of any program. The map may consist of any
 /// number of charts. All charts are measured at one scale, so that differences of texel density count;
 /// `Atlas_report::measures`, in contrast, scales each chart by itself. `Flattening_measures::border_is_simple` says
 /// whether the borders of all charts are simple and apart.
-///
-/// With a visitor, named parameters must be given; `parameters::default_values()` stands for none.
 ///
 /// The time is as above. The keys of the map of a `Seam_mesh` are its vertices, or halfedges of the mesh that it cuts.
 ///
@@ -135,12 +138,10 @@ measure_flattening(const TriangleMesh& mesh,
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or `%halfedge_descriptor`. A halfedge stores the
 ///         coordinates of its target in its face, as `make_atlas()` writes them; the surface is then cut open along the
 ///         edges whose two sides have different coordinates.
-/// \tparam FaceVisitor as above
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a triangulated surface.
 /// \param uvmap the map to be measured.
-/// \param visitor is called once for each face, with the measures of the face, by the calling thread.
 /// \param np optional named parameters:
 ///
 /// \cgalNamedParamsBegin
@@ -149,38 +150,25 @@ measure_flattening(const TriangleMesh& mesh,
 ///     \cgalParamType{a model of `ReadablePropertyMap` with a `Point_3` of any kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{as above}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the measures of the whole surface, or what is wrong: the mesh has no faces (`Diagnosis::EMPTY_MESH`), a face
 ///   is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a point has a coordinate that is not finite
 ///   (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
-template <typename TriangleMesh, typename UVMap, typename FaceVisitor, typename NamedParameters>
-#ifndef DOXYGEN_RUNNING
-internal::ABF::Measures_of_surface<TriangleMesh, UVMap>
-#else
+template <typename TriangleMesh, typename UVMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Flattening_measures_report<TriangleMesh>
-#endif
-measure_flattening(const TriangleMesh& mesh, UVMap uvmap, FaceVisitor visitor, const NamedParameters& np)
+measure_flattening(const TriangleMesh& mesh, UVMap uvmap,
+                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                              internal::ABF::No_face_visitor());
   const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, mesh));
   return internal::ABF::Mapped_surface(mesh, points, uvmap).measure(visitor);
-}
-
-/// \ingroup PkgAngleBasedFlatteningRef
-///
-/// measures the distortion of a map of the whole surface, as above.
-template <typename TriangleMesh, typename UVMap>
-#ifndef DOXYGEN_RUNNING
-internal::ABF::Measures_of_surface<TriangleMesh, UVMap>
-#else
-Flattening_measures_report<TriangleMesh>
-#endif
-measure_flattening(const TriangleMesh& mesh, UVMap uvmap)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  return measure_flattening(
-      mesh, uvmap, [](face_descriptor, const Flattening_face_measures&) {}, parameters::default_values());
 }
 
 } // namespace Surface_mesh_parameterization

@@ -27,6 +27,8 @@ namespace Texture_atlas {
 /// The report of `pack_charts()`.
 struct Packing_report : Report
 {
+  using Report::Report;
+
   std::size_t number_of_faces = 0;  ///< The number of faces that have a chart.
   std::size_t number_of_charts = 0; ///< The number of charts that have a face.
 
@@ -59,6 +61,8 @@ struct Packing_report : Report
 /// The report of `make_atlas()` and `make_common_atlas()`.
 struct Atlas_report : Report
 {
+  using Report::Report;
+
   /// How the map of a chart was made.
   enum Method
   {

@@ -20,6 +20,8 @@ namespace Texture_atlas {
 ///
 /// Base class of visitors that follow `make_atlas()`, and may cancel it (`Atlas_options::visitor`).
 ///
+/// \cgalModels{AtlasVisitor}
+///
 /// By default, its functions do nothing. One thread at a time calls them, but not always the same thread. If a function
 /// returns `false`, the computation ends with `Diagnosis::CANCELLED`, and no property map is changed.
 class Atlas_visitor

@@ -61,6 +61,8 @@ struct Baking_options
 /// The report of `bake_surface()`.
 struct Baking_report : Report
 {
+  using Report::Report;
+
   /// The number of texels that a chart touches. Each got its values from the fine surface.
   std::size_t number_of_chart_texels = 0;
 
@@ -112,6 +114,8 @@ struct Tangent_frame
 /// \f$v = 1 - (i + 1/2) / m\f$.
 struct Baked_textures : Baking_report
 {
+  using Baking_report::Baking_report;
+
   /// Where the values of a texel come from.
   enum Texel : std::uint8_t
   {

@@ -63,6 +63,8 @@ struct Cone_options
 /// The report of `select_cones()`, without the cones.
 struct Cone_report : Report
 {
+  using Report::Report;
+
   /// the \f$L_2\f$ stretch that the scale \f$e^u\f$ predicts for a map with these cones
   double predicted_stretch = 1;
 };

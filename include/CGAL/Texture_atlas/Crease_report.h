@@ -35,6 +35,8 @@ struct Crease_options
 /// The report of `select_crease_seams()`.
 struct Crease_report : Report
 {
+  using Report::Report;
+
   std::size_t number_of_patches = 0; ///< The number of patches between creases, given seams and borders.
   std::size_t number_of_parts = 0;   ///< The number of parts between all seams, after patches were joined.
 

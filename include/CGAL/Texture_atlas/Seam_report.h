@@ -28,6 +28,8 @@ namespace Texture_atlas {
 /// The report of `cut_to_disks()`, `select_seams()` and `shorten_seams()`.
 struct Seam_report : Report
 {
+  using Report::Report;
+
   std::size_t number_of_components = 0; ///< the number of connected components
   std::size_t number_of_disks = 0;      ///< the number of disks between the seams
 
@@ -46,6 +48,8 @@ struct Seam_report : Report
 /// `bool` of \cgal's functions for files.
 struct Seam_selection_report : Report
 {
+  using Report::Report;
+
   std::size_t line = 0; ///< The line with the error, from 1; 0 if there is none.
 
   /// The position of the wrong number in its line, from 1; 0 if there is none. For a pair, it is the first number.
@@ -114,6 +118,8 @@ struct Disk_cut_report : Mesh_report<TriangleMesh>
 /// The report of `split_overlaps()`.
 struct Overlap_split_report : Report
 {
+  using Report::Report;
+
   std::size_t number_of_charts = 0; ///< The number of charts: connected pieces between given seams.
   std::size_t number_of_overlapping_charts = 0; ///< The number of charts whose maps were not injective.
 

@@ -30,6 +30,8 @@ namespace Texture_atlas {
 /// `first_face` is the number of a polygon, and its `number_of_faces` counts polygons.
 struct Soup_report : Atlas_report
 {
+  using Atlas_report::Atlas_report;
+
   /// Whether seams could be made symmetric.
   struct Symmetry
   {

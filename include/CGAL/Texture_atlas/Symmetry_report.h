@@ -24,6 +24,8 @@ namespace Texture_atlas {
 /// The report of `find_mirror_plane()`.
 struct Mirror_plane_report : Report
 {
+  using Report::Report;
+
   std::array<double, 3> normal = {
       1, 0, 0};      ///< The normal of the plane, of length 1. Its largest coordinate is positive.
   double offset = 0; ///< The plane consists of the points whose scalar product with the normal is this.
@@ -38,6 +40,8 @@ struct Mirror_plane_report : Report
 /// The report of `symmetrize_seams()`.
 struct Symmetry_report : Report
 {
+  using Report::Report;
+
   /// The mean distance of the mirror images of the seams from the seams, in units of the diagonal of the bounding box.
   double asymmetry = 0;
   double seam_length = 0; ///< The length of all seams, each counted once.

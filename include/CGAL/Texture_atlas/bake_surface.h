@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Baked_textures.h>
 #include <CGAL/Texture_atlas/internal/baking/bake_mesh.h>
 
@@ -119,6 +120,8 @@ bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_me
              const NamedParameters& np = parameters::default_values(),
              const FineNamedParameters& fine_np = parameters::default_values())
 {
+  internal::Check_halfedge_map<TriangleMesh, HalfedgeUVMap>();
+  internal::Check_halfedge_map<TriangleMesh, TangentFrameMap>();
   return internal::Mesh_baker<TriangleMesh, HalfedgeUVMap, FineMesh, TangentFrameMap, NamedParameters,
                               FineNamedParameters>(mesh, uv, fine_mesh, frames, options, np, fine_np)
       .run();
@@ -139,6 +142,37 @@ bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_me
              const FineNamedParameters& fine_np = parameters::default_values())
 {
   return bake_surface(mesh, uv, fine_mesh, nullptr, options, np, fine_np);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// bakes a fine surface as above, with the default options.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh, typename TangentFrameMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT,
+          typename FineNamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          typename = internal::Is_map<TangentFrameMap, Baking_options>
+#endif
+          >
+Baked_surface<TriangleMesh, FineMesh>
+bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh, TangentFrameMap frames,
+             const CGAL_NP_CLASS& np, const FineNamedParameters& fine_np = parameters::default_values())
+{
+  return bake_surface(mesh, uv, fine_mesh, frames, Baking_options(), np, fine_np);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// bakes a fine surface as above, without returning the tangent frames, and with the default options.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename FineMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT,
+          typename FineNamedParameters = parameters::Default_named_parameters>
+Baked_surface<TriangleMesh, FineMesh>
+bake_surface(const TriangleMesh& mesh, HalfedgeUVMap uv, const FineMesh& fine_mesh, const CGAL_NP_CLASS& np,
+             const FineNamedParameters& fine_np = parameters::default_values())
+{
+  return bake_surface(mesh, uv, fine_mesh, nullptr, Baking_options(), np, fine_np);
 }
 
 } // namespace Texture_atlas

@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Cone_selection.h>
 #include <CGAL/Texture_atlas/internal/cones/cone_flattener.h>
 
@@ -99,9 +100,22 @@ Cone_flattening<TriangleMesh> flatten_with_cones(const TriangleMesh& mesh, std::
                                                  const Cone_options& options = Cone_options(),
                                                  const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
+  internal::Check_halfedge_map<TriangleMesh, HalfedgeUVMap>();
   return internal::Cone_flattener<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, NamedParameters>(
              mesh, seams, uv, options, np)
       .run(n);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// flattens a surface as above, with the default options.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Cone_flattening<TriangleMesh> flatten_with_cones(const TriangleMesh& mesh, std::size_t n, EdgeIsSeamMap seams,
+                                                 HalfedgeUVMap uv, const CGAL_NP_CLASS& np)
+{
+  return flatten_with_cones(mesh, n, seams, uv, Cone_options(), np);
 }
 
 } // namespace Texture_atlas

@@ -10,6 +10,7 @@
 
 #include <CGAL/disable_warnings.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Texture_atlas/internal/seams/check_parts.h>
 
@@ -52,6 +53,7 @@ namespace Texture_atlas {
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Disk_cut_report<TriangleMesh> is_disk_cut(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Disk_cut_report<TriangleMesh> report;
   if(faces(mesh).empty()) {
     report.status = Diagnosis::EMPTY_MESH;

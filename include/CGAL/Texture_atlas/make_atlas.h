@@ -106,6 +106,11 @@ With `CGAL::TBB_support`, parts are flattened in parallel. The result does not d
     \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
     \cgalParamDefault{`SuperLU_solver_traits<>`}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{follows the computation, and may cancel it}
+    \cgalParamType{a model of `AtlasVisitor`, or a `std::reference_wrapper` of one}
+    \cgalParamDefault{`Atlas_options::visitor`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the charts, their distortion, and what is wrong, if anything
@@ -115,7 +120,12 @@ With `CGAL::TBB_support`, parts are flattened in parallel. The result does not d
 \sa `pack_charts()`
 */
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          typename = internal::Is_map<FaceChartMap, Atlas_options>
+#endif
+          >
 Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams,
                                                    HalfedgeUVMap uv, FaceChartMap charts,
                                                    const Atlas_options& options = Atlas_options(),
@@ -123,6 +133,18 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
 {
   const auto one = [](const auto& value) { return CGAL::make_range(&value, &value + 1); };
   return internal::atlas_of_meshes(one(mesh), one(seams), one(uv), one(charts), options, np);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes an atlas as above, with the default options.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                   HalfedgeUVMap uv, FaceChartMap charts,
+                                                   const CGAL_NP_CLASS& np)
+{
+  return make_atlas(mesh, seams, uv, charts, Atlas_options(), np);
 }
 
 /*!
@@ -142,6 +164,16 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
                                                    const NamedParameters& np = parameters::default_values())
 {
   return make_atlas(mesh, nullptr, uv, nullptr, options, np);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes an atlas as above, without given seams, and with the default options.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
+                                                   const CGAL_NP_CLASS& np)
+{
+  return make_atlas(mesh, uv, Atlas_options(), np);
 }
 
 /*!
@@ -164,7 +196,7 @@ part is wrong, nothing is written to any mesh.
 \param uv receives the coordinates: each halfedge of a face stores those of its target in this face
 \param charts receives the chart number of each face, from 0 on, and -1 for a face without chart
 \param options the options
-\param np optional: `sparse_linear_solver`, as of `make_atlas()`. The other named parameters of `make_atlas()` belong to
+\param np optional: `sparse_linear_solver` and `visitor`, as of `make_atlas()`. The other named parameters of `make_atlas()` belong to
        one mesh, and do not compile.
 
 \return the charts, their distortion, and what is wrong, if anything
@@ -172,13 +204,30 @@ part is wrong, nothing is written to any mesh.
 \sa `make_atlas()`
 */
 template <typename MeshRange, typename EdgeIsSeamMapRange, typename HalfedgeUVMapRange,
-          typename FaceChartMapRange, typename NamedParameters = parameters::Default_named_parameters>
+          typename FaceChartMapRange, typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          typename = internal::Is_map<FaceChartMapRange, Atlas_options>
+#endif
+          >
 Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams,
                                const HalfedgeUVMapRange& uv, const FaceChartMapRange& charts,
                                const Atlas_options& options = Atlas_options(),
                                const NamedParameters& np = parameters::default_values())
 {
   return internal::common_atlas(meshes, seams, uv, charts, options, np);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes one atlas of several meshes as above, with the default options.
+template <typename MeshRange, typename EdgeIsSeamMapRange, typename HalfedgeUVMapRange,
+          typename FaceChartMapRange, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams,
+                               const HalfedgeUVMapRange& uv, const FaceChartMapRange& charts,
+                               const CGAL_NP_CLASS& np)
+{
+  return make_common_atlas(meshes, seams, uv, charts, Atlas_options(), np);
 }
 
 /*!
@@ -201,6 +250,15 @@ Atlas_report make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange
 {
   const std::vector<std::nullptr_t> none(internal::size_of(meshes), nullptr);
   return internal::common_atlas(meshes, none, uv, none, options, np);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes one atlas of several meshes as above, without given seams, and with the default options.
+template <typename MeshRange, typename HalfedgeUVMapRange, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Atlas_report make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange& uv, const CGAL_NP_CLASS& np)
+{
+  return make_common_atlas(meshes, uv, Atlas_options(), np);
 }
 
 } // namespace Texture_atlas

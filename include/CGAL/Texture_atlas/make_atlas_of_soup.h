@@ -11,6 +11,8 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/Soup_options.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
@@ -61,16 +63,17 @@ if(!report.has_atlas())
 \param soup points and polygons
 \param atlas receives the coordinates and charts
 \param options the options
-\param np optional: `sparse_linear_solver`, as of `make_atlas()` for meshes
+\param np optional: `sparse_linear_solver` and `visitor`, as of `make_atlas()` for meshes
 
 \return the charts, and what is wrong, if anything. Arrays that do not fit together are `Diagnosis::WRONG_INPUT` or
         `Diagnosis::NUMBER_OUT_OF_RANGE`; no points or polygons are `Diagnosis::EMPTY_MESH`.
 */
 template <typename NamedParameters = parameters::Default_named_parameters>
-Soup_report make_atlas(const Surface_soup& soup, Soup_atlas& atlas,
-                       const Soup_options& options = Soup_options(),
+Soup_report make_atlas(const Surface_soup& soup, Soup_atlas& atlas, Soup_options options = Soup_options(),
                        const NamedParameters& np = parameters::default_values())
 {
+  internal::Visitor_parameter<Atlas_visitor, NamedParameters> visitor(np);
+  options.visitor = visitor.pointer(options.visitor);
   std::vector<Soup_atlas> atlases;
   Soup_report report =
       internal::prepare::make_atlas_of_soups({&soup}, false, options, internal::linear_solvers(np), atlases);
@@ -78,6 +81,15 @@ Soup_report make_atlas(const Surface_soup& soup, Soup_atlas& atlas,
     atlas = std::move(atlases.front());
   }
   return report;
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes an atlas as above, with the default options.
+template <typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Soup_report make_atlas(const Surface_soup& soup, Soup_atlas& atlas, const CGAL_NP_CLASS& np)
+{
+  return make_atlas(soup, atlas, Soup_options(), np);
 }
 
 /*!
@@ -93,21 +105,33 @@ Soups that touch are not joined. Charts are numbered through, those of the first
 \param soups points and polygons
 \param atlases receives an atlas for each soup
 \param options the options
-\param np optional: `sparse_linear_solver`, as of `make_atlas()` for meshes
+\param np optional: `sparse_linear_solver` and `visitor`, as of `make_atlas()` for meshes
 
 \return the charts, and what is wrong, if anything
 */
 template <typename NamedParameters = parameters::Default_named_parameters>
 Soup_report make_common_atlas(const std::vector<Surface_soup>& soups, std::vector<Soup_atlas>& atlases,
-                              const Soup_options& options = Soup_options(),
+                              Soup_options options = Soup_options(),
                               const NamedParameters& np = parameters::default_values())
 {
+  internal::Visitor_parameter<Atlas_visitor, NamedParameters> visitor(np);
+  options.visitor = visitor.pointer(options.visitor);
   std::vector<const Surface_soup*> pointers;
   for(const Surface_soup& soup : soups) {
     pointers.push_back(&soup);
   }
   return internal::prepare::make_atlas_of_soups(pointers, true, options, internal::linear_solvers(np),
                                                 atlases);
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes one atlas of several soups as above, with the default options.
+template <typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Soup_report make_common_atlas(const std::vector<Surface_soup>& soups, std::vector<Soup_atlas>& atlases,
+                              const CGAL_NP_CLASS& np)
+{
+  return make_common_atlas(soups, atlases, Soup_options(), np);
 }
 
 } // namespace Texture_atlas

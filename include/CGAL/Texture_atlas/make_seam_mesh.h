@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/seams/opened_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -176,6 +177,7 @@ struct Seam_mesh_report : Mesh_report<TriangleMesh>
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Seam_mesh_report<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   const auto edge_marks = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   std::size_t number_of_seams = 0;
   for(auto e : edges(mesh)) {

@@ -11,6 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/packing/pack_mesh.h>
@@ -86,9 +87,22 @@ pack_charts(const TriangleMesh& mesh, FaceChartMap charts, HalfedgeUVMap uv,
             const Packing_options& options = Packing_options(),
             const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_face_map<TriangleMesh, FaceChartMap>();
+  internal::Check_halfedge_map<TriangleMesh, HalfedgeUVMap>();
   return internal::Chart_packer<TriangleMesh, FaceChartMap, HalfedgeUVMap, NamedParameters>(mesh, charts, uv,
                                                                                             options, np)
       .run();
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// packs charts as above, with the default options.
+template <typename TriangleMesh, typename FaceChartMap, typename HalfedgeUVMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh, Packing_report> pack_charts(const TriangleMesh& mesh, FaceChartMap charts,
+                                                      HalfedgeUVMap uv, const CGAL_NP_CLASS& np)
+{
+  return pack_charts(mesh, charts, uv, Packing_options(), np);
 }
 
 } // namespace Texture_atlas

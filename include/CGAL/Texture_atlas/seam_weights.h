@@ -11,6 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 #include <CGAL/Texture_atlas/internal/seams/visibility.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -44,6 +45,7 @@ template <typename TriangleMesh, typename EdgeWeightMap, typename NamedParameter
 Mesh_report<TriangleMesh> put_seam_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
                                            const NamedParameters& np, double cheapest, const Prepare& prepare)
 {
+  Check_edge_map<TriangleMesh, EdgeWeightMap>();
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const auto points = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -151,6 +153,16 @@ Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeW
           return product > 0 ? (std::max)(0., (n * m) / product) : 1.;
         };
       });
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// computes edge weights as above, with the default weight of the cheapest edge.
+template <typename TriangleMesh, typename EdgeWeightMap, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeWeightMap weights,
+                                                 const CGAL_NP_CLASS& np)
+{
+  return compute_crease_weights(mesh, weights, 0.3, np);
 }
 
 } // namespace Texture_atlas

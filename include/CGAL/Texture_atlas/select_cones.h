@@ -10,6 +10,7 @@
 
 #include <CGAL/Texture_atlas/Cone_selection.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/cones/select_cones_of_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -89,6 +90,15 @@ Cone_selection<TriangleMesh> select_cones(const TriangleMesh& mesh, std::size_t 
   if(!end)
     static_cast<Report&>(selection) = end;
   return selection;
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// selects cones as above, with the default options.
+template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Cone_selection<TriangleMesh> select_cones(const TriangleMesh& mesh, std::size_t n, const CGAL_NP_CLASS& np)
+{
+  return select_cones(mesh, n, Cone_options(), np);
 }
 
 } // namespace Texture_atlas

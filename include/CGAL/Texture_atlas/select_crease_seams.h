@@ -17,6 +17,7 @@
 #include <CGAL/Texture_atlas/internal/seams/crease_division.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -86,6 +87,7 @@ select_crease_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
                     const Crease_options& options = Crease_options(),
                     const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Mesh_report<TriangleMesh, Crease_report> report;
   if(!(options.angle > 0 && options.angle < CGAL_PI)) {
     report.status = Diagnosis::WRONG_OPTION;
@@ -114,6 +116,16 @@ select_crease_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
   report.seam_length = applied.seam_length;
   report.relative_seam_length = applied.relative_seam_length;
   return report;
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// selects seams as above, with the default options.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh, Crease_report> select_crease_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                             const CGAL_NP_CLASS& np)
+{
+  return select_crease_seams(mesh, seams, Crease_options(), np);
 }
 
 } // namespace Texture_atlas

@@ -16,6 +16,7 @@
 #include <CGAL/Texture_atlas/internal/seams/apply_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 /// \file select_seams.h
@@ -89,6 +90,7 @@ Mesh_report<TriangleMesh, Seam_report> select_seams(const TriangleMesh& mesh, Ed
                                                     const Seam_options& options = Seam_options(),
                                                     const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Mesh_report<TriangleMesh, Seam_report> report;
   report.message = internal::wrong_option(options);
   if(!report.message.empty()) {
@@ -108,6 +110,16 @@ Mesh_report<TriangleMesh, Seam_report> select_seams(const TriangleMesh& mesh, Ed
   }
   report.bound_reached = report.predicted_stretch <= options.stretch_bound;
   return report;
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// selects seams as above, with the default options.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh, Seam_report> select_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                    const CGAL_NP_CLASS& np)
+{
+  return select_seams(mesh, seams, Seam_options(), np);
 }
 
 /*!
@@ -171,6 +183,7 @@ template <typename TriangleMesh, typename EdgeIsSeamMap,
 Mesh_report<TriangleMesh, Seam_report> cut_to_disks(const TriangleMesh& mesh, EdgeIsSeamMap seams,
                                                     const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   internal::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np, true);
   Mesh_report<TriangleMesh, Seam_report> report;
   if(!internal::can_reach_terminals(mesh, np, report))
@@ -224,6 +237,7 @@ template <typename TriangleMesh, typename EdgeIsSeamMap,
 Mesh_report<TriangleMesh, Seam_report> shorten_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
                                                      const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   internal::Seam_application<TriangleMesh, EdgeIsSeamMap, NamedParameters> application(mesh, seams, np,
                                                                                        false);
   return application.run([&](const internal::Surface_part& part) {

@@ -11,6 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Texture_atlas/internal/overlaps/split_charts.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -88,6 +89,8 @@ Mesh_report<TriangleMesh, Overlap_split_report>
 split_overlaps(const TriangleMesh& mesh, UVMap uv, EdgeIsSeamMap seams, FaceChartMap charts,
                const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
+  internal::Check_face_map<TriangleMesh, FaceChartMap>();
   return internal::Chart_splitter<TriangleMesh, EdgeIsSeamMap, UVMap, NamedParameters>(mesh, seams, uv, np)
       .run(charts);
 }

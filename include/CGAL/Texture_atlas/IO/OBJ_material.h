@@ -49,6 +49,8 @@ struct OBJ_material
 /// `true` on success.
 struct OBJ_report : Report
 {
+  using Report::Report;
+
   /// The line with the error, from 1; 0 if there is none. Of a line that is continued, it is the first.
   std::size_t line = 0;
 

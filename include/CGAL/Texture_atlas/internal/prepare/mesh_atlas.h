@@ -10,8 +10,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
+#include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_atlas_builder.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_in_atlas.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -240,8 +242,13 @@ template <typename MeshRange, typename SeamMaps, typename UVMaps, typename Chart
           typename NamedParameters>
 Mesh_report<Element_of<MeshRange>, Atlas_report>
 atlas_of_meshes(const MeshRange& meshes, const SeamMaps& seams, const UVMaps& uv, const ChartMaps& charts,
-                const Atlas_options& options, const NamedParameters& np)
+                Atlas_options options, const NamedParameters& np)
 {
+  Check_edge_map<Element_of<MeshRange>, Element_of<SeamMaps>>();
+  Check_halfedge_map<Element_of<MeshRange>, Element_of<UVMaps>>();
+  Check_face_map<Element_of<MeshRange>, Element_of<ChartMaps>>();
+  Visitor_parameter<Atlas_visitor, NamedParameters> visitor(np);
+  options.visitor = visitor.pointer(options.visitor);
   for(const auto& mesh : meshes)
     if(!is_triangle_mesh(mesh))
       return prepare::make_atlas_of_polygon_meshes(meshes, seams, uv, charts, options, np);

@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -124,12 +123,6 @@ private:
   Report m_report;                               // of reading
   std::vector<std::vector<Chart::Point_2>> m_uv; // of the vertices of each part
 };
-
-// A halfedge in the place of a map is the border of a chart: another overload measures that.
-template <typename TriangleMesh, typename UVMap>
-using Measures_of_surface = std::enable_if_t<
-    !std::is_convertible<UVMap, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>::value,
-    Flattening_measures_report<TriangleMesh>>;
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
