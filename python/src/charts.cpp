@@ -63,12 +63,8 @@ Json common_json(const SMP::Flattening_report& report, const std::string& method
 
 std::string json_of(const SMP::ABF_plus_plus_report& report)
 {
-  static const char* const strategies[] = {
-      "FROM_LAST_ANGLES",           "FROM_TARGET_ANGLES",    "RAISED_BARRIER",
-      "FROM_SOFT_PATCHES",          "SOFT_PATCHES",          "STIFF_PATCHES",
-      "FROM_PROGRESSIVE_EMBEDDING", "PROGRESSIVE_EMBEDDING", "INJECTIVE_DESCENT"};
   Json json = common_json(report, "direct");
-  json.update({{"strategy", strategies[report.strategy]},
+  json.update({{"strategy", to_string(report.strategy)},
                {"converged", report.converged},
                {"iterations", report.iterations},
                {"energy", report.energy},

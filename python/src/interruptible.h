@@ -45,11 +45,7 @@ class Atlas_watcher : public TA::Atlas_visitor
 public:
   explicit Atlas_watcher(Progress_state& state) : m_state(state) {}
 
-  bool start(const Stage stage) override
-  {
-    static const char* const names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
-    return m_state.start(names[stage]);
-  }
+  bool start(const Stage stage) override { return m_state.start(to_string(stage)); }
 
   bool progress(const double share) override
   {
@@ -67,12 +63,7 @@ class Flattening_watcher : public SMP::Flattening_visitor
 public:
   void follow(Progress_state& state) { m_state = &state; }
 
-  bool start(const Stage stage) override
-  {
-    static const char* const names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
-                                        "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
-    return m_state->start(names[stage]);
-  }
+  bool start(const Stage stage) override { return m_state->start(to_string(stage)); }
 
   bool step(const SMP::ABF_plus_plus_step&) override { return !m_state->is_cancelled; }
 

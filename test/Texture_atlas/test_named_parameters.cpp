@@ -27,9 +27,14 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <set>
+#include <sstream>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_named_parameters)
@@ -273,6 +278,34 @@ BOOST_AUTO_TEST_CASE(a_visitor_follows_and_cancels)
   stages.count = 0;
   BOOST_TEST((TA::make_atlas(m.mesh, m.uv, m.np().visitor(stages)).status == SMP::Diagnosis::CANCELLED));
   BOOST_TEST(stages.count == 0, "the named parameter is a copy without std::ref");
+}
+
+// Each enumerator has a name of its own, and `<<` writes it.
+BOOST_AUTO_TEST_CASE(enumerators_and_reports_are_written)
+{
+  const auto check = [](const auto last) {
+    std::set<std::string> names;
+    for(int i = 0; i <= static_cast<int>(last); ++i) {
+      std::ostringstream text;
+      text << static_cast<std::decay_t<decltype(last)>>(i);
+      names.insert(text.str());
+      BOOST_TEST(text.str().find_first_of("0123456789") == std::string::npos);
+    }
+    BOOST_TEST(names.size() == static_cast<std::size_t>(last) + 1);
+  };
+  check(SMP::Diagnosis::NO_SUCH_EDGE);
+  check(SMP::ABF_plus_plus_report::INJECTIVE_DESCENT);
+  check(SMP::ABF_plus_plus_report::LEAST_SQUARES);
+  check(SMP::Hierarchical_report::TUTTE_MAP);
+  check(SMP::Flattening_visitor::WRITE);
+  check(TA::Atlas_report::GIVEN);
+  check(TA::Atlas_report::MORE_CHARTS);
+  check(TA::Atlas_report::TOO_MUCH_DISTORTION);
+  check(TA::Atlas_visitor::WRITE);
+  Mapped_mesh m = closed();
+  std::ostringstream text;
+  text << SMP::flatten_surface(m.mesh, m.vertex_uv);
+  BOOST_TEST(text.str().find("NO_BORDER: the surface is closed") == 0u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

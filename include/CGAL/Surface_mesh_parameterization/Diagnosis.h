@@ -12,6 +12,7 @@
 
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 /// \file Diagnosis.h
@@ -193,10 +194,11 @@ inline std::string to_string(Diagnosis diagnosis)
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// writes the name of a diagnosis.
-inline std::ostream& operator<<(std::ostream& stream, Diagnosis diagnosis)
+/// writes the name of a diagnosis, or of another enumerator that `to_string()` takes: a stage, a strategy, a layout.
+template <typename Enumerator, typename = std::enable_if_t<std::is_enum<Enumerator>::value>>
+auto operator<<(std::ostream& stream, Enumerator enumerator) -> decltype(stream << to_string(enumerator))
 {
-  return stream << to_string(diagnosis);
+  return stream << to_string(enumerator);
 }
 
 template <typename Mesh, typename Report_>
@@ -219,6 +221,16 @@ struct Report
   /// returns whether nothing is wrong.
   explicit operator bool() const { return status == Diagnosis::NOTHING_WRONG; }
 };
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// writes the name of the diagnosis, and the message if there is one.
+///
+/// \relates Report
+inline std::ostream& operator<<(std::ostream& stream, const Report& report)
+{
+  return stream << report.status << (report.message.empty() ? "" : ": ") << report.message;
+}
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///

@@ -288,6 +288,42 @@ struct Hierarchical_report : Flattening_report
   double constraint_residual = 0; ///< Largest violation of a constraint by the polished angles, in radians.
 };
 
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a name, such as `"INJECTIVE_DESCENT"`.
+///
+/// \relates ABF_plus_plus_report
+inline std::string to_string(ABF_plus_plus_report::Strategy strategy)
+{
+  constexpr const char* names[] = {
+      "FROM_LAST_ANGLES",           "FROM_TARGET_ANGLES",    "RAISED_BARRIER",
+      "FROM_SOFT_PATCHES",          "SOFT_PATCHES",          "STIFF_PATCHES",
+      "FROM_PROGRESSIVE_EMBEDDING", "PROGRESSIVE_EMBEDDING", "INJECTIVE_DESCENT"};
+  return names[strategy];
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a name, such as `"LEAST_SQUARES"`.
+///
+/// \relates ABF_plus_plus_report
+inline std::string to_string(ABF_plus_plus_report::Layout layout)
+{
+  constexpr const char* names[] = {"NO_LAYOUT", "EXACT", "LEAST_SQUARES"};
+  return names[layout];
+}
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a name, such as `"TUTTE_MAP"`.
+///
+/// \relates Hierarchical_report
+inline std::string to_string(Hierarchical_report::Start start)
+{
+  constexpr const char* names[] = {"COARSE_PARAMETERIZER", "PROGRESSIVE_EMBEDDING", "TUTTE_MAP"};
+  return names[start];
+}
+
 } // namespace Surface_mesh_parameterization
 
 } // namespace CGAL

@@ -59,6 +59,18 @@ public:
   virtual bool level(int /* vertices */, int /* all_vertices */) { return true; }
 };
 
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// returns a name, such as `"WRITE"`.
+///
+/// \relates Flattening_visitor
+inline const char* to_string(Flattening_visitor::Stage stage)
+{
+  constexpr const char* names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
+                                   "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
+  return names[stage];
+}
+
 } // namespace Surface_mesh_parameterization
 
 } // namespace CGAL

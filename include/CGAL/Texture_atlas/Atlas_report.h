@@ -221,19 +221,8 @@ struct Atlas_report : Report
 /// \relates Atlas_report
 inline std::string to_string(Atlas_report::Method method)
 {
-  switch(method) {
-  case Atlas_report::ABF_PLUS_PLUS:
-    return "ABF++";
-  case Atlas_report::HIERARCHICAL:
-    return "hierarchical ABF++";
-  case Atlas_report::INJECTIVE:
-    return "injective";
-  case Atlas_report::SEPARATED:
-    return "separated";
-  case Atlas_report::GIVEN:
-    return "given";
-  }
-  return "unknown";
+  constexpr const char* names[] = {"ABF++", "hierarchical ABF++", "injective", "separated", "given"};
+  return names[method];
 }
 
 /// \ingroup PkgTextureAtlasRef
@@ -243,43 +232,20 @@ inline std::string to_string(Atlas_report::Method method)
 /// \relates Atlas_report
 inline std::string to_string(Atlas_report::Strategy strategy)
 {
-  switch(strategy) {
-  case Atlas_report::USUAL:
-    return "USUAL";
-  case Atlas_report::LARGER_AREA_WEIGHT:
-    return "LARGER_AREA_WEIGHT";
-  case Atlas_report::MORE_CHARTS:
-    return "MORE_CHARTS";
-  }
-  return "unknown";
+  constexpr const char* names[] = {"USUAL", "LARGER_AREA_WEIGHT", "MORE_CHARTS"};
+  return names[strategy];
 }
 
 /// \ingroup PkgTextureAtlasRef
 ///
-/// returns a name, such as `"EQUAL_LENGTHS"`.
+/// returns a name, such as `"TOO_MUCH_DISTORTION"`.
 ///
 /// \relates Atlas_report
 inline std::string to_string(Atlas_report::Seam_lengths lengths)
 {
-  switch(lengths) {
-  case Atlas_report::NO_SEAMS:
-    return "NO_SEAMS";
-  case Atlas_report::EQUAL_LENGTHS:
-    return "EQUAL_LENGTHS";
-  case Atlas_report::NOT_WANTED:
-    return "NOT_WANTED";
-  case Atlas_report::OTHER_METHOD:
-    return "OTHER_METHOD";
-  case Atlas_report::NOT_TRIED:
-    return "NOT_TRIED";
-  case Atlas_report::NO_EQUATIONS:
-    return "NO_EQUATIONS";
-  case Atlas_report::NOT_CONVERGED:
-    return "NOT_CONVERGED";
-  case Atlas_report::TOO_MUCH_DISTORTION:
-    return "TOO_MUCH_DISTORTION";
-  }
-  return "unknown";
+  constexpr const char* names[] = {"NO_SEAMS",  "EQUAL_LENGTHS", "NOT_WANTED",    "OTHER_METHOD",
+                                   "NOT_TRIED", "NO_EQUATIONS",  "NOT_CONVERGED", "TOO_MUCH_DISTORTION"};
+  return names[lengths];
 }
 
 } // namespace Texture_atlas

@@ -48,6 +48,17 @@ public:
   virtual bool progress(double) { return true; }
 };
 
+/// \ingroup PkgTextureAtlasRef
+///
+/// returns a name, such as `"WRITE"`.
+///
+/// \relates Atlas_visitor
+inline const char* to_string(Atlas_visitor::Stage stage)
+{
+  constexpr const char* names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
+  return names[stage];
+}
+
 } // namespace Texture_atlas
 
 } // namespace CGAL

@@ -34,6 +34,7 @@ using Surface_mesh_parameterization::Hierarchical_options;
 using Surface_mesh_parameterization::Hierarchical_report;
 using Surface_mesh_parameterization::Mesh_report;
 using Surface_mesh_parameterization::Report;
+using Surface_mesh_parameterization::operator<<;
 using Surface_mesh_parameterization::to_string;
 
 namespace internal {

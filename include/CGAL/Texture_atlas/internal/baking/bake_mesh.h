@@ -65,7 +65,8 @@ public:
     Result result;
     Baked_textures& textures = result;
     if(!check_options() || !read_simple() || !read_fine()) {
-      static_cast<Baking_report&>(textures) = m_report ? Baking_report(m_fine_report) : m_report;
+      static_cast<Baking_report&>(textures) =
+          m_report ? static_cast<const Baking_report&>(m_fine_report) : m_report;
       result.offending_vertices = m_report.offending_vertices;
       result.offending_faces = m_report.offending_faces;
       result.offending_fine_vertices = m_fine_report.offending_vertices;

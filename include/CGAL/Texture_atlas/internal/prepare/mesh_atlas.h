@@ -286,7 +286,8 @@ Atlas_report common_atlas(const MeshRange& meshes, const SeamMaps& seams, const 
                        std::to_string(maps) + " property maps";
       return report;
     }
-  return atlas_of_meshes(meshes, seams, uv, charts, options, np);
+  report = static_cast<const Atlas_report&>(atlas_of_meshes(meshes, seams, uv, charts, options, np));
+  return report;
 }
 
 } // namespace CGAL::Texture_atlas::internal
