@@ -63,10 +63,11 @@ std::vector<int> regions(const Mesh& mesh, const int number)
 
 // Cuts the surface to disks: that many, or as few as flatten well if the number is 0.
 template <class Seam_map>
-TA::Seam_report cut(const Mesh& mesh, const Seam_map& seams, const int number)
+SMP::Mesh_report<Mesh, TA::Seam_report> cut(const Mesh& mesh, const Seam_map& seams, const int number)
 {
   if(number == 0)
-    return TA::is_disk_cut(mesh, seams) ? TA::Seam_report() : TA::select_seams(mesh, seams);
+    return TA::is_disk_cut(mesh, seams) ? SMP::Mesh_report<Mesh, TA::Seam_report>()
+                                        : TA::select_seams(mesh, seams);
   const std::vector<int> region = regions(mesh, number);
   for(const Edge e : mesh.edges())
     if(!mesh.is_border(e) && region[mesh.face(mesh.halfedge(e, 0))] != region[mesh.face(mesh.halfedge(e, 1))])
@@ -116,7 +117,7 @@ void packing(const std::string& file, const Packing_choice& choice, Measurement&
   Mesh whole;
   read_mesh(file, whole);
   const auto seams = whole.add_property_map<Edge, bool>("e:seam", false).first;
-  const TA::Seam_report cut_report = cut(whole, seams, choice.regions);
+  const auto cut_report = cut(whole, seams, choice.regions);
   if(!cut_report)
     return m.fail(cut_report.message);
 

@@ -67,7 +67,7 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
 }
 
 // With no terminals to be added, `select_seams()` adds nothing to a disk, but says what it predicts.
-TA::Seam_report predict(const Mesh& mesh, Seam_map seams)
+SMP::Mesh_report<Mesh, TA::Seam_report> predict(const Mesh& mesh, Seam_map seams)
 {
   TA::Seam_options options;
   options.maximum_number_of_terminals = 0;
@@ -92,7 +92,7 @@ void seams(const std::string& choice, const std::string& file, const Seam_choice
     return m.fail("the seams leave no disk: " + cut.message);
   if(choice == "random")
     return;
-  const TA::Seam_report report = predict(mesh, is_seam);
+  const auto report = predict(mesh, is_seam);
   m.add("seam", report.relative_seam_length);
   m.add("predicted", report.predicted_stretch);
 

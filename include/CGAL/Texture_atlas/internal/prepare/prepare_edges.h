@@ -21,7 +21,7 @@
 
 namespace CGAL::Texture_atlas::internal::prepare {
 
-inline Crease_report examine_creases(Mesh& mesh)
+inline Mesh_report<Mesh, Crease_report> examine_creases(Mesh& mesh)
 {
   auto marks = mesh.add_property_map<Edge, bool>().first;
   const auto report = select_crease_seams(mesh, marks, Crease_options(),
@@ -76,7 +76,7 @@ inline void choose_seams(const Soup_options& options, Mesh& mesh, const Edge_mar
     }
     break;
   case Soup_options::AUTO: {
-    const Crease_report report = examine_creases(mesh);
+    const auto report = examine_creases(mesh);
     way.is_hard_surface = report && report.is_hard_surface();
     way.name = *way.is_hard_surface ? "near-creases" : "length";
     if(unfolds_well(report) && !has_seams(mesh, is_seam)) {
