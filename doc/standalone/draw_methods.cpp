@@ -9,7 +9,6 @@
 #include "draw_tile.h"
 
 #include "flatten_mesh/atlas/textured_atlas.h"
-#include "flatten_mesh/plain/choose_corners.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -22,6 +21,7 @@
 #include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Texture_atlas/make_atlas.h>
 #include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/corners_of_map.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Texture_atlas/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -222,7 +222,8 @@ void draw_rectangle(const std::string& data, const Pictures& pictures)
   for(const Halfedge h : mask.halfedges_around_face(border)) {
     vertices.push_back(mask.target(h));
   }
-  const SMP::Vertex_angles<Mesh> angles = SMP::rectangle_angles(mask, choose_corners(vertices, uv)).angles;
+  const SMP::Vertex_angles<Mesh> angles =
+      SMP::rectangle_angles(mask, SMP::internal::ABF::corners_of_map(vertices, uv)).angles;
   SMP::split_flat_chords(mask, border, angles);
   parameterizer.set_angle_sums(angles);
   pictures.draw("rectangle", mask, flatten("rectangle", mask, parameterizer), mask_view);

@@ -9,8 +9,8 @@
 #include "flatten_mesh/bake/Baking_record.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Exit_status.h"
+#include "flatten_mesh/Run_record.h"
 
-#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/Soup_report.h>
@@ -27,7 +27,7 @@ namespace flatten_mesh {
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 // The data of the reports on an atlas, for people and for programs
-struct Atlas_record
+struct Atlas_record : Run_record
 {
   // One of several models that share the atlas
   struct Model
@@ -39,18 +39,12 @@ struct Atlas_record
     std::size_t charts = 0;
   };
 
-  std::string input;
   std::vector<Model> models; // empty if there is only the input
   Atlas_command options;
   TA::Soup_report report;
   std::vector<double> share_of_area; // of each chart
-  double read_seconds = 0;
-  double simplify_seconds = 0; // 0 if nothing was simplified
-  double write_seconds = 0;
-  double peak_memory_mb = 0; // 0 if unknown
+  double simplify_seconds = 0;       // 0 if nothing was simplified
   Baking_record baking;
-  std::vector<std::string> written;
-  std::vector<std::string> notes;
 };
 
 // The parts that one of several models lacks
@@ -68,14 +62,6 @@ inline std::string status_name(const Atlas_record& record)
   return record.report ? "OK" : to_string(record.report.status);
 }
 
-// Whether a computation failed for this part, rather than that it cannot be flattened
-inline bool is_failure_of_computation(const TA::Atlas_report::Skipped& part)
-{
-  const TA::Diagnosis status = part.status;
-  return status == TA::Diagnosis::LINEAR_SYSTEM_FAILED || status == TA::Diagnosis::NO_CONVERGENCE ||
-         status == TA::Diagnosis::FLIPPED_TRIANGLES || status == TA::Diagnosis::OVERLAPPING;
-}
-
 inline Exit_status exit_status(const Atlas_record& record)
 {
   if(record.report.has_atlas()) {
@@ -83,16 +69,18 @@ inline Exit_status exit_status(const Atlas_record& record)
   }
   const bool is_computed = !record.options.keeps_all_charts();
   return is_computed && std::any_of(record.report.skipped.begin(), record.report.skipped.end(),
-                                    is_failure_of_computation)
+                                    [](const TA::Atlas_report::Skipped& part) {
+                                      return is_failure_of_computation(part.status);
+                                    })
              ? COMPUTATION_FAILED
              : WRONG_INPUT;
 }
 
 // The stages, with the time of each
-inline std::vector<std::pair<std::string, double>> seconds_of_stages(const Atlas_record& record)
+inline Stages seconds_of_stages(const Atlas_record& record)
 {
   const TA::Atlas_report::Seconds& seconds = record.report.seconds;
-  std::vector<std::pair<std::string, double>> stages = {{"read", record.read_seconds + seconds.read}};
+  Stages stages = {{"read", record.read_seconds + seconds.read}};
   if(record.simplify_seconds > 0) {
     stages.emplace_back("simplify", record.simplify_seconds);
   }

@@ -8,7 +8,6 @@
 
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/batch/Batch_options.h"
-#include "flatten_mesh/batch/add_run.h"
 #include "flatten_mesh/Json.h"
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_skipped.h"
@@ -52,11 +51,8 @@ inline std::vector<std::string> names_of_models(const Atlas_record& record)
 // The report for programs. Without an atlas, `atlas` is `null`. Faces are counted from 1, charts and parts from 0.
 inline std::string report_json(const Atlas_record& record, const Batch_options& batch)
 {
-  Json json = {{"status", status_name(record)},
-               {"message", record.report.message},
-               {"notes", record.notes},
-               {"input", record.input}};
-  internal::add_run(json, exit_status(record), batch.recorded);
+  Json json =
+      internal::run_json(record, status_name(record), record.report.message, exit_status(record), batch);
   if(!record.models.empty()) {
     json["models"] = internal::models_json(record);
   }
@@ -70,10 +66,7 @@ inline std::string report_json(const Atlas_record& record, const Batch_options& 
                             record.report, record.options, record.options.purpose, record.options.units)
                       : Json();
   json["baking"] = record.baking.from.empty() ? Json() : baking_json(record.baking);
-  for(const auto& [stage, time] : seconds_of_stages(record)) {
-    json["seconds"][stage] = time;
-  }
-  json["peak_memory_mb"] = record.peak_memory_mb > 0 ? Json(record.peak_memory_mb) : Json();
+  internal::add_end_of_run(json, record, seconds_of_stages(record));
   return json_report_text(json);
 }
 

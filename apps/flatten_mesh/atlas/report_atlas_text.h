@@ -214,29 +214,15 @@ inline Report_rows surface_rows(const Atlas_record& record)
   return rows;
 }
 
-// The rest of it, on the run of the program
-inline Report_rows run_rows(const Atlas_record& record)
-{
-  Report_rows rows = {{"seconds"}};
-  for(const auto& [stage, seconds] : seconds_of_stages(record)) {
-    rows.push_back({"  " + stage, format_number("%9.3f", seconds)});
-  }
-  if(record.peak_memory_mb > 0) {
-    rows.push_back({"peak memory", format_number("%.0f MB", record.peak_memory_mb)});
-  }
-  for(const std::string& name : record.written) {
-    rows.push_back({"written", name});
-  }
-  if(record.written.empty()) {
-    rows.push_back({"written", "nothing", "--output FILE.obj keeps the atlas, --picture FILE.png draws it"});
-  }
-  return rows;
-}
-
 inline std::string report_text(const Atlas_record& record)
 {
+  Report_rows stages;
+  for(const auto& [stage, seconds] : seconds_of_stages(record)) {
+    stages.push_back({"  " + stage, format_number("%9.3f", seconds)});
+  }
   return rows_text(surface_rows(record)) + internal::largest_charts_text(record) +
-         rows_text(run_rows(record));
+         rows_text(internal::run_rows(record, stages,
+                                      "--output FILE.obj keeps the atlas, --picture FILE.png draws it"));
 }
 
 } // namespace flatten_mesh

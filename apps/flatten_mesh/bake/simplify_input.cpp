@@ -44,23 +44,6 @@ Quick_mesh simplified(const Mesh& mesh, const std::size_t triangles)
   return result;
 }
 
-Model model_of(const Quick_mesh& mesh, const std::string& file)
-{
-  Model model;
-  model.name = file;
-  for(const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    model.points.emplace_back(p.x(), p.y(), p.z());
-  }
-  for(const auto f : mesh.faces()) {
-    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      model.vertices.push_back(static_cast<Index>(v.idx()));
-    }
-    model.end_polygon();
-  }
-  return model;
-}
-
 } // namespace
 
 void simplify_input(const std::size_t triangles, Atlas_input& input, Notes& notes)
@@ -72,7 +55,7 @@ void simplify_input(const std::size_t triangles, Atlas_input& input, Notes& note
   }
   const Quick_mesh mesh = simplified(input.mesh, triangles);
   const std::size_t after = mesh.number_of_faces();
-  Atlas_input result = atlas_input_of(model_of(mesh, input.model.name), true, notes, {Welding::NONE, 0});
+  Atlas_input result = atlas_input_of(model_of_mesh(mesh, input.model.name), true, notes, {Welding::NONE, 0});
   result.set_aside.insert(result.set_aside.begin(), input.set_aside.begin(), input.set_aside.end());
   input = std::move(result);
   notes.add("simplified from " + count_text(before, "triangle") + " to " + std::to_string(after) +

@@ -84,6 +84,25 @@ struct Model : public Surface_soup
   }
 };
 
+// The faces of a mesh as polygons, each of which begins with the target of its halfedge
+template <class Polygon_mesh>
+Model model_of_mesh(const Polygon_mesh& mesh, const std::string& name)
+{
+  Model model;
+  model.name = name;
+  for(const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    model.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for(const auto f : mesh.faces()) {
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      model.vertices.push_back(static_cast<Index>(v.idx()));
+    }
+    model.end_polygon();
+  }
+  return model;
+}
+
 } // namespace flatten_mesh
 
 #endif // FLATTEN_MESH_MODEL_H

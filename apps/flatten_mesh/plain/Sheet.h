@@ -13,8 +13,8 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
+#include <CGAL/Texture_atlas/Cone_selection.h>
 #include <CGAL/Texture_atlas/internal/prepare/components.h>
-#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,9 +28,8 @@
 
 namespace flatten_mesh {
 
-using namespace CGAL::Texture_atlas::internal::prepare;
-
 namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace TA = CGAL::Texture_atlas;
 
 // A component of the input as a mesh of its own, with the seams along which it is cut open
 struct Seamed_component : Component
@@ -38,20 +37,13 @@ struct Seamed_component : Component
   Cut_mesh part;
   Edge_marks seams;
   Edge_marks forbidden; // edges that must not become seams, because the input does not have them
-  std::optional<std::map<Vertex, double>> cones; // of the part, with their angle sums, if they are prescribed
-
-  bool has_seams() const
-  {
-    return std::any_of(part.mesh.edges_begin(), part.mesh.edges_end(),
-                       [this](const Edge e) { return seams[e]; });
-  }
+  std::optional<TA::Cone_selection<Mesh>> cones; // if their angles are prescribed
 };
 
 inline Seamed_component make_seamed_component(Mesh& mesh, const Component& component)
 {
-  Seamed_component result{component, {}, {}, {}, {}};
   const CGAL::Constant_property_map<Edge, bool> uncut(false);
-  result.part = cut_open(mesh, component.faces, component.vertices, uncut);
+  Seamed_component result{component, cut_open(mesh, component.faces, component.vertices, uncut), {}, {}, {}};
   Mesh& part = result.part.mesh;
   result.seams = seam_marks(part);
   result.forbidden = diagonals(part);
@@ -71,13 +63,15 @@ struct Sheet : Component
   std::vector<Face> face_origins;
   std::vector<Halfedge> borders; // one halfedge without a face on each border, the longest border first
   Halfedge border;               // the outer one of these
-  std::vector<Halfedge>
-      seam_sides; // of each halfedge without a face: the one across the seam, if there is one
+  // Of each halfedge without a face: the one across the seam, if there is one
+  std::vector<Halfedge> seam_sides;
 
   // Only if angles are prescribed:
   std::optional<SMP::Vertex_angles<Mesh>> angles;
-  std::map<Vertex, double> marks;                 // corners, or the copies of cones, with their angles
-  std::vector<SMP::Split_edge<Mesh>> split_edges; // which were in the way
+  std::map<Vertex, double> marks; // corners, or the copies of cones, with their angles
+
+  Sheet() = default;
+  Sheet(const Component& component, Mesh& mesh) : Component(component), input(&mesh) {}
 
   Mesh& mesh() const { return cut ? cut->mesh : *input; }
   Vertex input_vertex(const Vertex v) const { return cut ? cut->origins[v.idx()] : v; }
@@ -92,37 +86,30 @@ struct Sheet : Component
 
 namespace internal {
 
-// One halfedge of each border of the component with these vertices, the longest border first.
-inline std::vector<Halfedge> borders_by_length(const Mesh& mesh, const std::vector<Vertex>& vertices)
-{
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<Halfedge> all;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(all));
-  std::vector<std::pair<double, Halfedge>> borders;
-  for(const Halfedge h : all) {
-    if(std::binary_search(vertices.begin(), vertices.end(), mesh.target(h))) {
-      borders.emplace_back(PMP::face_border_length(h, mesh), h);
-    }
-  }
-  std::stable_sort(borders.begin(), borders.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<Halfedge> result;
-  for(const auto& border : borders) {
-    result.push_back(border.second);
-  }
-  return result;
-}
-
 inline void choose_border(const std::size_t border, Sheet& sheet)
 {
-  sheet.borders = borders_by_length(sheet.mesh(), sheet.vertices);
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh& mesh = sheet.mesh();
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(sheet.borders));
+  sheet.borders.erase(std::remove_if(sheet.borders.begin(), sheet.borders.end(),
+                                     [&](const Halfedge h) {
+                                       return !std::binary_search(sheet.vertices.begin(),
+                                                                  sheet.vertices.end(), mesh.target(h));
+                                     }),
+                      sheet.borders.end());
+  std::map<Halfedge, double> length;
+  for(const Halfedge h : sheet.borders) {
+    length[h] = PMP::face_border_length(h, mesh);
+  }
+  std::stable_sort(sheet.borders.begin(), sheet.borders.end(),
+                   [&](const Halfedge g, const Halfedge h) { return length[g] > length[h]; });
   if(sheet.borders.empty()) {
     throw Input_error("the surface is closed" +
                       (sheet.components == 1 ? std::string()
                                              : ", at least its component " + std::to_string(sheet.number) +
                                                    " of " + std::to_string(sheet.components)) +
                       ": it has no border to flatten it from; --cut auto cuts it open" +
-                      other_component_text(sheet.mesh(), sheet.number));
+                      other_component_text(mesh, sheet.number));
   }
   if(border >= sheet.borders.size()) {
     throw Input_error("no border " + std::to_string(border) + ": " +
@@ -153,9 +140,7 @@ inline std::vector<Halfedge> seam_sides(const Cut_mesh& cut)
 // A component with the outer border that `--border` chooses. Throws an `Input_error` if there is none.
 inline Sheet uncut_sheet(Mesh& mesh, const Component& component, const std::size_t border)
 {
-  Sheet sheet;
-  static_cast<Component&>(sheet) = component;
-  sheet.input = &mesh;
+  Sheet sheet(component, mesh);
   internal::choose_border(border, sheet);
   return sheet;
 }
@@ -164,29 +149,28 @@ inline Sheet uncut_sheet(Mesh& mesh, const Component& component, const std::size
 inline Sheet cut_sheet(Mesh& input, const Seamed_component& component, const std::size_t border)
 {
   const Mesh& part = component.part.mesh;
-  Sheet sheet;
-  sheet.input = &input;
-  sheet.cut =
+  auto cut =
       std::make_unique<Cut_mesh>(cut_open(part, {part.faces_begin(), part.faces_end()},
                                           {part.vertices_begin(), part.vertices_end()}, component.seams));
-  Cut_mesh& cut = *sheet.cut;
-  static_cast<Component&>(sheet) = choose_component(cut.mesh, 0);
+  Sheet sheet(choose_component(cut->mesh, 0), input);
+  sheet.cut = std::move(cut);
+  sheet.face_origins = component.faces;
   internal::choose_border(border, sheet);
-  sheet.seam_sides = internal::seam_sides(cut);
+  sheet.seam_sides = internal::seam_sides(*sheet.cut);
   if(component.cones) {
+    const SMP::Vertex_angles<Mesh> angles = component.cones->angles();
     sheet.angles.emplace();
-    for(const Vertex v : cut.mesh.vertices()) {
-      if(const auto cone = component.cones->find(cut.origins[v.idx()]); cone != component.cones->end()) {
-        sheet.angles->set(v, cone->second);
-        sheet.marks[v] = cone->second;
+    for(const Vertex v : sheet.mesh().vertices()) {
+      if(const auto angle = angles[sheet.input_vertex(v)]) {
+        sheet.angles->set(v, angle);
+        sheet.marks[v] = *angle;
       }
     }
   }
-  sheet.face_origins = component.faces;
-  for(Vertex& v : cut.origins) {
+  for(Vertex& v : sheet.cut->origins) {
     v = component.part.origins[v.idx()];
   }
-  for(Edge& e : cut.edge_origins) {
+  for(Edge& e : sheet.cut->edge_origins) {
     e = component.part.edge_origins[e.idx()];
   }
   return sheet;

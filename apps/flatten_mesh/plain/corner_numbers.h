@@ -6,61 +6,32 @@
 #ifndef FLATTEN_MESH_CORNER_NUMBERS_H
 #define FLATTEN_MESH_CORNER_NUMBERS_H
 
+#include "flatten_mesh/model/text_numbers.h"
+
 #include <boost/algorithm/string.hpp>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace flatten_mesh {
 
-namespace internal {
-
-// The whole word as a number; nothing if it is something else
-template <class Number>
-std::optional<Number> number_of(const std::string& word)
-{
-  Number number;
-  const char* const end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, number);
-  return result.ec == std::errc() && result.ptr == end ? std::optional<Number>(number) : std::nullopt;
-}
-
-inline std::vector<std::string> words_of(const std::string& text, const char* separators)
-{
-  std::vector<std::string> words;
-  const std::string trimmed = boost::algorithm::trim_copy(text);
-  if(!trimmed.empty()) {
-    boost::algorithm::split(words, trimmed, boost::algorithm::is_any_of(separators),
-                            boost::algorithm::token_compress_on);
-  }
-  return words;
-}
-
-} // namespace internal
-
-// The four numbers in "1,20,300,4000"; nothing if the text is something else
+// The four different numbers in "1,20,300,4000"; nothing if the text is something else
 inline std::optional<std::array<std::size_t, 4>> corner_numbers(const std::string& text)
 {
-  const std::vector<std::string> words = internal::words_of(text, ",");
+  std::vector<std::string> words;
+  boost::algorithm::split(words, boost::algorithm::trim_copy(text), boost::algorithm::is_any_of(","),
+                          boost::algorithm::token_compress_on);
   std::array<std::size_t, 4> numbers;
-  if(words.size() != numbers.size()) {
-    return std::nullopt;
+  bool is_right = words.size() == numbers.size();
+  for(std::size_t i = 0; is_right && i < numbers.size(); ++i) {
+    is_right = read_count(words[i], numbers[i]);
   }
-  for(std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto number = internal::number_of<std::size_t>(words[i]);
-    if(!number || std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(i), *number) !=
-                      numbers.begin() + static_cast<std::ptrdiff_t>(i)) {
-      return std::nullopt;
-    }
-    numbers[i] = *number;
-  }
-  return numbers;
+  is_right = is_right && std::set<std::size_t>(numbers.begin(), numbers.end()).size() == numbers.size();
+  return is_right ? std::optional(numbers) : std::nullopt;
 }
 
 } // namespace flatten_mesh

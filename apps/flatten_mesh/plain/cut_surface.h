@@ -9,16 +9,14 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/plain/Run_record.h"
+#include "flatten_mesh/plain/Chart_record.h"
 #include "flatten_mesh/plain/Sheet.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
 namespace flatten_mesh {
 
-using namespace CGAL::Texture_atlas::internal::prepare;
-
-// Whether a component gets seams.
+// Whether a component gets seams
 bool is_cut(const Command_line& command, Mesh& mesh, const Component& component);
 
 // Chooses the cones that `--cones` asks for. Throws unless their angles are possible.

@@ -5,19 +5,29 @@
 
 #include "flatten_mesh/plain/flatten_sheet.h"
 
-#include "flatten_mesh/plain/Chosen_solver.h"
+#include "flatten_mesh/output_floats.h"
 
+#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
-#include <CGAL/squared_distance_2.h>
+#include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
+#include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <Eigen/SparseCholesky>
+
+#ifdef ABF_WITH_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,7 +35,24 @@ namespace flatten_mesh {
 
 namespace {
 
-// The numbers of the first few of many vertices, as in "vertices 3, 17, ...".
+namespace ABF = CGAL::Texture_atlas::internal;
+
+// The solver that `--solver` names. The parameterizers are compiled once for all of them.
+ABF::Linear_solvers linear_solvers(const std::string& name)
+{
+  using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
+#ifdef ABF_WITH_CHOLMOD
+  if(name == "cholmod") {
+    return CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<Matrix>>();
+  }
+#endif
+  if(name == "eigen") {
+    return CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>>();
+  }
+  return CGAL::SuperLU_solver_traits<>();
+}
+
+// The numbers of the first few of many vertices, as in "vertices 3, 17, ..."
 std::string vertices_text(const Sheet& sheet, const std::vector<Vertex>& vertices)
 {
   std::vector<std::size_t> numbers; // a vertex on a seam has several copies
@@ -35,195 +62,189 @@ std::string vertices_text(const Sheet& sheet, const std::vector<Vertex>& vertice
       numbers.push_back(number);
     }
   }
-  const std::size_t shown = (std::min)(numbers.size(), std::size_t(6));
   std::string text = numbers.size() == 1 ? "vertex " : "vertices ";
-  for(std::size_t i = 0; i < shown; ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  for(std::size_t i = 0; i < numbers.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + (i == 6 ? "..." : std::to_string(numbers[i]));
   }
-  return text + (shown < numbers.size() ? ", ..." : "");
+  return text;
 }
 
-// Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons
-// were divided.
-template <class Parameterizer>
-std::string place_text(const Sheet& sheet, const Parameterizer& parameterizer)
+// Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons were
+// divided.
+template <class Report>
+std::string place_text(const Sheet& sheet, const Report& report)
 {
-  if(!parameterizer.report().offending_vertices.empty()) {
-    return " (" + vertices_text(sheet, parameterizer.report().offending_vertices) + ")";
+  if(!report.offending_vertices.empty()) {
+    return " (" + vertices_text(sheet, report.offending_vertices) + ")";
   }
-  if(!parameterizer.report().offending_faces.empty()) {
-    const Mesh& mesh = sheet.mesh();
-    const Halfedge h = mesh.halfedge(parameterizer.report().offending_faces.front());
-    const auto vertices = mesh.vertices_around_face(h);
-    return " (the triangle of " +
-           vertices_text(sheet, std::vector<Vertex>(vertices.begin(), vertices.end())) +
-           (parameterizer.report().offending_faces.size() > 1 ? ", and others)" : ")");
+  if(report.offending_faces.empty()) {
+    return "";
   }
-  return "";
+  const auto corners =
+      sheet.mesh().vertices_around_face(sheet.mesh().halfedge(report.offending_faces.front()));
+  return " (the triangle of " + vertices_text(sheet, {corners.begin(), corners.end()}) +
+         (report.offending_faces.size() > 1 ? ", and others)" : ")");
 }
 
+// What the program says of both methods in the same way
 void take_report(const SMP::ABF_plus_plus_report& report, Flattening& flattening)
 {
-  const SMP::ABF_plus_plus_report::Seconds& seconds = report.seconds;
   flattening.report = report;
-  flattening.stages = {{"chart", seconds.read},    {"targets", seconds.targets}, {"angles", seconds.angles},
-                       {"layout", seconds.layout}, {"certify", seconds.certify}, {"uv", seconds.write}};
-  if(report.strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT) {
-    flattening.stages.insert(flattening.stages.end() - 2, {{"coarsen", seconds.coarsen},
-                                                           {"solve", seconds.coarse_chart},
-                                                           {"refine", seconds.refine},
-                                                           {"polish", seconds.polish}});
-  }
 }
 
 void take_report(const SMP::Hierarchical_report& report, Flattening& flattening)
 {
-  const SMP::Hierarchical_report::Seconds& seconds = report.seconds;
+  flattening.hierarchical = report;
   static_cast<SMP::Flattening_report&>(flattening.report) = report;
   flattening.report.iterations = report.polish_iterations;
   flattening.report.energy = report.energy;
   flattening.report.constraint_residual = report.constraint_residual;
-  flattening.levels = report.levels;
-  flattening.coarse_triangles = report.coarse_triangles;
-  flattening.has_relaxed_angles = report.relaxed_angles;
-  flattening.is_polished = report.polished;
-  flattening.stages = {
-      {"chart", seconds.read},    {"coarsen", seconds.coarsen}, {"solve", seconds.coarse_chart},
-      {"refine", seconds.refine}, {"polish", seconds.polish},   {"certify", seconds.certify},
-      {"uv", seconds.write}};
 }
 
-template <class Parameterizer>
-void run_parameterizer(const Sheet& sheet, Parameterizer& parameterizer, const UV_map& uv,
-                       Flattening& flattening)
+// Whether another way to a map may succeed where one failed
+bool is_worth_another_way(const SMP::Diagnosis status)
 {
-  Mesh& mesh = sheet.mesh();
-  const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
-  CGAL::Real_timer timer;
-  timer.start();
-  parameterizer.parameterize(mesh, sheet.border, uv, get(boost::vertex_index, mesh), is_parameterized);
-  timer.stop();
-  flattening.parameterize_seconds += timer.time();
-  take_report(parameterizer.report(), flattening);
-  flattening.place = place_text(sheet, parameterizer);
-}
-
-void flatten_directly(const Sheet& sheet, const Chosen_solver& solver,
-                      const SMP::ABF_plus_plus_options& options, const UV_map& uv, Flattening& flattening)
-{
-  flattening.method = "direct";
-  flattening.has_equal_seams = options.equal_seam_lengths.value_or(false);
-  SMP::ABF_plus_plus_parameterizer_3<Mesh, Chosen_solver> direct(options, solver);
-  if(sheet.angles) {
-    direct.set_angle_sums(*sheet.angles);
-  }
-  if(!sheet.seam_sides.empty()) {
-    direct.set_seam_sides(boost::make_function_property_map<Halfedge>(
-        [&sheet](const Halfedge h) { return sheet.seam_sides[h.idx()]; }));
-  }
-  run_parameterizer(sheet, direct, uv, flattening);
-}
-
-// Both sides of seams get equal lengths, unless something else is asked for, or that fails.
-void flatten_with_equal_seams(const Sheet& sheet, const Chosen_solver& solver,
-                              SMP::ABF_plus_plus_options options, const UV_map& uv, Flattening& flattening)
-{
-  const bool is_default = !options.equal_seam_lengths && !sheet.seam_sides.empty();
-  if(is_default) {
-    options.equal_seam_lengths = true;
-  }
-  flatten_directly(sheet, solver, options, uv, flattening);
-  if(!is_default || flattening.succeeded() || !is_failure_of_computation(flattening.report)) {
-    return;
-  }
-  const std::string message = flattening.report.message;
-  const double seconds = flattening.parameterize_seconds;
-  options.equal_seam_lengths = false;
-  flatten_directly(sheet, solver, options, uv, flattening);
-  flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
-  flattening.note +=
-      std::string(flattening.note.empty() ? "" : "; ") +
-      "the two sides of a seam have different lengths, because the map with equal lengths failed: " + message;
-}
-
-// Whether the energy of a hierarchical map is at most about 20 % above that of the direct method, by an estimate:
-// sweeps until they gain little leave up to 15 %, and errors on the scale of the coarse chart were at most 1.6 % of its
-// energy (per triangle) on all terrains that were measured.
-bool is_close_to_direct(const SMP::Hierarchical_report& report, const SMP::ABF_plus_plus_report& coarse,
-                        const SMP::Hierarchical_options& options)
-{
-  const double energy = report.energy / report.triangles;
-  return report.start == SMP::Hierarchical_report::COARSE_PARAMETERIZER &&
-         report.angle_sweeps < options.angle_sweeps && coarse.energy / coarse.triangles <= 9 * energy;
-}
-
-// Returns whether `auto` takes the result: if it comes close to the direct one, or if the direct method would fail too.
-bool flatten_hierarchically(const Sheet& sheet, const Chosen_solver& solver,
-                            SMP::Hierarchical_options hierarchical, const SMP::ABF_plus_plus_options& options,
-                            const UV_map& uv, Flattening& flattening)
-{
-  using Coarse = SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, Chosen_solver>;
-  flattening.method = "hierarchical";
-  static_cast<SMP::Flattening_options&>(hierarchical) = options;
-  hierarchical.visitor = nullptr; // the coarse parameterizer tells its steps
-  hierarchical.polish_options = options;
-  SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(hierarchical, Coarse(options, solver));
-  run_parameterizer(sheet, parameterizer, uv, flattening);
-  if(!flattening.succeeded()) {
-    return !is_failure_of_computation(flattening.report);
-  }
-  return options.injective || parameterizer.report().polished ||
-         is_close_to_direct(parameterizer.report(), parameterizer.coarse_parameterizer().report(),
-                            hierarchical);
+  return is_failure_of_computation(status) || status == SMP::Diagnosis::PRECISION_EXCEEDED;
 }
 
 // From more triangles on, the direct method takes several seconds, and the other one a third to a half of that.
 constexpr std::size_t direct_is_slow = 200000;
 
-void choose_method(const Sheet& sheet, const Command_line& command, const SMP::ABF_plus_plus_options& options,
-                   const UV_map& uv, Flattening& flattening)
+// Chooses the method, and another one if it fails.
+class Sheet_flattener
 {
-  const Chosen_solver solver(command.solver);
-  const bool is_direct_fast = sheet.faces.size() <= direct_is_slow && !options.injective;
-  if(command.method == "direct" || (command.method == "auto" && is_direct_fast) || sheet.angles ||
-     options.equal_seam_lengths.value_or(false)) {
-    flatten_with_equal_seams(sheet, solver, options, uv, flattening);
-    return;
-  }
-  const bool is_taken = flatten_hierarchically(sheet, solver, command.hierarchical, options, uv, flattening);
-  if(is_taken || command.method != "auto") {
-    return;
-  }
-  flattening.note =
-      flattening.succeeded()
-          ? "the direct method replaced the hierarchical one, whose result was not close enough"
-          : "the direct method replaced the hierarchical one, which failed: " + flattening.report.message;
-  const double seconds = flattening.parameterize_seconds;
-  flatten_with_equal_seams(sheet, solver, options, uv, flattening);
-  flattening.stages.insert(flattening.stages.begin(), {"attempt", seconds});
-}
+  using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh, ABF::Linear_solvers>;
+  using Coarse = SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh, ABF::Linear_solvers>;
 
-// The largest difference between the logarithms of the lengths of both sides of an edge on a seam
+public:
+  Sheet_flattener(const Sheet& sheet, const Command_line& command, Progress& progress)
+      : m_sheet(sheet), m_command(command), m_options(command.options),
+        m_solver(linear_solvers(command.solver))
+  {
+    m_options.visitor = &progress;
+    m_flattening.uv = sheet.mesh().add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
+  }
+
+  Flattening run()
+  {
+    const bool is_direct_fast = m_sheet.faces.size() <= direct_is_slow && !m_options.injective;
+    if(m_command.method == "direct" || (m_command.method == "auto" && is_direct_fast) || m_sheet.angles ||
+       m_options.equal_seam_lengths.value_or(false)) {
+      flatten_with_equal_seams();
+    } else if(!flatten_hierarchically() && m_command.method == "auto") {
+      m_flattening.note =
+          m_flattening.succeeded()
+              ? "the direct method replaced the hierarchical one, whose result was not close enough"
+              : "the direct method replaced the hierarchical one, which failed: " +
+                    m_flattening.report.message;
+      flatten_with_equal_seams();
+    }
+    return std::move(m_flattening);
+  }
+
+private:
+  template <class Parameterizer>
+  void run_parameterizer(Parameterizer& parameterizer)
+  {
+    Mesh& mesh = m_sheet.mesh();
+    const auto is_parameterized = mesh.add_property_map<Vertex, bool>("v:flatten_mesh_done", false).first;
+    m_flattening.attempt_seconds = m_flattening.parameterize_seconds;
+    CGAL::Real_timer timer;
+    timer.start();
+    parameterizer.parameterize(mesh, m_sheet.border, m_flattening.uv, get(boost::vertex_index, mesh),
+                               is_parameterized);
+    m_flattening.parameterize_seconds += timer.time();
+    take_report(parameterizer.report(), m_flattening);
+    m_flattening.place = place_text(m_sheet, parameterizer.report());
+  }
+
+  void flatten_directly(const SMP::ABF_plus_plus_options& options)
+  {
+    m_flattening.method = "direct";
+    m_flattening.has_equal_seams = options.equal_seam_lengths.value_or(false);
+    Direct direct(options, m_solver);
+    if(m_sheet.angles) {
+      direct.set_angle_sums(*m_sheet.angles);
+    }
+    if(m_sheet.cut) {
+      direct.set_seam_sides(boost::make_function_property_map<Halfedge>(
+          [this](const Halfedge h) { return m_sheet.seam_sides[h.idx()]; }));
+    }
+    run_parameterizer(direct);
+  }
+
+  // Both sides of seams get equal lengths, unless something else is asked for, or that fails.
+  void flatten_with_equal_seams()
+  {
+    SMP::ABF_plus_plus_options options = m_options;
+    const bool is_default = !options.equal_seam_lengths && m_sheet.cut;
+    if(is_default) {
+      options.equal_seam_lengths = true;
+    }
+    flatten_directly(options);
+    if(is_default && !m_flattening.succeeded() && is_worth_another_way(m_flattening.report.status)) {
+      m_flattening.note +=
+          (m_flattening.note.empty() ? "" : "; ") +
+          ("the two sides of a seam have different lengths, because the map with equal lengths failed: " +
+           m_flattening.report.message);
+      options.equal_seam_lengths = false;
+      flatten_directly(options);
+    }
+  }
+
+  // Returns whether `auto` takes the result: if it comes close to the direct one, or if the direct method would fail
+  // too.
+  bool flatten_hierarchically()
+  {
+    m_flattening.method = "hierarchical";
+    SMP::Hierarchical_options options = m_command.hierarchical;
+    static_cast<SMP::Flattening_options&>(options) = m_options;
+    options.visitor = nullptr; // the coarse parameterizer tells its steps
+    options.polish_options = m_options;
+    SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(options, Coarse(m_options, m_solver));
+    run_parameterizer(parameterizer);
+    if(!m_flattening.succeeded()) {
+      return !is_worth_another_way(m_flattening.report.status);
+    }
+    return options.injective || m_flattening.hierarchical.polished ||
+           is_close_to_direct(parameterizer.coarse_parameterizer().report(), options);
+  }
+
+  // Whether the energy of the map is at most about 20 % above that of the direct method, by an estimate: sweeps until
+  // they gain little leave up to 15 %, and errors on the scale of the coarse chart were at most 1.6 % of its energy
+  // (per triangle) on all terrains that were measured.
+  bool is_close_to_direct(const SMP::ABF_plus_plus_report& coarse,
+                          const SMP::Hierarchical_options& options) const
+  {
+    const SMP::Hierarchical_report& report = m_flattening.hierarchical;
+    return report.start == SMP::Hierarchical_report::COARSE_PARAMETERIZER &&
+           report.angle_sweeps < options.angle_sweeps &&
+           coarse.energy / coarse.triangles <= 9 * (report.energy / report.triangles);
+  }
+
+  const Sheet& m_sheet;
+  const Command_line& m_command;
+  SMP::ABF_plus_plus_options m_options;
+  const ABF::Linear_solvers m_solver;
+  Flattening m_flattening;
+};
+
+// How much the scale jumps at seams, which the hierarchical method leaves free
 double seam_jump(const Sheet& sheet, const UV_map& uv)
 {
   const Mesh& mesh = sheet.mesh();
-  const auto squared_length = [&](const Halfedge h) {
-    return CGAL::squared_distance(uv[mesh.source(h)], uv[mesh.target(h)]);
-  };
-  const auto is_in_sheet = [&](const Halfedge h) {
-    return std::binary_search(sheet.vertices.begin(), sheet.vertices.end(), mesh.target(h));
-  };
-  double jump = 0;
-  for(std::size_t i = 0; i < sheet.seam_sides.size(); ++i) {
-    const Halfedge h(static_cast<Mesh::size_type>(i)), other = sheet.seam_sides[i];
-    if(other != Mesh::null_halfedge() && is_in_sheet(h) && is_in_sheet(other)) {
-      jump = (std::max)(jump, std::abs(std::log(squared_length(h) / squared_length(other))) / 2);
-    }
+  ABF::Chart_reader<Mesh> reader(mesh);
+  reader.read(sheet.border);
+  reader.link_seams([&](const Halfedge h) {
+    const Halfedge across = sheet.seam_sides[mesh.opposite(h).idx()];
+    return across == Mesh::null_halfedge() ? across : mesh.opposite(across);
+  });
+  std::vector<ABF::Chart::Point_2> places;
+  for(const Vertex v : reader.vertex_descriptors) {
+    places.emplace_back(uv[v].x(), uv[v].y());
   }
-  return jump;
+  return ABF::largest_seam_jump(reader.chart, places);
 }
-
-} // namespace
 
 void measure(const Sheet& sheet, Flattening& flattening)
 {
@@ -240,23 +261,101 @@ void measure(const Sheet& sheet, Flattening& flattening)
   flattening.measures =
       SMP::measure_flattening(mesh, sheet.border, flattening.uv, CGAL::parameters::visitor(add));
   flattening.scale_stretch = std::sqrt(stretched / area);
-  if(flattening.method == "hierarchical") {
+  if(flattening.method == "hierarchical" && sheet.cut) {
     flattening.report.largest_seam_jump = seam_jump(sheet, flattening.uv);
   }
   flattening.measure_seconds += timer.time();
 }
 
+// A map of a sheet as arrays. Vertices have the numbers that they have in the mesh.
+class Planar_sheet
+{
+public:
+  Planar_sheet(const Sheet& sheet, Flattening& flattening)
+      : uv(sheet.mesh().number_of_vertices()), m_sheet(sheet), m_flattening(flattening)
+  {
+    const Mesh& mesh = sheet.mesh();
+    const Edge_marks is_diagonal = diagonals(*sheet.input);
+    std::vector<int> corner(mesh.number_of_halfedges(), -1); // that faces each halfedge
+    for(const Face f : sheet.faces) {
+      for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        corner[h.idx()] = polygons.number_of_corners();
+        polygons.vertex.push_back(number(mesh.target(mesh.next(h))));
+        targets.push_back(number(mesh.target(h)));
+      }
+    }
+    polygons.is_fixed.assign(mesh.number_of_vertices(), false);
+    for(const Face f : sheet.faces) {
+      for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        polygons.opposite.push_back(corner[mesh.opposite(h).idx()]);
+        polygons.is_diagonal.push_back(is_diagonal[sheet.input_edge(mesh.edge(h))]);
+        if(mesh.is_border(mesh.opposite(h))) {
+          border.push_back({number(mesh.source(h)), number(mesh.target(h))});
+          polygons.is_fixed[mesh.target(h).idx()] = true;
+        }
+      }
+    }
+    for(const Vertex v : sheet.vertices) {
+      uv[v.idx()] = {flattening.uv[v].x(), flattening.uv[v].y()};
+    }
+  }
+
+  // Takes the coordinates, and measures them.
+  void take()
+  {
+    for(const Vertex v : m_sheet.vertices) {
+      m_flattening.uv[v] = Kernel::Point_2(uv[v.idx()].x(), uv[v.idx()].y());
+    }
+    measure(m_sheet, m_flattening);
+  }
+
+  ABF::Divided_polygons polygons; // their borders stay where they are
+  std::vector<int> targets;       // of the edge that each corner faces
+  std::vector<ABF::Border_edge> border;
+  std::vector<ABF::Chart::Point_2> uv;
+
+private:
+  static int number(const Vertex v) { return static_cast<int>(v.idx()); }
+
+  const Sheet& m_sheet;
+  Flattening& m_flattening;
+};
+
+} // namespace
+
 Flattening flatten_sheet(const Sheet& sheet, const Command_line& command, Progress& progress)
 {
-  Flattening flattening;
-  flattening.uv = sheet.mesh().add_property_map<Vertex, Kernel::Point_2>("v:flatten_mesh_uv").first;
-  SMP::ABF_plus_plus_options options = command.options;
-  options.visitor = &progress;
-  choose_method(sheet, command, options, flattening.uv, flattening);
+  Flattening flattening = Sheet_flattener(sheet, command, progress).run();
   if(flattening.succeeded()) {
     measure(sheet, flattening);
   }
   return flattening;
+}
+
+void round_coordinates(const Command_line& command, const Sheet& sheet, Flattening& flattening)
+{
+  Planar_sheet map(sheet, flattening);
+  ABF::Float_rounder rounder(map.targets, grid_of_outputs(command), map.uv);
+  rounder.keep_gaps(map.border);
+  const std::vector<int> bad = rounder.run();
+  const bool was_simple = flattening.measures.border_is_simple;
+  map.take();
+  if(!bad.empty() || (was_simple && !flattening.measures.border_is_simple)) {
+    flattening.report.status = SMP::Diagnosis::PRECISION_EXCEEDED;
+    flattening.report.message =
+        "the output holds coordinates in float, which has too few digits for " +
+        (bad.empty() ? std::string("the border") : count_text(bad.size(), "triangle")) + "; use an OBJ file";
+  }
+}
+
+std::size_t mend_polygons(const Command_line& command, const Sheet& sheet, Flattening& flattening)
+{
+  Planar_sheet map(sheet, flattening);
+  const std::size_t count = ABF::Polygon_mender(map.polygons, grid_of_outputs(command), map.uv).run();
+  if(count > 0) {
+    map.take();
+  }
+  return count;
 }
 
 } // namespace flatten_mesh

@@ -8,15 +8,23 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Progress.h"
+#include "flatten_mesh/plain/Chart_record.h"
 #include "flatten_mesh/plain/Sheet.h"
-#include "flatten_mesh/plain/Run_record.h"
+
+#include <cstddef>
 
 namespace flatten_mesh {
 
-void measure(const Sheet& sheet, Flattening& flattening);
-
-// Flattens a sheet by the method that the command names, and measures the map.
+// Computes a map of a sheet and measures it. The coordinates are those of the vertices of its mesh.
 Flattening flatten_sheet(const Sheet& sheet, const Command_line& command, Progress& progress);
+
+// Rounds the coordinates to those that the output holds, and measures them. The flattening fails if they are no map
+// then.
+void round_coordinates(const Command_line& command, const Sheet& sheet, Flattening& flattening);
+
+// Makes polygons convex in the plane where small moves of vertices, to places that the output holds, do that. Returns
+// how many.
+std::size_t mend_polygons(const Command_line& command, const Sheet& sheet, Flattening& flattening);
 
 } // namespace flatten_mesh
 

@@ -6,29 +6,24 @@
 #ifndef FLATTEN_MESH_PRESCRIBE_ANGLES_H
 #define FLATTEN_MESH_PRESCRIBE_ANGLES_H
 
-#include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/Progress.h"
-#include "flatten_mesh/plain/Sheet.h"
-#include "flatten_mesh/plain/choose_corners.h"
+#include "flatten_mesh/model/file_content.h"
+#include "flatten_mesh/model/Text_lines.h"
 #include "flatten_mesh/plain/corner_numbers.h"
 #include "flatten_mesh/plain/flatten_sheet.h"
-#include "flatten_mesh/texts.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/corners_of_map.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
-#include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace flatten_mesh {
-
-using namespace CGAL::Texture_atlas::internal::prepare;
 
 inline bool prescribes_angles(const Command_line& command)
 {
@@ -50,34 +45,29 @@ inline Vertex border_vertex(const std::size_t number, const std::vector<Vertex>&
   return *found;
 }
 
-// Reads a line for each vertex: its number, from 1, and its angle in degrees. Lines that start with '#' are comments.
+// Reads a line for each vertex: its number, from 1, and its angle in degrees. '#' begins a comment.
 inline SMP::Vertex_angles<Mesh> read_border_angles(const std::string& file, const std::vector<Vertex>& border)
 {
-  std::ifstream in(file);
-  if(!in) {
-    throw Input_error("cannot open '" + file + "'");
-  }
+  check_file_is_there(file);
+  const std::string content = bytes_of_file(file);
   SMP::Vertex_angles<Mesh> angles;
-  std::string line;
-  for(std::size_t i = 1; std::getline(in, line); ++i) {
-    const std::vector<std::string> words = words_of(line, " \t");
-    if(words.empty() || words.front().front() == '#') {
+  for(Text_lines lines(content); lines.next();) {
+    const std::string_view number_word = lines.word();
+    if(number_word.empty()) {
       continue;
     }
-    const std::string place = "'" + file + "', line " + std::to_string(i);
-    const auto number = number_of<std::size_t>(words.front());
-    const auto degrees = number_of<double>(words.back());
-    if(words.size() != 2 || !number || !degrees || !std::isfinite(*degrees)) {
+    const std::string place = "'" + file + "', line " + std::to_string(lines.number());
+    std::size_t number;
+    double degrees;
+    if(!read_count(number_word, number) || !read_finite_number(lines.word(), degrees) ||
+       !lines.word().empty()) {
       throw Input_error(place + ": expected the number of a vertex and an angle in degrees, as in '17 90'");
     }
-    const Vertex v = border_vertex(*number, border, place);
+    const Vertex v = border_vertex(number, border, place);
     if(angles[v]) {
-      throw Input_error(place + ": vertex " + std::to_string(*number) + " has an angle already");
+      throw Input_error(place + ": vertex " + std::to_string(number) + " has an angle already");
     }
-    angles.set(v, *degrees == 180 ? CGAL_PI : *degrees / 180 * CGAL_PI);
-  }
-  if(in.bad()) {
-    throw Input_error("cannot read '" + file + "'");
+    angles.set(v, degrees == 180 ? CGAL_PI : degrees / 180 * CGAL_PI);
   }
   return angles;
 }
@@ -85,14 +75,13 @@ inline SMP::Vertex_angles<Mesh> read_border_angles(const std::string& file, cons
 // The corners that are asked for. A map without prescribed angles tells where to put them otherwise; if there is none,
 // returns nothing, and why in `attempt`.
 inline std::optional<std::array<Vertex, 4>> corners(const Sheet& sheet, Command_line command,
-                                                    Progress& progress, std::optional<Flattening>& attempt)
+                                                    Progress& progress, Flattening& attempt)
 {
   const std::vector<Vertex> border = sheet.outer_border();
   if(const auto numbers = corner_numbers(command.rectangle)) {
     std::array<Vertex, 4> result;
-    for(std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = border_vertex((*numbers)[i], border, "--rectangle");
-    }
+    std::transform(numbers->begin(), numbers->end(), result.begin(),
+                   [&](const std::size_t number) { return border_vertex(number, border, "--rectangle"); });
     return result;
   }
   if(border.size() < 4) {
@@ -101,20 +90,19 @@ inline std::optional<std::array<Vertex, 4>> corners(const Sheet& sheet, Command_
   }
   command.options.injective = false;
   attempt = flatten_sheet(sheet, command, progress);
-  if(!attempt->succeeded()) {
-    return std::nullopt;
-  }
-  return choose_corners(border, attempt->uv);
+  return attempt.succeeded() ? std::optional(SMP::internal::ABF::corners_of_map(border, attempt.uv))
+                             : std::nullopt;
 }
 
-// Splits edges that would make triangles flat. The new edges are no sides of polygons, as far as seams are concerned.
-inline void split_edges(Sheet& sheet)
+// Splits edges that would make triangles flat, and returns how many. The new edges are no sides of polygons, as far as
+// seams are concerned.
+inline std::size_t split_edges(Sheet& sheet)
 {
   Mesh& mesh = sheet.mesh();
   const auto is_diagonal = diagonals(mesh);
   const auto old_faces = mesh.number_of_faces();
-  sheet.split_edges = SMP::split_flat_chords(mesh, sheet.border, *sheet.angles).edges;
-  for(const auto& split : sheet.split_edges) {
+  const auto edges = SMP::split_flat_chords(mesh, sheet.border, *sheet.angles).edges;
+  for(const auto& split : edges) {
     sheet.vertices.push_back(split.middle);
     for(const Halfedge h : CGAL::halfedges_around_target(split.middle, mesh)) {
       is_diagonal[mesh.edge(h)] = true;
@@ -123,32 +111,32 @@ inline void split_edges(Sheet& sheet)
   for(auto f = old_faces; f < mesh.number_of_faces(); ++f) {
     sheet.faces.push_back(Face(f));
   }
+  return edges.size();
 }
 
 } // namespace internal
 
 // Sets the angles of an uncut sheet that are asked for, and splits edges that are in their way. Vertices with other
-// angles than those inside of straight sides are marked. Returns why that is not possible, or nothing.
-inline std::optional<Flattening> prescribe_angles(Sheet& sheet, const Command_line& command,
-                                                  Progress& progress)
+// angles than those inside of straight sides are marked, and are the corners of the record. If that is not possible,
+// returns false, and why in `attempt`.
+inline bool prescribe_angles(Sheet& sheet, const Command_line& command, Progress& progress,
+                             Chart_record& record, Flattening& attempt)
 {
   if(command.rectangle.empty()) {
     sheet.angles = internal::read_border_angles(command.border_angles, sheet.outer_border());
-  } else {
-    std::optional<Flattening> attempt;
-    const auto corners = internal::corners(sheet, command, progress, attempt);
-    if(!corners) {
-      return attempt;
-    }
+  } else if(const auto corners = internal::corners(sheet, command, progress, attempt)) {
     sheet.angles = SMP::rectangle_angles(sheet.mesh(), *corners).angles;
+  } else {
+    return false;
   }
   for(const Vertex v : sheet.outer_border()) {
     if(const auto angle = (*sheet.angles)[v]; angle && std::abs(*angle - CGAL_PI) > 1e-9) {
       sheet.marks[v] = *angle;
+      record.corners.push_back(v.idx());
     }
   }
-  internal::split_edges(sheet);
-  return std::nullopt;
+  record.split_edges = internal::split_edges(sheet);
+  return true;
 }
 
 } // namespace flatten_mesh

@@ -18,16 +18,10 @@
 #include "flatten_mesh/plain/cut_surface.h"
 #include "flatten_mesh/plain/flatten_sheet.h"
 #include "flatten_mesh/plain/prescribe_angles.h"
-#include "flatten_mesh/plain/report_json.h"
-#include "flatten_mesh/plain/report_text.h"
-#include "flatten_mesh/plain/Run_record.h"
-#include "flatten_mesh/plain/settle_coordinates.h"
-#include "flatten_mesh/plain/Sheet.h"
-#include "flatten_mesh/plain/stray_vertex.h"
+#include "flatten_mesh/plain/report_chart.h"
 #include "flatten_mesh/process_memory.h"
 #include "flatten_mesh/Progress.h"
 #include "flatten_mesh/report_skipped.h"
-#include "flatten_mesh/texts.h"
 #include "flatten_mesh/weld_option.h"
 
 #ifdef ABF_WITH_THREE
@@ -38,7 +32,11 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -49,6 +47,41 @@ namespace flatten_mesh {
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace {
+
+// Scanners often put a vertex that they did not measure at the origin. Its faces are needles, for which a map needs a
+// huge range of scales. Returns a text that names the vertex with the sharpest needles, and is empty if even there the
+// shortest edge is less than ten times as long as all edges around the vertex together.
+std::string stray_vertex_text(const Sheet& sheet)
+{
+  const Mesh& mesh = sheet.mesh();
+  const auto length = [&](const Vertex v, const Vertex w) {
+    return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+  };
+  Vertex stray = sheet.vertices.front();
+  double largest_ratio = 0;
+  for(const Vertex v : sheet.vertices) {
+    double shortest = std::numeric_limits<double>::infinity(), around = 0;
+    for(const Halfedge h : CGAL::halfedges_around_target(v, mesh)) {
+      shortest = (std::min)(shortest, length(v, mesh.source(h)));
+      if(!mesh.is_border(h)) {
+        around += length(mesh.source(h), mesh.source(mesh.prev(h)));
+      }
+    }
+    if(around > 0 && shortest > largest_ratio * around) {
+      largest_ratio = shortest / around;
+      stray = v;
+    }
+  }
+  if(largest_ratio < 10) {
+    return "";
+  }
+  std::string place;
+  for(int i = 0; i < 3; ++i) {
+    place += (i == 0 ? "" : ", ") + format_number("%.6g", mesh.point(stray)[i]);
+  }
+  return "; or remove " + vertex_name(sheet.input_vertex(stray).idx()) + ", at (" + place + "), which is " +
+         format_number("%.3g", largest_ratio) + " times as far from its neighbors as these are around it";
+}
 
 class Plain_run
 {
@@ -64,16 +97,14 @@ public:
     if(m_seamed) {
       choose_seams();
     }
-    m_record.flattening = m_seamed                       ? flatten_cut_surface()
-                          : prescribes_angles(m_command) ? flatten_with_angles()
-                                                         : flatten_sheet(m_sheet, m_command, m_progress);
+    m_record.flattening = m_seamed ? flatten_cut_surface() : flatten_uncut_surface();
     m_record.peak_memory_mb = peak_memory_mb();
     m_record.vertices = m_sheet.vertices.size();
     m_record.triangles = m_sheet.faces.size();
     m_record.borders = m_sheet.borders.size();
     look_at_area();
-    if(!m_record.flattening.note.empty()) {
-      m_notes.add(m_record.flattening.note);
+    if(!flattening().note.empty()) {
+      m_notes.add(flattening().note);
     }
     if(flattening().succeeded() && writes_floats(m_command)) {
       round_coordinates(m_command, m_sheet, m_record.flattening);
@@ -93,7 +124,7 @@ public:
     }
     m_files.publish();
     if(!flattening().succeeded()) {
-      std::cerr << "flatten_mesh: " << m_command.title << ": " << status_name(flattening().report) << ": "
+      std::cerr << "flatten_mesh: " << m_command.title << ": " << flattening().report.status << ": "
                 << flattening().report.message << flattening().place << std::endl;
     }
     return exit_status(m_record);
@@ -135,7 +166,7 @@ private:
     return_freed_memory();
     m_component = choose_component(m_input.mesh, static_cast<std::size_t>(m_command.component));
     if(!is_cut(m_command, m_input.mesh, m_component)) {
-      m_sheet = uncut_sheet(m_input.mesh, m_component, static_cast<std::size_t>(m_command.border));
+      take_uncut_sheet();
     } else if(prescribes_angles(m_command)) {
       throw Input_error(
           "the surface is closed or has handles, and must be cut open; angles can be prescribed "
@@ -143,6 +174,11 @@ private:
     } else {
       m_seamed = make_seamed_component(m_input.mesh, m_component);
     }
+  }
+
+  void take_uncut_sheet()
+  {
+    m_sheet = uncut_sheet(m_input.mesh, m_component, static_cast<std::size_t>(m_command.border));
   }
 
   // Without need for seams, the surface is flattened as it is.
@@ -159,11 +195,13 @@ private:
     flatten_mesh::choose_seams(m_command, m_input, *m_seamed, seams);
     seams.seconds = timer.time();
     m_progress.stage("seams", seams.seconds);
-    if((m_command.cut == "auto" && !m_command.asks_for_cones) || m_seamed->has_seams()) {
+    const Edge_marks& marks = m_seamed->seams;
+    if((m_command.cut == "auto" && !m_command.asks_for_cones) ||
+       std::find(marks.begin(), marks.end(), true) != marks.end()) {
       m_record.seams = seams;
     } else {
       m_seamed.reset();
-      m_sheet = uncut_sheet(m_input.mesh, m_component, static_cast<std::size_t>(m_command.border));
+      take_uncut_sheet();
     }
   }
 
@@ -197,17 +235,12 @@ private:
     return flat.flattening;
   }
 
-  Flattening flatten_with_angles()
+  Flattening flatten_uncut_surface()
   {
-    if(const auto failure = prescribe_angles(m_sheet, m_command, m_progress)) {
-      return *failure;
+    Flattening attempt;
+    if(prescribes_angles(m_command) && !prescribe_angles(m_sheet, m_command, m_progress, m_record, attempt)) {
+      return attempt;
     }
-    for(const Vertex v : m_sheet.outer_border()) {
-      if(m_sheet.marks.count(v) != 0) {
-        m_record.corners.push_back(v.idx());
-      }
-    }
-    m_record.split_edges = m_sheet.split_edges.size();
     if(m_record.split_edges > 0) {
       take_triangles();
       m_notes.add(count_text(m_record.split_edges, "edge") +
@@ -222,20 +255,16 @@ private:
   void take_triangles()
   {
     const Mesh& mesh = m_input.mesh;
-    Model model;
-    model.name = m_input.model.name;
-    model.points.assign(mesh.points().begin(), mesh.points().end());
+    m_input.model = model_of_mesh(mesh, m_input.model.name);
     m_input.origins = Corner_origins();
     m_input.origins.corners.assign(mesh.number_of_halfedges(), no_index);
     m_input.origins.is_turned.assign(mesh.number_of_faces(), false);
+    Index corner = 0;
     for(const Face f : mesh.faces()) {
       for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-        m_input.origins.corners[h.idx()] = static_cast<Index>(model.vertices.size());
-        model.vertices.push_back(mesh.target(h));
+        m_input.origins.corners[h.idx()] = corner++;
       }
-      model.end_polygon();
     }
-    m_input.model = std::move(model);
     m_has_polygons = false;
   }
 
@@ -253,8 +282,7 @@ private:
   void make_chart()
   {
     const std::size_t mended = m_has_polygons ? mend_polygons(m_command, m_sheet, m_record.flattening) : 0;
-    look_at_stretch();
-    look_at_overlap();
+    look_at_map();
     Mesh& mesh = m_input.mesh;
     m_atlas = empty_atlas(mesh);
     if(m_seamed) {
@@ -290,8 +318,9 @@ private:
     }
   }
 
-  // Says so if the map changes sizes more than those of good charts of atlases do, unless angles are prescribed.
-  void look_at_stretch()
+  // Says so if the map changes sizes more than those of good charts of atlases do, unless angles are prescribed; and if
+  // it overlaps itself, and nothing was asked for that prevents this.
+  void look_at_map()
   {
     if(!prescribes_angles(m_command) && flattening().scale_stretch > 2) {
       m_notes.add(
@@ -299,26 +328,16 @@ private:
           format_number("%.4g", flattening().scale_stretch) +
           ": --stretch-bound 1.5 cuts the surface where that helps, and without --plain it gets an atlas");
     }
-  }
-
-  // Says so if the map overlaps itself and nothing was asked for that prevents this.
-  void look_at_overlap()
-  {
     if(flattening().measures.border_is_simple || m_command.split_overlaps) {
       return;
     }
-    if(prescribes_angles(m_command)) {
-      m_notes.add(
-          "the map overlaps itself: other angles may avoid that, or --holes fill where only holes overlap; "
-          "--split-overlaps keeps the angles, and splits the chart along seams");
-    } else if(m_command.asks_for_cones) {
-      m_notes.add(
-          "the map overlaps itself: --split-overlaps keeps the angles, and splits the chart along further "
-          "seams; other numbers of cones may avoid it");
-    } else {
-      m_notes.add("the map overlaps itself: --injective gives one that does not; --split-overlaps keeps the "
-                  "angles, and splits the chart along further seams");
-    }
+    const std::string split = "--split-overlaps keeps the angles, and splits the chart along ";
+    m_notes.add(
+        "the map overlaps itself: " +
+        (prescribes_angles(m_command)
+             ? "other angles may avoid that, or --holes fill where only holes overlap; " + split + "seams"
+         : m_command.asks_for_cones ? split + "further seams; other numbers of cones may avoid it"
+                                    : "--injective gives one that does not; " + split + "further seams"));
   }
 
   // Says what else can be done.
@@ -340,10 +359,11 @@ private:
 
   void tell_stages() const
   {
-    for(const auto& [stage, seconds] : seconds_of_stages(m_record)) {
-      if(stage != "read" && stage != "seams" && stage != "split" && stage != "write") {
-        m_progress.stage(stage, seconds, stage == "layout" ? layout_name(flattening().report) : "");
-      }
+    Stages stages = stages_of_map(flattening());
+    stages.emplace_back("parameterize", flattening().parameterize_seconds);
+    stages.emplace_back("measure", flattening().measure_seconds);
+    for(const auto& [stage, seconds] : stages) {
+      m_progress.stage(stage, seconds, stage == "layout" ? layout_name(flattening().report) : "");
     }
   }
 
@@ -403,7 +423,7 @@ private:
   Component m_component;
   std::optional<Seamed_component> m_seamed; // if it is cut open
   Sheet m_sheet;
-  Run_record m_record;
+  Chart_record m_record;
   Atlas m_atlas;
   std::vector<double> m_distortions; // of each triangle in the chart: change of its angles, in degrees
   std::vector<bool> m_is_divided;    // of each polygon of the model

@@ -8,8 +8,7 @@
 
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/plain/Run_record.h"
-#include "flatten_mesh/plain/report_text.h"
+#include "flatten_mesh/plain/report_chart.h"
 #include "flatten_mesh/report/Report_contents.h"
 
 #include <CGAL/Bbox_2.h>
@@ -30,7 +29,7 @@ using namespace CGAL::Texture_atlas::internal::prepare;
 
 // `surface` has the triangles of the input's mesh that are in the chart, in their order.
 inline Report_contents contents_of_chart(const Atlas_input& input, const Atlas& atlas,
-                                         const Run_record& record, Textured_surface surface,
+                                         const Chart_record& record, Textured_surface surface,
                                          const std::string& up)
 {
   const Flattening& flattening = record.flattening;

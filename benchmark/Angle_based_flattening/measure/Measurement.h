@@ -6,8 +6,6 @@
 #ifndef ABF_BENCHMARK_MEASUREMENT_H
 #define ABF_BENCHMARK_MEASUREMENT_H
 
-#include "flatten_mesh/process_memory.h"
-
 #include <CGAL/Real_timer.h>
 
 #include <malloc.h>
@@ -110,7 +108,14 @@ public:
   }
 
 private:
-  static double peak() { return flatten_mesh::peak_memory_mb() * 1024 * 1024; }
+  static double peak()
+  {
+    std::ifstream status("/proc/self/status");
+    for(std::string word; status >> word;)
+      if(double kilobytes; word == "VmHWM:" && status >> kilobytes)
+        return 1024 * kilobytes;
+    return 0;
+  }
 
   static rusage usage()
   {

@@ -6,11 +6,10 @@
 #include "read_mesh.h"
 #include "subcommands.h"
 
-#include "flatten_mesh/plain/choose_corners.h"
-
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Texture_atlas/select_seams.h>
 #include <CGAL/Texture_atlas/make_seam_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/corners_of_map.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Texture_atlas/select_cones.h>
@@ -188,7 +187,7 @@ void rectangle(const std::string& file, const Control_choice& choice, Measuremen
   std::vector<Mesh::Vertex_index> vertices;
   for(const auto v : vertices_around_face(border, mesh))
     vertices.push_back(v);
-  const auto corners = flatten_mesh::choose_corners(vertices, uv);
+  const auto corners = SMP::internal::ABF::corners_of_map(vertices, uv);
   const Angles angles = SMP::rectangle_angles(mesh, corners).angles;
   m.add("split_edges", SMP::split_flat_chords(mesh, border, angles).edges.size());
   Angles right;
