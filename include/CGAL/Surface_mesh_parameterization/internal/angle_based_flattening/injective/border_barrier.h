@@ -12,9 +12,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/box_tree.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 
 #include <Eigen/Core>
 
@@ -130,9 +131,8 @@ public:
 
   bool empty() const { return m_pairs.empty(); }
 
-  // Adds the barrier, times `weight`, to an energy with `value`, `gradient` and `hessian`.
-  template <typename Energy>
-  void add(const Planar_point& x, double weight, Energy& energy) const
+  // Adds the barrier, times `weight`, to an energy.
+  void add(const Planar_point& x, double weight, Energy_derivatives<2>& energy) const
   {
     const auto at = [&](int i) { return i == m_vertex ? x : m_border->point(i); };
     for(const Border_pair& pair : m_pairs)

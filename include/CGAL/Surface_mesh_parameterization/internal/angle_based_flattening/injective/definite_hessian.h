@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 
@@ -25,13 +26,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// Of an energy by the positions of three vertices
-struct Triangle_derivatives
-{
-  Eigen::Matrix<double, 6, 1> gradient;
-  Eigen::Matrix<double, 6, 6> hessian; // without negative eigenvalues
-};
 
 // The gradient and the projected Hessian of a sum of energies of three vertices each, by the positions of all vertices.
 // The three need not be a triangle: parts of the border that repel each other are coupled too. The pattern has room for
@@ -74,9 +68,7 @@ public:
 
   void clear_triples()
   {
-    const Triangle_derivatives none = {Eigen::Matrix<double, 6, 1>::Zero(),
-                                       Eigen::Matrix<double, 6, 6>::Zero()};
-    std::fill(m_derivatives.begin() + m_triangles, m_derivatives.end(), none);
+    std::fill(m_derivatives.begin() + m_triangles, m_derivatives.end(), Triangle_derivatives());
   }
 
   Triangle_derivatives& of_triangle(int t) { return m_derivatives[t]; }

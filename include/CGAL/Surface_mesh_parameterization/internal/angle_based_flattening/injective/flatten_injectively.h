@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
@@ -23,8 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
@@ -35,9 +35,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation_stars.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 

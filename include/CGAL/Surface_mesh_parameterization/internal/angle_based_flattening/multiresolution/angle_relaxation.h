@@ -15,14 +15,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation_stars.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
@@ -52,24 +50,6 @@ inline std::vector<double> level_target_angles(const Coarsening& coarsening)
   return beta;
 }
 
-// With the weight of MIPS, the area on the surface: a level has triangles of very different sizes, and the smallest
-// ones would count most.
-struct Area_angle_star : Angle_star
-{
-  using Angle_star::Angle_star;
-
-  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
-  {
-    triangles.clear();
-    gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
-      triangles.push_back({uv[p],
-                           uv[q],
-                           {beta[c], beta[next_corner(c)], beta[previous_corner(c)]},
-                           mesh.chart().weight_of_triangle(c / 3) * e.twice_area()});
-    });
-  }
-};
-
 // Sweeps over what is left of a chart that lower the energy of angles
 template <typename Relaxation>
 void relax_angles_of_level(const Coarsening& coarsening, Relaxation& relaxation, int sweeps,
@@ -90,11 +70,8 @@ inline double mean_angle_change(const Coarsening& coarsening, const std::vector<
   for(int t : coarsening.mesh().remaining_triangles()) {
     const double weight = chart.weight_of_triangle(t) * surface_area(chart, t);
     area += weight;
-    std::array<Planar_point, 3> edge; // edge k is opposite to corner k
-    for(int k = 0; k < 3; ++k)
-      edge[k] = uv[chart.vertex[3 * t + (k + 2) % 3]] - uv[chart.vertex[3 * t + (k + 1) % 3]];
-    const std::array<double, 3> alpha = planar_angles(
-        cross(edge[0], edge[1]), {-edge[1].dot(edge[2]), -edge[2].dot(edge[0]), -edge[0].dot(edge[1])});
+    const int* v = &chart.vertex[3 * t];
+    const std::array<double, 3> alpha = planar_angles({uv[v[0]], uv[v[1]], uv[v[2]]});
     for(int k = 0; k < 3; ++k)
       change += weight * std::abs(alpha[k] - surface_angle(chart, 3 * t + k)) / 3;
   }
