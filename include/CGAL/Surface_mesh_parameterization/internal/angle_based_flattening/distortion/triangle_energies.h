@@ -3,9 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The energies of one triangle in the plane: that of its angles (Eq. 1), MIPS (Hormann and Greiner 2000), and MIPS times
-// a power of an area term, which includes the symmetric Dirichlet energy. Each has a value, a gradient and a Hessian, by
-// the position of one corner for `relaxation_stars.h`, or of all three for `objectives.h`. A new energy belongs here.
+// The energies of one triangle in the plane: that of its angles (Eq. 1), MIPS (Hormann and Greiner 2000), and MIPS
+// times a power of an area term, which includes the symmetric Dirichlet energy. Each has a value, a gradient and a
+// Hessian, by the position of one corner for `relax_vertex.h`, or of all three for `objectives.h`. A new energy belongs
+// here.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_ENERGIES_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_ENERGIES_H
@@ -91,8 +92,8 @@ inline void add_angles_at_corner(const Angle_energy& energy, double weight, cons
 // Four times MIPS of a triangle (x, p, q) times its area on the surface, as a function of x: the ratio of Dirichlet
 // energy to planar area. It is least for a similar triangle, and grows without bound as the triangle collapses.
 //
-// `Triangle` has the positions p and q, and the dot products of the edges at its corners on the surface. These are twice
-// the area times the cotangents of the angles: neither roots nor divisions are needed.
+// `Triangle` has the positions p and q, and the dot products of the edges at its corners on the surface. These are
+// twice the area times the cotangents of the angles: neither roots nor divisions are needed.
 template <typename Triangle>
 class Similarity_energy
 {
@@ -197,8 +198,8 @@ inline double area_energy(double theta, const Flat_triangle& triangle, const Pla
   return triangle.area * differential.squaredNorm() / (2 * d) * std::exp(theta * Area_term(d).value);
 }
 
-// Of `area_energy()`, times `weight`. The eigenvectors of the Hessian are known: two mix the singular values, one turns,
-// and one shears. Those of negative eigenvalues are left out.
+// Of `area_energy()`, times `weight`. The eigenvectors of the Hessian are known: two mix the singular values, one
+// turns, and one shears. Those of negative eigenvalues are left out.
 inline Triangle_derivatives area_derivatives(double theta, double weight, const Flat_triangle& triangle,
                                              const Planar_triangle& x)
 {

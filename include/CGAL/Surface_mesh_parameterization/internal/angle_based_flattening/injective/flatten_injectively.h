@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
@@ -26,18 +26,17 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/widen_crushed_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation_stars.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/definite_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation_stars.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 
 #include <cmath>

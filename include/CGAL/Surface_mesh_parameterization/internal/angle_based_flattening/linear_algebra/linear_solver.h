@@ -16,7 +16,6 @@
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_traits_factory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 
 #include <Eigen/SparseCore>
 

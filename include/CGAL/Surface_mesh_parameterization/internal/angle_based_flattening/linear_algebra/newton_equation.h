@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Solves Eq. 16 for the multipliers: by one factorization, as the paper does, or by preconditioned conjugate gradients.
-// `newton_step.h` calls it in each iteration. Factors are kept as long as they precondition well.
+// `newton_system.h` calls it in each iteration. Factors are kept as long as they precondition well.
 //
 // Definite systems, solved in double precision by factors of lower precision, which take less time and memory, and by
 // factors of full precision if that fails. Layouts and predicted scales are such systems.

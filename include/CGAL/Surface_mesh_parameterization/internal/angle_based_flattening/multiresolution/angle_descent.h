@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation_stars.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>

@@ -5,7 +5,7 @@
 
 // The triangles around one vertex, on the surface and in the plane, and whether a position of the vertex is valid,
 // rounding included. `insert_vertex.h` takes its weights from `Planar_star` (Section 5.2). The stars of
-// `relaxation_stars.h` share its base.
+// `relax_vertex.h` share its base.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H

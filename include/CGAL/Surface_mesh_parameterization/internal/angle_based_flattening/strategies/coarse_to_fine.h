@@ -21,10 +21,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
