@@ -148,9 +148,9 @@ public:
       : Symmetric_system(std::make_shared<Shared_traits>(std::move(traits)))
   {}
 
-  bool set_matrix(const Block_matrix<1>& matrix) override { return set(matrix); }
-  bool set_matrix(const Block_matrix<2>& matrix) override { return set(matrix); }
-  bool set_matrix(const Diagonal_part<2>& matrix) override { return set(matrix); }
+  bool set_matrix(const Block_matrix<1>& matrix) override { return factor(matrix) || set_full(matrix); }
+  bool set_matrix(const Block_matrix<2>& matrix) override { return factor(matrix) || set_full(matrix); }
+  bool set_matrix(const Diagonal_part<2>& matrix) override { return factor(matrix) || set_full(matrix); }
   bool set_matrix(const Eigen::SparseMatrix<NT>& matrix) { return factor(matrix); }
 
   void analyze_pattern(const Block_matrix<2>& blocks) override
@@ -210,13 +210,6 @@ private:
   }
 
   template <typename Source>
-  bool set(const Source& source)
-  {
-    m_full.reset();
-    return factor(source) || set_full(source);
-  }
-
-  template <typename Source>
   bool set_full(const Source& source)
   {
     if(!m_full_precision)
@@ -228,6 +221,7 @@ private:
   template <typename Source>
   bool factor(const Source& source)
   {
+    m_full.reset();
     m_matrix.emplace(m_shared->matrices());
     convert([&](Eigen::SparseMatrix<NT>& to) { set_eigen_matrix(source, to); }, **m_matrix);
     bool done = true;

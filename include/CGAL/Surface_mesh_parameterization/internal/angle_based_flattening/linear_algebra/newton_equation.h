@@ -131,7 +131,7 @@ private:
                                                Eigen::VectorXd& solution)
   {
     bool fresh = m_preconditioner_is_stale;
-    if(!factor_preconditioner(matrix, fresh))
+    if((fresh && !factor_global_matrix(matrix)) || !factor_near_matrix(matrix))
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
       m_vectors.residual = right_hand_side;
@@ -149,10 +149,8 @@ private:
   }
 
   // The near part is small, and changes the most from step to step.
-  bool factor_preconditioner(const Block_matrix<2>& matrix, bool with_global)
+  bool factor_near_matrix(const Block_matrix<2>& matrix)
   {
-    if(with_global && !factor_global_matrix(matrix))
-      return false;
     const bool done = m_preconditioner->set_near_matrix(matrix);
     m_factorizations += m_preconditioner->has_near_part();
     m_repeated += m_preconditioner->is_near_repeated();
