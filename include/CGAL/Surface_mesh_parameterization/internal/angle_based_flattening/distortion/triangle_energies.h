@@ -44,7 +44,7 @@ struct Energy_derivatives
   }
 };
 
-// By the positions of the three corners of a triangle, with a Hessian that has no negative eigenvalues
+// An energy by the positions of the three corners of a triangle. The Hessian has no negative eigenvalues.
 typedef Energy_derivatives<6> Triangle_derivatives;
 
 // How the direction of an edge in the plane changes as its end moves
@@ -53,7 +53,7 @@ inline Planar_point turn_of_edge(const Planar_point& edge)
   return Planar_point(-edge.y(), edge.x()) / edge.squaredNorm();
 }
 
-// Of the energy of the angles of a triangle, times `weight`
+// The energy of the angles of a triangle (Eq. 1) times `weight`
 inline Triangle_derivatives angle_derivatives(const Angle_energy& energy, double weight,
                                               const std::array<double, 3>& beta, const Planar_triangle& x)
 {
@@ -74,7 +74,7 @@ inline Triangle_derivatives angle_derivatives(const Angle_energy& energy, double
   return result;
 }
 
-// The same by the position `x` of one corner, for a triangle (x, p, q). Adds to `sum`, with derivatives on demand.
+// Adds the energy of the angles of a triangle to a sum, with derivatives on demand, as a function of its first corner.
 inline void add_angles_at_corner(const Angle_energy& energy, double weight, const std::array<double, 3>& beta,
                                  const Planar_triangle& x, bool with_derivatives, Energy_derivatives<2>& sum)
 {
@@ -149,7 +149,7 @@ struct Area_term
   }
 };
 
-// The energies of a triangle (x, p, q) of `Similarity_energy` add to `sum`, with derivatives on demand.
+// Adds `Similarity_energy` to a sum, with derivatives on demand.
 template <typename Triangle>
 void add_similarity_at_corner(const Triangle& triangle, const Planar_point& x, double twice_area,
                               bool with_derivatives, Energy_derivatives<2>& sum)
@@ -163,8 +163,8 @@ void add_similarity_at_corner(const Triangle& triangle, const Planar_point& x, d
   sum.hessian += mips.hessian(gradient);
 }
 
-// Times a `weight`, and times the power theta of the area term, for which `Triangle` also has the inverse of twice its
-// area on the surface
+// Adds the same times a weight, and times the power theta of the area term: four times `area_energy()`. `Triangle` also
+// has this weight, and the inverse of twice its area on the surface.
 template <typename Triangle>
 void add_area_energy_at_corner(double theta, const Triangle& triangle, const Planar_point& x,
                                double twice_area, bool with_derivatives, Energy_derivatives<2>& sum)
@@ -198,8 +198,8 @@ inline double area_energy(double theta, const Flat_triangle& triangle, const Pla
   return triangle.area * differential.squaredNorm() / (2 * d) * std::exp(theta * Area_term(d).value);
 }
 
-// Of `area_energy()`, times `weight`. The eigenvectors of the Hessian are known: two mix the singular values, one
-// turns, and one shears. Those of negative eigenvalues are left out.
+// `area_energy()` times `weight`. The eigenvectors of its Hessian are known: two mix the singular values, one turns,
+// and one shears. Those of negative eigenvalues are left out.
 inline Triangle_derivatives area_derivatives(double theta, double weight, const Flat_triangle& triangle,
                                              const Planar_triangle& x)
 {

@@ -70,6 +70,18 @@ struct Border_gap
   }
 };
 
+// The barrier of a pair times `weight`, by the positions of the vertex and of both ends of the edge
+inline Triangle_derivatives barrier_derivatives(const Border_pair& pair, const Border_gap& gap, double weight)
+{
+  const Barrier_function barrier(pair.range, gap.distance);
+  Triangle_derivatives result;
+  result.value = weight * barrier.value;
+  result.gradient << gap.direction, (gap.parameter - 1) * gap.direction, -gap.parameter * gap.direction;
+  result.hessian = weight * barrier.second_derivative * result.gradient * result.gradient.transpose();
+  result.gradient *= weight * barrier.first_derivative;
+  return result;
+}
+
 // Whether the direction leads from a border vertex to the outside. The interior is on the left of `previous`, `vertex`,
 // `next`.
 inline bool leads_outside(const Planar_point& direction, const Planar_point& previous,

@@ -190,18 +190,6 @@ private:
     return solve();
   }
 
-  static Triangle_derivatives barrier_derivatives(const Border_pair& pair, const Border_gap& gap,
-                                                  double weight)
-  {
-    const Barrier_function barrier(pair.range, gap.distance);
-    Triangle_derivatives result;
-    result.value = weight * barrier.value;
-    result.gradient << gap.direction, (gap.parameter - 1) * gap.direction, -gap.parameter * gap.direction;
-    result.hessian = weight * barrier.second_derivative * result.gradient * result.gradient.transpose();
-    result.gradient *= weight * barrier.first_derivative;
-    return result;
-  }
-
   // The energy does not change if the map is moved or turned as a whole, and hardly if it is mapped conformally. Single
   // precision needs more of the diagonal to factor such a matrix.
   bool solve()

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The last stage of the injective method, on the whole chart: sweeps that lower the energy of angles (Eq. 1), Newton
-// steps if the map is to be polished, and triangles that were crushed are widened. `flatten_injectively.h` ends with it.
+// steps if the map is to be polished, and triangles that were crushed are widened. `flatten_injectively.h` ends with
+// it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_POLISH_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_POLISH_MAP_H

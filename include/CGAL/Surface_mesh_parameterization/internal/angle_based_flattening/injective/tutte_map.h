@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The first injective map of a coarse chart, from which `flatten_injectively.h` descends: one that is given, or that of
-// Tutte (1963) with the border on a circle and all weights equal, which is injective on any disk without parallel edges.
+// Tutte (1963) with the border on a circle and all weights equal, which is injective on any disk without parallel
+// edges.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
