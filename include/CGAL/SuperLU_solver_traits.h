@@ -174,16 +174,16 @@ public:
   bool analyze_pattern(const Eigen_sparse_matrix<NT>& A)
   {
     try {
-      return with_columns(A, [&](const Columns& a) {
-        FT sign = 1;
-        if(!internal::superlu_is_well_formed(a))
-          return false;
-        if(internal::superlu_may_be_definite(a, sign))
-          analyze(a, true);
-        else
-          analyze(with_diagonal(a), false);
-        return true;
-      });
+      Columns memory;
+      const Columns& a = whole_matrix(A, memory);
+      FT sign = 1;
+      if(!internal::superlu_is_well_formed(a))
+        return false;
+      if(internal::superlu_may_be_definite(a, sign))
+        analyze(a, true);
+      else
+        analyze(with_diagonal(a), false);
+      return true;
     } catch(const std::bad_alloc&) {
       return false;
     }
@@ -194,7 +194,10 @@ public:
   bool factor(const Eigen_sparse_matrix<NT>& A, NT& D)
   {
     D = 1;
-    return factor_anew([&] { return with_columns(A, [&](const Columns& a) { return factor_columns(a); }); });
+    return factor_anew([&] {
+      Columns memory;
+      return factor_columns(whole_matrix(A, memory));
+    });
   }
 
   /// solves the linear system \f$ A \times X = B\f$, with \f$ A\f$ being the matrix passed to `factor()`.
@@ -219,9 +222,8 @@ public:
   bool normal_equation_factor(const Eigen_sparse_matrix<NT>& A)
   {
     return factor_anew([&] {
-      Columns a = A.eigen_object();
-      if(stores_one_triangle(A))
-        a = Columns(a.template selfadjointView<Eigen::Lower>());
+      Columns memory;
+      const Columns& a = whole_matrix(A, memory);
       m_transposed = std::make_shared<const Columns>(a.transpose());
       return factor_columns(*m_transposed * a);
     });
@@ -294,18 +296,14 @@ private:
     return false;
   }
 
-  static bool stores_one_triangle(const Eigen_sparse_matrix<NT>& A)
-  {
-    return A.row_dimension() == A.column_dimension() && internal::superlu_stores_one_triangle(A);
-  }
-
-  // Calls `function` with the whole matrix that `A` stands for.
-  template <class Function>
-  static bool with_columns(const Eigen_sparse_matrix<NT>& A, const Function& function)
+  // The whole matrix that `A` stands for, which is put into `memory` if `A` stores one triangle of it.
+  static const Columns& whole_matrix(const Eigen_sparse_matrix<NT>& A, Columns& memory)
   {
     const Columns& a = A.eigen_object();
-    return stores_one_triangle(A) ? function(Columns(a.template selfadjointView<Eigen::Lower>()))
-                                  : function(a);
+    if(A.row_dimension() != A.column_dimension() || !internal::superlu_stores_one_triangle(A))
+      return a;
+    memory = a.template selfadjointView<Eigen::Lower>();
+    return memory;
   }
 
   // SuperLU writes outside of its arrays if the rows and columns cannot be matched along stored entries. On the

@@ -6,7 +6,7 @@
 #ifndef ANGLE_BASED_FLATTENING_TEST_SMALL_MATRICES_H
 #define ANGLE_BASED_FLATTENING_TEST_SMALL_MATRICES_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 
 #include <Eigen/Core>
 

@@ -12,7 +12,6 @@
 #include <CGAL/Solver_interface/internal/SuperLU_analysis.h>
 #include <CGAL/Solver_interface/internal/SuperLU_factors.h>
 #include <CGAL/Solver_interface/internal/SuperLU_matrix.h>
-#include <CGAL/Solver_interface/internal/SuperLU_scaling.h>
 #include <CGAL/SuperLU_options.h>
 
 #include <Eigen/Core>

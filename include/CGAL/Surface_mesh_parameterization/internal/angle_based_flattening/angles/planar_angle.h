@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Angles of triangles in the plane, of any orientation. The certificate, the measures of distortion, and the stages
-// that move vertices in the plane take the angles of a map from here.
+// Points of the plane, and the angles of triangles there, of any orientation. The certificate, the measures of
+// distortion, and the stages that move vertices in the plane take the angles of a map from here.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_PLANAR_ANGLE_H
@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +24,14 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+typedef Eigen::Vector2d Planar_point;
+typedef std::array<Planar_point, 3> Planar_triangle; // its corners
+
+inline double cross(const Planar_point& a, const Planar_point& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 // Whether `p` lies in direction [0, pi) from `origin`, and not in [pi, 2 pi).
 template <typename Point>
@@ -40,6 +50,12 @@ inline std::array<double, 3> planar_angles(double twice_area, const std::array<d
   alpha[(k + 2) % 3] = std::atan2(twice_area, dots[(k + 2) % 3]);
   alpha[k] = pi - alpha[(k + 1) % 3] - alpha[(k + 2) % 3];
   return alpha;
+}
+
+inline std::array<double, 3> planar_angles(const Planar_triangle& x)
+{
+  const Planar_point a = x[1] - x[0], b = x[2] - x[0], c = x[2] - x[1];
+  return planar_angles(cross(a, b), {a.dot(b), -a.dot(c), b.dot(c)});
 }
 
 // Sine and cosine of the angle at corner `c` in the plane, regardless of orientation, times the lengths of its edges

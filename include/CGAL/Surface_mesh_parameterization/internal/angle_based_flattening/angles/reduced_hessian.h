@@ -4,14 +4,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Both matrix splits of ABF++ (Eqs. 7 to 17) for one triangle: they leave a matrix of two rows, which is inverted here.
-// `newton_step.h` and `loop_equations.h` sum up the results. A Hessian that is not definite is lifted.
+// `newton_system.h` and `loop_equations.h` sum up the results. A Hessian that is not definite is lifted.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_REDUCED_HESSIAN_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 
 #include <Eigen/Core>
 

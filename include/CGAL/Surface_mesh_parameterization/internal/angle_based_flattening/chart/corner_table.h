@@ -101,6 +101,14 @@ inline double power_of_two(double number)
   return number > 0 && std::isfinite(number) ? std::ldexp(1., std::ilogb(number)) : 1.;
 }
 
+// Divides the points, which have none yet, by `scale`.
+inline void set_scale(double scale, Corner_table& table)
+{
+  table.scale = scale;
+  for(Corner_table::Point_3& p : table.points)
+    p = Corner_table::Point_3(p.x() / scale, p.y() / scale, p.z() / scale);
+}
+
 // The corner that faces the border edge that follows the one faced by `c`.
 inline int next_on_border(const Corner_table& table, int c)
 {

@@ -185,8 +185,8 @@ struct Prescriptions
   }
 };
 
-// Sets the prescribed angles of a chart if they are possible. The body is in `angles/check_surface_sums.h`, as the check
-// needs what is there.
+// Sets the prescribed angles of a chart if they are possible. The body is in `angles/check_surface_sums.h`, as the
+// check needs what is there.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect set_angle_sums(std::vector<double> sums, Chart& chart);
 
 // Reads the prescribed angles of a mesh whose chart knows its seams of equal sides.

@@ -14,13 +14,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/entered_faces.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/face_search.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -74,12 +73,6 @@ struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
     return target(h, mesh.mesh());
   }
 };
-
-template <typename Point>
-Chart::Point_3 point_in_doubles(const Point& p)
-{
-  return Chart::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
 
 // The points of the vertices of a mesh. It hides the type of the caller's property map.
 template <typename TriangleMesh>
@@ -194,7 +187,7 @@ public:
         if(other == Graph_traits::null_halfedge())
           continue;
         if(const int t = m_faces.rank(face(other, m_mesh)); t >= 0)
-          chart.seam[c] = facing_corner(other, t);
+          chart.seam[c] = 3 * t + m_faces.facing_corner(other, t);
       }
   }
 
@@ -205,8 +198,6 @@ public:
   std::vector<vertex_descriptor> vertex_descriptors; // of each vertex of the chart
 
 private:
-  int facing_corner(halfedge_descriptor h, int t) const { return 3 * t + m_faces.facing_corner(h, t); }
-
   // Sets the corner table, and the vertices in the order in which the faces come upon them. A face that is entered from
   // another one brings one vertex, which may be new.
   template <typename VertexIndexMap>
@@ -226,46 +217,15 @@ private:
       }
       return rank;
     };
-    const int first = find_vertex(inner);
-    enter(inner, face(inner, m_mesh), -1, first, find_vertex(prev(inner, m_mesh)));
-    for(int t = 0; t < number_of_faces(); ++t) {
-      if(!m_faces.is_triangle(t))
-        return {Diagnosis::NOT_TRIANGULATED, "a face is not a triangle", {}, {t}};
-      chart.vertex[3 * t + 1] = find_vertex(next(m_faces.entry(t), m_mesh));
-      m_faces.link_others(t, t, [&](halfedge_descriptor h, int k) { link(h, 3 * t + k); });
-      if(number_of_faces() > largest_number_of_triangles)
-        return {Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow", {}, {}};
-    }
-    return {};
-  }
-
-  // Sets what is opposite of the corner that faces halfedge `h`, and enters the face there if it is new. An edge
-  // between two faces that were found already is linked from the second one.
-  void link(halfedge_descriptor h, int corner)
-  {
-    const halfedge_descriptor across = opposite(h, m_mesh);
-    if(CGAL::is_border(across, m_mesh))
-      return;
-    const face_descriptor f = face(across, m_mesh);
-    const int t = m_faces.rank(f);
-    if(t < 0) {
-      chart.opposite[corner] = 3 * number_of_faces() + 1;
-      enter(across, f, corner, chart.edge_source(corner), chart.edge_target(corner));
-    } else if(t <= corner / 3) {
-      chart.opposite[corner] = facing_corner(across, t);
-      chart.opposite[chart.opposite[corner]] = corner;
-    }
-  }
-
-  // Adds face `f`, which `entry` belongs to. `from` is the corner that faces the entry from the other side; `target`
-  // and `source` are the vertices of the entry.
-  void enter(halfedge_descriptor entry, face_descriptor f, int from, int target, int source)
-  {
-    m_faces.enter(entry, f);
-    for(int c : {-1, from, -1})
-      chart.opposite.push_back(c);
-    for(int v : {target, -1, source})
-      chart.vertex.push_back(v);
+    std::vector<int>& vertex = chart.vertex;
+    const auto enter = [&](int from) {
+      const int target = from < 0 ? find_vertex(inner) : chart.edge_source(from);
+      const int source = from < 0 ? find_vertex(prev(inner, m_mesh)) : chart.edge_target(from);
+      vertex.insert(vertex.end(), {target, -1, source});
+    };
+    const auto visit = [&](int t) { vertex[3 * t + 1] = find_vertex(next(m_faces.entry(t), m_mesh)); };
+    const auto is_cut = [](const auto&) { return false; };
+    return m_faces.find_part(inner, is_cut, enter, visit, chart);
   }
 
   void read_points()
@@ -279,14 +239,12 @@ private:
       for(int i = 0; i < 3; ++i)
         largest = (std::max)(largest, std::abs(chart.points.back()[i]));
     }
-    chart.scale = power_of_two(largest);
-    for(Chart::Point_3& p : chart.points)
-      p = Chart::Point_3(p.x() / chart.scale, p.y() / chart.scale, p.z() / chart.scale);
+    set_scale(power_of_two(largest), chart);
   }
 
   const TriangleMesh& m_mesh;
   Vertex_points<TriangleMesh> m_points;
-  Entered_faces<TriangleMesh> m_faces;
+  Face_search<TriangleMesh> m_faces;
 };
 
 // Says in a report what is wrong with the chart that was read.

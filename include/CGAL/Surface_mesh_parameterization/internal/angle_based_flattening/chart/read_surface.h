@@ -12,22 +12,20 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/entered_faces.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/face_search.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -94,9 +92,7 @@ public:
   {
     m_scale = scale;
     for(Surface_part& part : m_parts) {
-      part.chart.scale = m_scale;
-      for(Chart::Point_3& p : part.chart.points)
-        p = Chart::Point_3(p.x() / m_scale, p.y() / m_scale, p.z() / m_scale);
+      ABF::set_scale(scale, part.chart);
       find_borders(part.chart);
     }
   }
@@ -215,86 +211,29 @@ private:
       if(m_faces.rank(f) >= 0 || is_skipped(f))
         continue;
       m_parts.emplace_back();
-      if(!find_part(halfedge(f, m_mesh), f, is_cut, report))
+      m_parts.back().first_triangle = m_faces.size();
+      const Chart_defect defect = m_faces.find_part(
+          halfedge(f, m_mesh), is_cut, [](int) {}, [](int) {}, m_parts.back().chart);
+      if(defect) {
+        fail(report, defect.status, defect.message);
+        for(int t : defect.triangles) { // one that is no triangle
+          report.offending_faces = {face_of(t)};
+          const auto p = get(m_points, target(m_faces.entry(t), m_mesh));
+          report.message = "the face at " + point_text(p) + " is not a triangle";
+        }
         return false;
+      }
     }
     if(m_faces.size() == 0)
       fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
     return m_faces.size() > 0;
   }
 
-  // Finds the part of face `f`, which `entry` belongs to, and sets its corner table up to the vertices.
-  template <typename IsCut>
-  bool find_part(halfedge_descriptor entry, face_descriptor f, const IsCut& is_cut, Report& report)
-  {
-    Surface_part& part = m_parts.back();
-    const int first = part.first_triangle = m_faces.size();
-    enter(entry, f, -1);
-    link(entry, 1, is_cut);
-    for(int t = first; t < m_faces.size(); ++t) {
-      if(!m_faces.is_triangle(t)) {
-        const auto p = get(m_points, target(m_faces.entry(t), m_mesh));
-        report.offending_faces = {face_of(t)};
-        fail(report, Diagnosis::NOT_TRIANGULATED, "the face at " + point_text(p) + " is not a triangle");
-        return false;
-      }
-      const int rank = t - first;
-      m_faces.link_others(t, rank, [&](halfedge_descriptor h, int k) { link(h, 3 * rank + k, is_cut); });
-      if(m_faces.size() > largest_number_of_triangles) {
-        fail(report, Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
-        return false;
-      }
-    }
-    if(!part.chart.seam.empty())
-      part.chart.seam.resize(part.chart.opposite.size(), -1);
-    return true;
-  }
-
-  // Sets what is across the edge `h` that a corner of the last part faces, and enters the face there if it is new. An
-  // edge between two faces that were found already is linked from the second one.
-  template <typename IsCut>
-  void link(halfedge_descriptor h, int corner, const IsCut& is_cut)
-  {
-    const halfedge_descriptor across = opposite(h, m_mesh);
-    if(CGAL::is_border(across, m_mesh))
-      return;
-    Surface_part& part = m_parts.back();
-    std::vector<int>& opposite_corner = part.chart.opposite;
-    const face_descriptor f = face(across, m_mesh);
-    const bool is_open = is_cut(edge(h, m_mesh));
-    const int t = m_faces.rank(f) - part.first_triangle; // in this part
-    if(m_faces.rank(f) < 0 && !is_open) {
-      opposite_corner[corner] = static_cast<int>(opposite_corner.size()) + 1;
-      enter(across, f, corner);
-    } else if(t >= 0 && t <= corner / 3) {
-      const int other = 3 * t + m_faces.facing_corner(across, m_faces.rank(f));
-      for(const auto& [from, to] : {std::pair(corner, other), std::pair(other, corner)})
-        if(is_open)
-          set_seam(part.chart, from, to);
-        else
-          opposite_corner[from] = to;
-    }
-  }
-
-  // Adds a face to the last part. `from` is the corner that faces its halfedge `entry` from the other side, or -1.
-  void enter(halfedge_descriptor entry, face_descriptor f, int from)
-  {
-    m_faces.enter(entry, f);
-    for(int c : {-1, from, -1})
-      m_parts.back().chart.opposite.push_back(c);
-  }
-
-  static void set_seam(Chart& chart, int c, int across)
-  {
-    chart.seam.resize(chart.opposite.size(), -1);
-    chart.seam[c] = across;
-  }
-
   template <typename Point>
   static std::string point_text(const Point& p)
   {
     Chart chart;
-    chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    chart.points.push_back(point_in_doubles(p));
     return position_text(chart, 0);
   }
 
@@ -326,8 +265,8 @@ private:
       if(chart.vertex[corner] >= 0)
         continue;
       set_vertex_around(corner, chart.number_of_vertices(), chart);
-      const auto& p = get(m_points, target(halfedge_to(3 * part.first_triangle + corner), m_mesh));
-      chart.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      const halfedge_descriptor h = halfedge_to(3 * part.first_triangle + corner);
+      chart.points.push_back(point_in_doubles(get(m_points, target(h, m_mesh))));
     }
   }
 
@@ -344,7 +283,7 @@ private:
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_points;
-  Entered_faces<TriangleMesh> m_faces;
+  Face_search<TriangleMesh> m_faces;
   std::vector<Surface_part> m_parts;
   double m_largest = 0; // of the absolute values of coordinates
   double m_scale = 1;

@@ -5,17 +5,22 @@
 
 // The derivatives of a map on one triangle, and what follows from them: the metric (Eq. 23), shear (Eq. 24) and
 // stretch. `measure_chart.h` and `map_stretch.h` sum these up. Injective maps and the atlas find crushed triangles with
-// it.
+// it. The derivatives of the inverse map are for energies (`triangle_energies.h`).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_TRIANGLE_DIFFERENTIAL_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -123,6 +128,71 @@ inline bool has_crushed_triangles(const Chart& chart, const std::vector<Chart::P
       return true;
   return false;
 }
+
+// A triangle of the surface: the gradient of the function that is 1 at a corner and 0 at the others, in an orthonormal
+// frame of the triangle
+struct Flat_triangle
+{
+  std::array<Eigen::Vector2d, 3> gradient;
+  double area = 0;
+
+  // Triangles of less than `least_area` count as larger ones, so that they still resist being turned over.
+  Flat_triangle(const Chart& chart, int t, double least_area)
+  {
+    const Chart::Point_3& origin = chart.points[chart.vertex[3 * t]];
+    const Chart::Kernel::Vector_3 a = chart.points[chart.vertex[3 * t + 1]] - origin,
+                                  b = chart.points[chart.vertex[3 * t + 2]] - origin;
+    const double aa = a.squared_length(), bb = b.squared_length(), ab = a * b;
+    Eigen::Vector2d p(std::sqrt(aa), 0), q(0, std::sqrt(bb));
+    if(aa > 0)
+      q = Eigen::Vector2d(ab, std::sqrt(CGAL::cross_product(a, b).squared_length())) / p.x();
+    // The height of a needle is bounded, so that the gradients are finite.
+    q.y() = (std::max)(q.y(), 1e-6 * (aa + bb) / (std::max)(p.x(), 1e-300));
+    if(!(aa + bb > 0) || !std::isfinite(q.y())) {
+      p = Eigen::Vector2d(1, 0);
+      q = Eigen::Vector2d(0.5, std::sqrt(0.75));
+    }
+    area = p.x() * q.y() / 2;
+    if(!(area >= least_area)) {
+      const double factor = std::sqrt(least_area / area);
+      p *= factor;
+      q *= factor;
+      area = least_area;
+    }
+    gradient[1] = Eigen::Vector2d(q.y(), -q.x()) / (2 * area);
+    gradient[2] = Eigen::Vector2d(0, p.x()) / (2 * area);
+    gradient[0] = -gradient[1] - gradient[2];
+  }
+
+  // Of the map to a triangle in the plane
+  Eigen::Matrix2d differential(const Planar_triangle& x) const
+  {
+    Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
+    for(int k = 0; k < 3; ++k)
+      result += x[k] * gradient[k].transpose();
+    return result;
+  }
+};
+
+// Rotations u and v, and singular values s, of a matrix of positive determinant
+struct Singular_values
+{
+  Eigen::Vector2d s;
+  Eigen::Matrix2d u, v;
+
+  explicit Singular_values(const Eigen::Matrix2d& j)
+  {
+    const double sum = Eigen::Vector2d(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1)).norm();
+    const double difference = Eigen::Vector2d(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1)).norm();
+    s[0] = (sum + difference) / 2;
+    // not by the difference, which cancels
+    s[1] = (j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0)) / s[0];
+    const double a = std::atan2(j(1, 0) - j(0, 1), j(0, 0) + j(1, 1));
+    const double b = difference > 0 ? std::atan2(j(1, 0) + j(0, 1), j(0, 0) - j(1, 1)) : 0;
+    u = Eigen::Rotation2Dd((a + b) / 2).toRotationMatrix();
+    v = Eigen::Rotation2Dd((b - a) / 2).toRotationMatrix();
+  }
+};
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

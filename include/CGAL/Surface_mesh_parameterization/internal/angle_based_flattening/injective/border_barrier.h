@@ -4,17 +4,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The barrier of Smith and Schaefer (2015), which repels parts of the border that come near one another through the
-// outside. `injective_descent.h` adds it to the energy of the whole map, `border_keeper.h` to that of one vertex. It
-// shapes the map; the exact tests of `planar_border.h` keep the border simple.
+// outside. `injective_descent.h` adds it to the energy of the whole map. It shapes the map; the exact tests of
+// `planar_border.h` keep the border simple.
+//
+// `Border_keeper` is the border policy of `Relaxation` and `Refinement` for injective maps: it adds the barrier to the
+// energy of one vertex, and refuses moves and insertions that make the border touch itself. `Local_border` would let
+// the border overlap itself.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_BORDER_BARRIER_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/box_tree.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 
 #include <Eigen/Core>
 
@@ -63,6 +69,18 @@ struct Border_gap
     direction = distance > 0 ? Planar_point(difference / distance) : Planar_point(Planar_point::Zero());
   }
 };
+
+// The barrier of a pair times `weight`, by the positions of the vertex and of both ends of the edge
+inline Triangle_derivatives barrier_derivatives(const Border_pair& pair, const Border_gap& gap, double weight)
+{
+  const Barrier_function barrier(pair.range, gap.distance);
+  Triangle_derivatives result;
+  result.value = weight * barrier.value;
+  result.gradient << gap.direction, (gap.parameter - 1) * gap.direction, -gap.parameter * gap.direction;
+  result.hessian = weight * barrier.second_derivative * result.gradient * result.gradient.transpose();
+  result.gradient *= weight * barrier.first_derivative;
+  return result;
+}
 
 // Whether the direction leads from a border vertex to the outside. The interior is on the left of `previous`, `vertex`,
 // `next`.
@@ -130,9 +148,8 @@ public:
 
   bool empty() const { return m_pairs.empty(); }
 
-  // Adds the barrier, times `weight`, to an energy with `value`, `gradient` and `hessian`.
-  template <typename Energy>
-  void add(const Planar_point& x, double weight, Energy& energy) const
+  // Adds the barrier, times `weight`, to an energy.
+  void add(const Planar_point& x, double weight, Energy_derivatives<2>& energy) const
   {
     const auto at = [&](int i) { return i == m_vertex ? x : m_border->point(i); };
     for(const Border_pair& pair : m_pairs)
@@ -187,6 +204,78 @@ inline Border_contact measure_contact(const Planar_border& border, double cleara
   result.share = length > 0 ? length_of_contact / length : 0;
   return result;
 }
+
+// A star whose vertex is repelled by other parts of the border
+template <typename Star>
+struct Repelled_star
+{
+  static constexpr double over_relaxation = 1; // the barrier is steep
+
+  const Star& star;
+  const Vertex_barrier& barrier;
+
+  struct Energy : Star::Energy
+  {
+    Energy(const Repelled_star& repelled, const Planar_point& x, bool with_derivatives)
+        : Star::Energy(repelled.star, x, with_derivatives)
+    {
+      repelled.barrier.add(x, repelled.star.barrier_weight(), *this);
+    }
+  };
+};
+
+// Keeps the border of a map simple while its vertices are inserted and moved.
+class Border_keeper
+{
+public:
+  explicit Border_keeper(double clearance) : m_clearance(clearance) {}
+
+  int rejections() const { return m_rejections; }
+  Border_contact contact() const { return measure_contact(m_border, m_clearance); }
+
+  // Takes the current border vertices, and all positions.
+  void take(const Coarsening& coarsening, const std::vector<Planar_point>& uv)
+  {
+    m_border.set(coarsening.borders(), uv);
+  }
+
+  bool touches_at(int v) const { return m_border.touches_at(m_border.number(v)); }
+
+  bool has_moved(int v, const Planar_point&, const Planar_point& now) { return try_to_move(v, now); }
+
+  // Relaxes a vertex, on the border with a barrier around it. Returns `false` if it does not move.
+  template <typename Star>
+  bool relax(const Star& star, int v, Planar_point& position)
+  {
+    if(!star.on_border)
+      return relax_vertex_repeatedly(star, position, [](const Planar_point&) { return true; }) < 1;
+    const int i = m_border.number(v);
+    m_barrier.gather(m_border, i, m_clearance, m_clearance * m_border.local_length(i));
+    const auto accept = [&](const Planar_point& x) { return try_to_move(v, x); };
+    if(m_barrier.empty())
+      return relax_vertex_repeatedly(star, position, accept) < 1;
+    return relax_vertex_repeatedly(Repelled_star<Star>{star, m_barrier}, position, accept) < 1;
+  }
+
+private:
+  // Moves a vertex on the border to `x` if its edges touch nothing there. Returns whether it did.
+  bool try_to_move(int v, const Planar_point& x)
+  {
+    const int i = m_border.number(v);
+    const Planar_point before = m_border.point(i);
+    m_border.move(i, x);
+    if(!m_border.touches_at(i))
+      return true;
+    m_border.move(i, before);
+    ++m_rejections;
+    return false;
+  }
+
+  double m_clearance;
+  Planar_border m_border;
+  Vertex_barrier m_barrier;
+  int m_rejections = 0;
+};
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

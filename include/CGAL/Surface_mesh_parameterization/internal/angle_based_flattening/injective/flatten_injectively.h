@@ -15,36 +15,27 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_keeper.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/polish_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/widen_crushed_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/refine.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,7 +49,8 @@ public:
                        const std::vector<Chart::Point_2>* start)
       : m_weights(chart), m_coarsening(chart), m_keeper(options.clearance), m_options(options),
         m_solvers(solvers), m_start(start), m_most_newton_vertices(most_newton_vertices(chart)),
-        m_report(report_of<Hierarchical_report>(chart)), m_relaxation(m_coarsening, m_uv, m_keeper)
+        m_report(report_of<Hierarchical_report>(chart)), m_descents(options, solvers, m_report),
+        m_relaxation(m_coarsening, m_uv, m_keeper)
   {}
 
   Flattening<Hierarchical_report> run()
@@ -80,24 +72,11 @@ public:
   }
 
 private:
-  // From this number of vertices on, time is linear.
-  static constexpr int large_chart = 100000;
+  // Of descents on the coarse chart, before areas have their weight, and then
+  static constexpr Descent_limits first_limits = {1e-2, 200}, coarse_limits = {1e-3, 200};
 
-  // When the energy of angles has converged (`Descent_limits`)
-  static constexpr double polish_tolerance = 1e-2, full_step_tolerance = 5e-2;
-
-  // Charts of up to this size are relaxed as a whole, by Newton's method, and larger ones vertex by vertex. Newton's
-  // method may take about a third of the time.
-  static int most_newton_vertices(const Chart& chart)
-  {
-    const int n = chart.number_of_vertices(), most = 20000;
-    return n <= large_chart ? most : (std::min)((std::max)(n / 20, most / 2), most);
-  }
-
-  bool succeeded() const { return m_report.status == Diagnosis::NOTHING_WRONG; }
-
-  // From this weight on, areas count as much as angles, and sweeps on the energy of angles alone would undo this.
-  bool is_isometric() const { return m_options.area_weight > 0.1; }
+  bool succeeded() const { return m_descents.succeeded(); }
+  bool is_isometric() const { return ABF::is_isometric(m_options); }
 
   void coarsen(int size)
   {
@@ -113,8 +92,10 @@ private:
     m_report.levels = m_coarsening.number_of_levels();
     m_report.coarse_vertices = coarse.chart.number_of_vertices();
     m_report.coarse_triangles = coarse.chart.number_of_triangles();
-    std::optional<std::vector<Planar_point>> uv = given_map(coarse);
-    const bool is_given = uv && is_injective(coarse.chart, *uv);
+    std::optional<std::vector<Planar_point>> uv;
+    if(m_start != nullptr)
+      uv = map_of_coarse_chart(*m_start, coarse);
+    const bool is_given = uv && is_injective_map(coarse.chart, *uv);
     if(!is_given)
       uv = tutte_map(coarse.chart);
     if(!uv)
@@ -124,8 +105,8 @@ private:
     const std::vector<double> area_weights =
         is_isometric() ? std::vector<double>{0.2, 0.4, 0.7} : std::vector<double>{0.5};
     for(double area_weight : is_given ? std::vector<double>() : area_weights)
-      descend(coarse.chart, area_weight, {1e-2, 200}, *uv);
-    descend(coarse.chart, m_options.area_weight, {1e-3, 200}, *uv);
+      m_descents.run(coarse.chart, Area_objective(coarse.chart, area_weight), first_limits, *uv);
+    m_descents.run(coarse.chart, Area_objective(coarse.chart, m_options.area_weight), coarse_limits, *uv);
     m_uv.resize(m_coarsening.mesh().chart().points.size());
     put_back(coarse, *uv);
     return succeeded();
@@ -138,28 +119,7 @@ private:
     if(!uv)
       fail(m_report, Diagnosis::LINEAR_SYSTEM_FAILED,
            "the linear system of Tutte's map of the coarse chart could not be solved");
-    return uv && is_injective(coarse, *uv) ? uv : std::nullopt;
-  }
-
-  // The map to start from at the vertices of the coarse chart, as large as its surface; nothing if none is given
-  std::optional<std::vector<Planar_point>> given_map(const Coarse_chart& coarse) const
-  {
-    if(m_start == nullptr)
-      return std::nullopt;
-    std::vector<Planar_point> uv;
-    for(int v : coarse.vertices)
-      uv.emplace_back((*m_start)[v].x(), (*m_start)[v].y());
-    double surface = 0, plane = 0;
-    for(int t = 0; t < coarse.chart.number_of_triangles(); ++t) {
-      const int* v = &coarse.chart.vertex[3 * t];
-      surface += surface_area(coarse.chart, t);
-      plane += cross(uv[v[1]] - uv[v[0]], uv[v[2]] - uv[v[0]]) / 2;
-    }
-    if(!(plane > 0))
-      return std::nullopt;
-    for(Planar_point& p : uv)
-      p *= std::sqrt(surface / plane);
-    return uv;
+    return uv && is_injective_map(coarse, *uv) ? uv : std::nullopt;
   }
 
   Coarse_chart coarse_chart() const
@@ -175,35 +135,6 @@ private:
       m_uv[coarse.vertices[v]] = uv[v];
   }
 
-  static bool is_injective(const Chart& chart, const std::vector<Planar_point>& uv)
-  {
-    std::vector<Exact_point_2> points;
-    for(const Planar_point& p : uv)
-      points.emplace_back(p.x(), p.y());
-    return flipped_triangles(chart.vertex, points).empty() && is_border_simple(chart, points);
-  }
-
-  void descend(const Chart& chart, double area_weight, const Descent_limits& limits,
-               std::vector<Planar_point>& uv)
-  {
-    descend(chart, Area_objective(chart, area_weight), limits, uv);
-  }
-
-  // Returns whether the descent has converged.
-  template <typename Objective>
-  bool descend(const Chart& chart, const Objective& objective, const Descent_limits& limits,
-               std::vector<Planar_point>& uv)
-  {
-    Injective_descent<Objective> descent(chart, objective, m_options.clearance, m_solvers);
-    if(succeeded() && !descent.run(uv, limits))
-      fail(m_report, Diagnosis::LINEAR_SYSTEM_FAILED,
-           "the linear system of a Newton step with " + std::to_string(chart.number_of_vertices()) +
-               " vertices could not be solved");
-    m_report.border_rejections += descent.rejections();
-    m_descent_steps = descent.steps();
-    return descent.has_converged();
-  }
-
   // Relaxes the whole current chart. A map to be polished comes near to the least energy of the angles on the last of
   // these levels, while that is cheap. On the finest one, it is polished if that converges.
   void descend_on_level()
@@ -212,18 +143,18 @@ private:
     std::vector<Planar_point> uv;
     for(int v : coarse.vertices)
       uv.push_back(m_uv[v]);
-    const bool is_finest = m_coarsening.number_of_levels() == 0;
     if(m_options.polish && 2 * coarse.chart.number_of_vertices() > m_most_newton_vertices) {
+      const bool is_finest = m_coarsening.number_of_levels() == 0;
       const std::vector<double> beta = target_angles(coarse.chart);
-      const bool has_converged =
-          descend(coarse.chart, Angle_objective(coarse.chart, beta, Angle_energy{m_options.barrier}),
-                  {polish_tolerance, 5, is_finest ? full_step_tolerance : 0}, uv);
+      const Angle_objective objective(coarse.chart, beta, Angle_energy{m_options.barrier});
+      const bool has_converged = m_descents.run(coarse.chart, objective, polish_limits(5, is_finest), uv);
       if(is_finest) {
         m_report.polished = has_converged;
-        m_report.polish_iterations = m_descent_steps;
+        m_report.polish_iterations = m_descents.steps();
       }
     } else {
-      descend(coarse.chart, m_options.area_weight, {is_isometric() ? 1e-2 : 5e-2, 10}, uv);
+      const Descent_limits limits = {is_isometric() ? 1e-2 : 5e-2, 10};
+      m_descents.run(coarse.chart, Area_objective(coarse.chart, m_options.area_weight), limits, uv);
     }
     put_back(coarse, uv);
   }
@@ -275,14 +206,7 @@ private:
 
   void finish()
   {
-    lower_energy();
-    if(m_options.polish && !m_report.polished)
-      polish();
-    {
-      const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
-      widen_crushed_triangles(m_coarsening.mesh().chart(), m_uv, is_isometric(), m_options.barrier,
-                              m_relaxation);
-    }
+    Map_polish(m_coarsening.mesh().chart(), m_options, m_descents, m_uv, m_relaxation, m_report).run();
     m_relaxation.take_border();
     const Border_contact contact = m_keeper.contact();
     m_report.contact = contact.share;
@@ -290,78 +214,6 @@ private:
     m_report.border_rejections += m_keeper.rejections();
     m_report.moves = m_relaxation.moves();
     m_report.rejected_moves = m_relaxation.rejected_moves();
-  }
-
-  // Sweeps that the option `angle_sweeps` does not ask for: most where they take the place of Newton's method
-  int usual_angle_sweeps() const
-  {
-    const int n = m_coarsening.number_of_vertices();
-    if(m_report.polished)
-      return 1;
-    return n > large_chart ? 3 : n > m_most_newton_vertices || m_options.polish ? 4 : 7;
-  }
-
-  // Successive over-relaxation (Young 1954). The first sweep and the last one are plain, for errors that change from
-  // vertex to vertex.
-  static Angle_star over_relaxed(Angle_star star, bool is_smooth)
-  {
-    star.over_relaxation = is_smooth ? 1.7 : 1;
-    return star;
-  }
-
-  void lower_energy()
-  {
-    const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
-    if(m_options.angle_sweeps == 0 && is_isometric() && !m_report.polished)
-      return;
-    Angle_descent descent(m_coarsening.mesh().chart(), m_options.barrier, m_uv);
-    if(m_options.angle_sweeps > 0) {
-      m_report.angle_sweeps = descent.run(m_relaxation, m_options.angle_sweeps, m_options.energy_tolerance);
-    } else {
-      m_report.angle_sweeps = usual_angle_sweeps();
-      for(int i = 1; i < m_report.angle_sweeps; ++i)
-        m_relaxation.sweep(over_relaxed(descent.star(), i > 1));
-      descent.run(m_relaxation, 1, 0);
-    }
-    m_report.energy = descent.energy();
-  }
-
-  // Newton steps towards the least energy of the direct method, each followed by a sweep that mends slivers
-  void polish()
-  {
-    const Chart& chart = m_coarsening.mesh().chart();
-    const std::vector<double> beta = target_angles(chart);
-    const Angle_objective objective(chart, beta, Angle_energy{m_options.barrier});
-    Angle_descent sweeps(chart, m_options.barrier, m_uv);
-    polish_by([&] {
-      m_report.polished = descend(chart, objective, {polish_tolerance, 1, full_step_tolerance}, m_uv);
-      sweeps.run(m_relaxation, 1, 0);
-    });
-    if(m_report.polishing_timed_out)
-      sweeps.run(m_relaxation, 0, 0); // finds the energy
-    m_report.energy = sweeps.energy();
-  }
-
-  // A step for which there is no time left is undone.
-  template <typename Step>
-  void polish_by(const Step& step)
-  {
-    const int most_steps = 10;
-    const Deadline deadline(m_options.polish_options.time_limit);
-    while(succeeded() && m_report.polish_iterations < most_steps && !m_report.polished &&
-          !m_report.polishing_timed_out) {
-      const std::vector<Planar_point> before = m_uv;
-      m_report.polishing_timed_out = !deadline.allows([&] {
-        const Stage stage(m_options.visitor, Flattening_visitor::POLISH, m_report.seconds.polish);
-        step();
-      });
-      if(m_report.polishing_timed_out) {
-        m_uv = before;
-        m_report.polished = false;
-      } else {
-        ++m_report.polish_iterations;
-      }
-    }
   }
 
   Merged_weights m_weights;
@@ -372,7 +224,7 @@ private:
   const std::vector<Chart::Point_2>* m_start; // an injective map, or null
   int m_most_newton_vertices;
   Hierarchical_report m_report;
-  int m_descent_steps = 0;        // of the last descent
+  Reported_descents m_descents;
   std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
   Relaxation<Border_keeper> m_relaxation;
 };

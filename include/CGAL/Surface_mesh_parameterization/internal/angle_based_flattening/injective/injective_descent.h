@@ -13,16 +13,17 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/border_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/definite_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/planar_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
@@ -114,7 +115,7 @@ public:
   int rejections() const { return m_rejections; }
 
 private:
-  std::array<Planar_point, 3> corners(const Positions& uv, int t) const
+  Planar_triangle corners(const Positions& uv, int t) const
   {
     return {uv[m_chart.vertex[3 * t]], uv[m_chart.vertex[3 * t + 1]], uv[m_chart.vertex[3 * t + 2]]};
   }
@@ -123,7 +124,7 @@ private:
   double energy(const Positions& uv)
   {
     const double sum = parallel_sum(m_chart.number_of_triangles(), [&](int t) {
-      const std::array<Planar_point, 3> x = corners(uv, t);
+      const Planar_triangle x = corners(uv, t);
       return cross(x[1] - x[0], x[2] - x[0]) > 0 ? m_objective.triangle_energy(t, x)
                                                  : (std::numeric_limits<double>::infinity)();
     });
@@ -189,17 +190,6 @@ private:
     return solve();
   }
 
-  static Triangle_derivatives barrier_derivatives(const Border_pair& pair, const Border_gap& gap,
-                                                  double weight)
-  {
-    const Barrier_function barrier(pair.range, gap.distance);
-    Triangle_derivatives result;
-    result.gradient << gap.direction, (gap.parameter - 1) * gap.direction, -gap.parameter * gap.direction;
-    result.hessian = weight * barrier.second_derivative * result.gradient * result.gradient.transpose();
-    result.gradient *= weight * barrier.first_derivative;
-    return result;
-  }
-
   // The energy does not change if the map is moved or turned as a whole, and hardly if it is mapped conformally. Single
   // precision needs more of the diagonal to factor such a matrix.
   bool solve()
@@ -252,8 +242,8 @@ private:
   {
     double longest = (std::numeric_limits<double>::infinity)();
     for(int t = 0; t < m_chart.number_of_triangles(); ++t) {
-      const std::array<Planar_point, 3> x = corners(uv, t);
-      std::array<Planar_point, 3> d;
+      const Planar_triangle x = corners(uv, t);
+      Planar_triangle d;
       for(int k = 0; k < 3; ++k)
         d[k] = m_direction.segment<2>(2 * m_chart.vertex[3 * t + k]);
       const Planar_point e = x[1] - x[0], f = x[2] - x[0], de = d[1] - d[0], df = d[2] - d[0];

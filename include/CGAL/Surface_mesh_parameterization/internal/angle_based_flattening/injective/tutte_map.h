@@ -3,21 +3,25 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The first injective map: Tutte (1963) with the border on a circle and all weights equal. `flatten_injectively.h`
-// starts its descent there, on the coarse chart, because it is injective on any disk without parallel edges.
+// The first injective map of a coarse chart, from which `flatten_injectively.h` descends: one that is given, or that of
+// Tutte (1963) with the border on a circle and all weights equal, which is injective on any disk without parallel
+// edges.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_TUTTE_MAP_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 
 #include <Eigen/Core>
 
@@ -124,6 +128,35 @@ private:
   const Chart& m_chart;
   std::vector<Planar_point> m_uv;
 };
+
+// A given map of a whole chart at the vertices of a coarse one, as large as the surface of that; nothing if it has no
+// area
+inline std::optional<std::vector<Planar_point>> map_of_coarse_chart(const std::vector<Chart::Point_2>& map,
+                                                                    const Coarse_chart& coarse)
+{
+  std::vector<Planar_point> uv;
+  for(int v : coarse.vertices)
+    uv.emplace_back(map[v].x(), map[v].y());
+  double surface = 0, plane = 0;
+  for(int t = 0; t < coarse.chart.number_of_triangles(); ++t) {
+    const int* v = &coarse.chart.vertex[3 * t];
+    surface += surface_area(coarse.chart, t);
+    plane += cross(uv[v[1]] - uv[v[0]], uv[v[2]] - uv[v[0]]) / 2;
+  }
+  if(!(plane > 0))
+    return std::nullopt;
+  for(Planar_point& p : uv)
+    p *= std::sqrt(surface / plane);
+  return uv;
+}
+
+inline bool is_injective_map(const Chart& chart, const std::vector<Planar_point>& uv)
+{
+  std::vector<Exact_point_2> points;
+  for(const Planar_point& p : uv)
+    points.emplace_back(p.x(), p.y());
+  return flipped_triangles(chart.vertex, points).empty() && is_border_simple(chart, points);
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

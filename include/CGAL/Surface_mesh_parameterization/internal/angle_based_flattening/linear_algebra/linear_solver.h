@@ -16,7 +16,6 @@
 #include <CGAL/Solver_interface/internal/Spare_objects.h>
 #include <CGAL/Solver_traits_factory.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 
 #include <Eigen/SparseCore>
 
@@ -149,9 +148,9 @@ public:
       : Symmetric_system(std::make_shared<Shared_traits>(std::move(traits)))
   {}
 
-  bool set_matrix(const Block_matrix<1>& matrix) override { return set(matrix); }
-  bool set_matrix(const Block_matrix<2>& matrix) override { return set(matrix); }
-  bool set_matrix(const Diagonal_part<2>& matrix) override { return set(matrix); }
+  bool set_matrix(const Block_matrix<1>& matrix) override { return factor(matrix) || set_full(matrix); }
+  bool set_matrix(const Block_matrix<2>& matrix) override { return factor(matrix) || set_full(matrix); }
+  bool set_matrix(const Diagonal_part<2>& matrix) override { return factor(matrix) || set_full(matrix); }
   bool set_matrix(const Eigen::SparseMatrix<NT>& matrix) { return factor(matrix); }
 
   void analyze_pattern(const Block_matrix<2>& blocks) override
@@ -211,13 +210,6 @@ private:
   }
 
   template <typename Source>
-  bool set(const Source& source)
-  {
-    m_full.reset();
-    return factor(source) || set_full(source);
-  }
-
-  template <typename Source>
   bool set_full(const Source& source)
   {
     if(!m_full_precision)
@@ -229,6 +221,7 @@ private:
   template <typename Source>
   bool factor(const Source& source)
   {
+    m_full.reset();
     m_matrix.emplace(m_shared->matrices());
     convert([&](Eigen::SparseMatrix<NT>& to) { set_eigen_matrix(source, to); }, **m_matrix);
     bool done = true;

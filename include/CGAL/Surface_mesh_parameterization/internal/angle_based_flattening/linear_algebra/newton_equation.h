@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Solves Eq. 16 for the multipliers: by one factorization, as the paper does, or by preconditioned conjugate gradients.
-// `newton_step.h` calls it in each iteration. Factors are kept as long as they precondition well.
+// `newton_system.h` calls it in each iteration. Factors are kept as long as they precondition well.
 //
 // Definite systems, solved in double precision by factors of lower precision, which take less time and memory, and by
 // factors of full precision if that fails. Layouts and predicted scales are such systems.
@@ -131,7 +131,7 @@ private:
                                                Eigen::VectorXd& solution)
   {
     bool fresh = m_preconditioner_is_stale;
-    if(!factor_preconditioner(matrix, fresh))
+    if((fresh && !factor_global_matrix(matrix)) || !factor_near_matrix(matrix))
       return Iterative_solution::FAILED;
     for(;; fresh = true) {
       m_vectors.residual = right_hand_side;
@@ -149,10 +149,8 @@ private:
   }
 
   // The near part is small, and changes the most from step to step.
-  bool factor_preconditioner(const Block_matrix<2>& matrix, bool with_global)
+  bool factor_near_matrix(const Block_matrix<2>& matrix)
   {
-    if(with_global && !factor_global_matrix(matrix))
-      return false;
     const bool done = m_preconditioner->set_near_matrix(matrix);
     m_factorizations += m_preconditioner->has_near_part();
     m_repeated += m_preconditioner->is_near_repeated();

@@ -69,11 +69,21 @@ public:
   // Factors the two scalar matrices, without translations of holes. Returns `false` if that fails.
   bool set_global_matrix(const Block_matrix<2>& matrix)
   {
-    if(!m_has_holes)
-      return factor_scalar_matrices(matrix);
     Block_matrix<2> part;
-    m_global_part.take(matrix, part);
-    return factor_scalar_matrices(part);
+    if(m_has_holes)
+      m_global_part.take(matrix, part);
+    const Block_matrix<2>& global = m_has_holes ? part : matrix;
+    take_diagonal(global, m_factored_diagonal);
+    m_scale = Eigen::VectorXd::Ones(global.size());
+    std::array<bool, 2> done;
+    const auto factor = [&](int k) { done[k] = m_scalar_solver[k]->set_matrix(Diagonal_part<2>{global, k}); };
+    if(global.columns_of_blocks() < many_blocks) {
+      parallel_for(2, factor, global.columns_of_blocks());
+    } else {
+      factor(0);
+      factor(1);
+    }
+    return done[0] && done[1];
   }
 
   // Chooses the blocks near which the whole matrix is to be solved, and factors it there. The matrix is referred to by
@@ -137,21 +147,6 @@ public:
   std::unique_ptr<Linear_solver> scalar_solver() const { return m_scalar_solver[0]->copy(); }
 
 private:
-  bool factor_scalar_matrices(const Block_matrix<2>& matrix)
-  {
-    take_diagonal(matrix, m_factored_diagonal);
-    m_scale = Eigen::VectorXd::Ones(matrix.size());
-    std::array<bool, 2> done;
-    const auto factor = [&](int k) { done[k] = m_scalar_solver[k]->set_matrix(Diagonal_part<2>{matrix, k}); };
-    if(matrix.columns_of_blocks() < many_blocks) {
-      parallel_for(2, factor, matrix.columns_of_blocks());
-    } else {
-      factor(0);
-      factor(1);
-    }
-    return done[0] && done[1];
-  }
-
   // Uses the factors for a later matrix with another diagonal. The equations of reconstruction change, by more than
   // those of planarity, and scaling makes up for a part of that: with all of it, slivers take more steps.
   void rescale(const Block_matrix<2>& matrix)

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Sums up a sparse matrix from a small one for each triangle. The pattern is found once, and the order does not depend
-// on threads. `newton_step.h` assembles Eq. 16 with it, and both layouts their systems (Eqs. 19 to 21 in least
+// on threads. `newton_system.h` assembles Eq. 16 with it, and both layouts their systems (Eqs. 19 to 21 in least
 // squares).
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_TRIANGLE_ASSEMBLY_H
@@ -13,7 +13,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <Eigen/Core>

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The rank of a half-edge collapse, and whether it is allowed (Section 5.1): swept volume, link condition, and angles
-// that may result. `coarsening_stage.h` asks it for the cheapest collapse of each vertex.
+// The rank of a half-edge collapse, and whether it is allowed (Section 5.1): the volume it sweeps, by a quadratic form,
+// link condition, and angles that may result. `coarsening_stage.h` asks it for the cheapest collapse of each vertex.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COLLAPSE_COST_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_COLLAPSE_COST_H
@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/quadric.h>
 
 #include <CGAL/number_utils.h>
 
@@ -30,6 +29,40 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// A quadratic form in space. Its six coefficients are separate members, so that they stay in registers during
+// summation.
+struct Quadric
+{
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+  // Adds `factor` times the square of the dot product with `n`.
+  void add(const Eigen::Vector3d& n, double factor)
+  {
+    const double x = factor * n.x(), y = factor * n.y();
+    xx += x * n.x();
+    yy += y * n.y();
+    zz += factor * n.z() * n.z();
+    xy += x * n.y();
+    xz += x * n.z();
+    yz += y * n.z();
+  }
+
+  void add_identity(double factor)
+  {
+    xx += factor;
+    yy += factor;
+    zz += factor;
+  }
+
+  double trace() const { return xx + yy + zz; }
+
+  double operator()(const Eigen::Vector3d& d) const
+  {
+    return d.x() * (xx * d.x() + 2 * (xy * d.y() + xz * d.z())) + d.y() * (yy * d.y() + 2 * yz * d.z()) +
+           zz * d.z() * d.z();
+  }
+};
 
 struct Collapse_candidate
 {

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The triangles around one vertex, on the surface and in the plane, and whether a position of the vertex is valid,
-// rounding included. `insert_vertex.h` takes its weights from `Planar_star` (Section 5.2). Other stars share its base,
-// and geometry in the plane `cross()`.
+// rounding included. `insert_vertex.h` takes its weights from `Planar_star` (Section 5.2). The stars of
+// `relax_vertex.h` share its base.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_PLANAR_STAR_H
@@ -25,13 +25,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-typedef Eigen::Vector2d Planar_point;
-
-inline double cross(const Planar_point& a, const Planar_point& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // Calls `visit` with the corner at `v` of each triangle, clockwise, and its two other vertices.
 template <typename Visitor>

@@ -3,41 +3,60 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The move of one vertex that makes its star more similar to the surface: the relaxation of Section 5.2, with the
-// energy MIPS. `relaxation.h` and `border_keeper.h` call it. The paper smooths harmonically instead, which lets stretch
-// grow.
+// The energies of `triangle_energies.h` around one vertex, as functions of its position: MIPS, areas, and angles (Eq.
+// 1). The move of the vertex that lowers one of them is the relaxation of Section 5.2, usually with MIPS.
+// `relaxation.h` and `border_barrier.h` call it. The paper smooths harmonically instead, which lets stretch grow.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_VERTEX_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
+// The energy of a star as a function of the position of its vertex. It is infinite where the star is not valid.
+template <typename Star>
+struct Star_energy : Energy_derivatives<2>
+{
+  Star_energy(const Star& star, const Planar_point& x, bool with_derivatives)
+  {
+    for(const typename Star::Triangle& t : star.triangles) {
+      const double twice_area = cross(t.p - x, t.q - x);
+      if(!(twice_area > star.least_area)) {
+        value = (std::numeric_limits<double>::infinity)();
+        return;
+      }
+      star.add(t, x, twice_area, with_derivatives, *this);
+    }
+  }
+};
+
 // The triangles around one vertex, in the plane and in space. They tell where to move the vertex so that both are as
-// similar as possible.
+// similar as possible: by MIPS, weighted by area.
 struct MIPS_star : Planar_star_base
 {
-  // A triangle (v, p, q), counterclockwise. Twice its area on the surface times the cotangent of an angle is the dot
-  // product of the edges there: neither roots nor divisions are needed.
+  // A triangle (v, p, q), counterclockwise, with the dot products of the edges at its corners on the surface
   struct Triangle
   {
     Planar_point p, q;
     double dot_v, dot_p, dot_q;
   };
 
-  class Energy;
+  typedef Star_energy<MIPS_star> Energy;
 
   std::vector<Triangle> triangles; // clockwise
 
@@ -48,6 +67,12 @@ struct MIPS_star : Planar_star_base
       const double weight = mesh.chart().weight_of_triangle(c / 3);
       triangles.push_back({uv[p], uv[q], weight * e.dot_v(), weight * e.dot_p(), weight * e.dot_q()});
     });
+  }
+
+  void add(const Triangle& t, const Planar_point& x, double twice_area, bool with_derivatives,
+           Energy_derivatives<2>& sum) const
+  {
+    add_similarity_at_corner(t, x, twice_area, with_derivatives, sum);
   }
 
   // What a barrier at the vertex is multiplied by: the mean energy of an undistorted triangle. (The products of two
@@ -61,54 +86,116 @@ struct MIPS_star : Planar_star_base
   }
 };
 
-// The energy of a star as a function of the position of its vertex, with derivatives. It sums, over the triangles,
-// four times the area on the surface times the ratio of Dirichlet energy to planar area. The ratio is one for similar
-// triangles, and grows without bound as a triangle collapses. The energy is infinite where the star is not valid.
-class MIPS_star::Energy
+// The same with areas: they tell where to move the vertex to lower `area_energy()`. Its energy is four times that.
+struct Area_star : Planar_star_base
 {
-public:
-  double value = 0;
-  Planar_point gradient = Planar_point::Zero();
-  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
-
-  Energy(const MIPS_star& star, const Planar_point& x, bool with_derivatives)
+  struct Triangle : MIPS_star::Triangle
   {
-    for(const Triangle& t : star.triangles) {
-      const Planar_point xp = x - t.p, xq = x - t.q, pq = t.q - t.p;
-      const double twice_area = cross(xp, xq);
-      if(!(twice_area > star.least_area)) {
-        value = (std::numeric_limits<double>::infinity)();
-        return;
-      }
-      const double inverse = 1 / twice_area;
-      const double ratio =
-          (t.dot_q * xp.squaredNorm() + t.dot_p * xq.squaredNorm() + t.dot_v * pq.squaredNorm()) * inverse;
-      value += ratio;
-      if(with_derivatives)
-        add_derivatives(t, xp, xq, Planar_point(-pq.y(), pq.x()), ratio, inverse);
-    }
+    double weight;       // of its energy
+    double inverse_area; // of twice its area on the surface
+  };
+
+  typedef Star_energy<Area_star> Energy;
+
+  double theta;
+  std::vector<Triangle> triangles; // clockwise
+
+  explicit Area_star(double area_weight) : theta(area_weight) {}
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    triangles.clear();
+    gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
+      const double twice_area = (std::max)(e.twice_area(), 1e-6 * e.sum_of_squares() + 1e-300);
+      triangles.push_back({{uv[p], uv[q], e.dot_v(), e.dot_p(), e.dot_q()},
+                           mesh.chart().weight_of_triangle(c / 3),
+                           1 / twice_area});
+    });
   }
 
-private:
-  void add_derivatives(const Triangle& t, const Planar_point& xp, const Planar_point& xq,
-                       const Planar_point& area_gradient, double ratio, double inverse)
+  void add(const Triangle& t, const Planar_point& x, double twice_area, bool with_derivatives,
+           Energy_derivatives<2>& sum) const
   {
-    const Planar_point dirichlet_gradient = 2 * (t.dot_q * xp + t.dot_p * xq);
-    const Planar_point ratio_gradient = (dirichlet_gradient - ratio * area_gradient) * inverse;
-    gradient += ratio_gradient;
-    const Planar_point mixed = (2 * inverse) * area_gradient;
-    const double squared_edge = 2 * inverse * (t.dot_p + t.dot_q);
-    const double off_diagonal = ratio_gradient.x() * mixed.y() + ratio_gradient.y() * mixed.x();
-    hessian(0, 0) += squared_edge - ratio_gradient.x() * mixed.x();
-    hessian(1, 1) += squared_edge - ratio_gradient.y() * mixed.y();
-    hessian(0, 1) -= off_diagonal / 2;
-    hessian(1, 0) -= off_diagonal / 2;
+    add_area_energy_at_corner(theta, t, x, twice_area, with_derivatives, sum);
+  }
+
+  double barrier_weight() const
+  {
+    double sum = 0;
+    for(const Triangle& t : triangles)
+      sum += 2 * t.weight / t.inverse_area;
+    return sum / static_cast<double>(triangles.size());
+  }
+};
+
+// The triangles around one vertex in the plane, with the target angles of all their corners. They tell where to move
+// the vertex to minimize the energy of the direct method.
+struct Angle_star : Planar_star_base
+{
+  struct Triangle
+  {
+    Planar_point p, q;
+    std::array<double, 3> beta; // of the corners at v, p, q
+    double weight;
+  };
+
+  typedef Star_energy<Angle_star> Energy;
+
+  std::vector<Triangle> triangles; // clockwise
+  const std::vector<double>& beta; // target angle of each corner
+  Angle_energy energy;
+
+  Angle_star(const std::vector<double>& target_angles, const Angle_energy& angle_energy)
+      : beta(target_angles), energy(angle_energy)
+  {}
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    triangles.clear();
+    gather_ring(mesh, uv, v, [&](int c, int p, int q) {
+      triangles.push_back({uv[p], uv[q], targets(c), mesh.chart().weight_of_triangle(c / 3)});
+    });
+  }
+
+  void add(const Triangle& t, const Planar_point& x, double, bool with_derivatives,
+           Energy_derivatives<2>& sum) const
+  {
+    add_angles_at_corner(energy, t.weight, t.beta, {x, t.p, t.q}, with_derivatives, sum);
+  }
+
+  double barrier_weight() const
+  {
+    double sum = 0;
+    for(const Triangle& t : triangles)
+      sum += t.weight;
+    return 0.01 * sum / static_cast<double>(triangles.size());
+  }
+
+protected:
+  std::array<double, 3> targets(int c) const
+  {
+    return {beta[c], beta[next_corner(c)], beta[previous_corner(c)]};
+  }
+};
+
+// With the weight of MIPS, the area on the surface: a level has triangles of very different sizes, and the smallest
+// ones would count most.
+struct Area_angle_star : Angle_star
+{
+  using Angle_star::Angle_star;
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    triangles.clear();
+    gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
+      const double weight = mesh.chart().weight_of_triangle(c / 3) * e.twice_area();
+      triangles.push_back({uv[p], uv[q], targets(c), weight});
+    });
   }
 };
 
 // A step of Newton's method towards the least energy of a star, or along the gradient where the energy is not convex
-template <typename Energy>
-Planar_point newton_step(const Energy& here)
+inline Planar_point newton_step(const Energy_derivatives<2>& here)
 {
   const double determinant =
       here.hessian(0, 0) * here.hessian(1, 1) - here.hessian(0, 1) * here.hessian(0, 1);

@@ -54,8 +54,8 @@ private:
   void (*m_call)(const void*, int);
 };
 
-// Asks for the deadline in each call. An exception in one thread also stops the loops that others run at the time within
-// the same loop. They would go on behind a loop that was not done.
+// Asks for the deadline in each call. An exception in one thread also stops the loops that others run at the time
+// within the same loop. They would go on behind a loop that was not done.
 inline void run_loop(int n, bool is_parallel, const Loop_body& body)
 {
   if(n < 2 || !is_parallel) {

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a visitor hears of a run: the start of a stage, Newton's steps, levels. It also times stages, and ends the run
-// if the visitor or the deadline says so. `solve_angles.h`, `coarsen.h`, `flatten_injectively.h`, the strategies and
-// the stages of an atlas report through it.
+// What a visitor hears of a run: the start of a stage, Newton's steps, levels. It also times stages, asks for the
+// memory of the process, and ends the run if the visitor or the deadline says so. `solve_angles.h`, `coarsen.h`,
+// `flatten_injectively.h`, the strategies and the stages of an atlas report through it.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_RUN_STAGE_H
@@ -18,6 +18,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <CGAL/Real_timer.h>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+#include <cstddef>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
@@ -87,6 +93,23 @@ inline void visit_level(Flattening_visitor* visitor, int vertices, int all_verti
   if(visitor != nullptr && !visitor->level(vertices, all_vertices))
     throw Cancelled();
   Deadline::ask();
+}
+
+// The largest resident size of the process so far, in bytes; 0 if the system does not tell. On Linux, the count starts
+// with the size of the parent process.
+inline std::size_t peak_resident_size()
+{
+#if defined(__unix__) || defined(__APPLE__)
+#ifdef __APPLE__
+  const std::size_t unit = 1;
+#else
+  const std::size_t unit = 1024;
+#endif
+  rusage usage;
+  if(getrusage(RUSAGE_SELF, &usage) == 0)
+    return static_cast<std::size_t>(usage.ru_maxrss) * unit;
+#endif
+  return 0;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF

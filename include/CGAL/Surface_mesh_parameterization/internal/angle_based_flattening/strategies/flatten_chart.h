@@ -10,8 +10,7 @@
 //    `lay_out_angles.h` ends each with a map, and `hole_strategies.h` is for charts with holes.
 // 2. Hierarchical: `flatten_chart_hierarchically.h` has the coarse chart solved, polishes and certifies;
 //    `coarse_to_fine.h` is Section 5 of the paper.
-// 3. Injective: `make_injective.h` takes over where the direct map overlaps itself; `injective/flatten_injectively.h`
-//    makes the other map.
+// 3. Injective: `injective/flatten_injectively.h` makes the map, also where that of the direct method overlaps itself.
 // 4. Pins: `pin_map.h` moves a finished map.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_STRATEGIES_FLATTEN_CHART_H

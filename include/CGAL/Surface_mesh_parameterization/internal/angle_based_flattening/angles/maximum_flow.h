@@ -5,8 +5,8 @@
 
 // The maximum flow through a network, by Boost. `angle_flow.h` and `minimum_cut.h` call it.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MAXIMUM_FLOW_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MAXIMUM_FLOW_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_MAXIMUM_FLOW_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_MAXIMUM_FLOW_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -75,4 +75,4 @@ inline Maximum_flow maximum_flow(const Flow_network& network)
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_MAXIMUM_FLOW_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_MAXIMUM_FLOW_H

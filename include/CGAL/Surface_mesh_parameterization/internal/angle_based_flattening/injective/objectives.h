@@ -3,16 +3,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gradient and Hessian of a sum of energies of three vertices each, assembled by blocks for Newton's method on
-// positions. `injective_descent.h` sums triangles and border pairs in it, each without its negative eigenvalues: the
-// sum is semidefinite.
+// What `Injective_descent` minimizes: an energy of `triangle_energies.h`, triangle by triangle of a whole map, and the
+// sum of its derivatives for Newton's method on positions. `flatten_injectively.h` minimizes the energy of areas on
+// coarse charts, where Newton's method is affordable, and polishes with that of angles, which nears the optimum of the
+// direct method without any overlap.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_OBJECTIVES_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_OBJECTIVES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/angle_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_differential.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/triangle_energies.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 
@@ -25,13 +30,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// Of an energy by the positions of three vertices
-struct Triangle_derivatives
-{
-  Eigen::Matrix<double, 6, 1> gradient;
-  Eigen::Matrix<double, 6, 6> hessian; // without negative eigenvalues
-};
 
 // The gradient and the projected Hessian of a sum of energies of three vertices each, by the positions of all vertices.
 // The three need not be a triangle: parts of the border that repel each other are coupled too. The pattern has room for
@@ -74,9 +72,7 @@ public:
 
   void clear_triples()
   {
-    const Triangle_derivatives none = {Eigen::Matrix<double, 6, 1>::Zero(),
-                                       Eigen::Matrix<double, 6, 6>::Zero()};
-    std::fill(m_derivatives.begin() + m_triangles, m_derivatives.end(), none);
+    std::fill(m_derivatives.begin() + m_triangles, m_derivatives.end(), Triangle_derivatives());
   }
 
   Triangle_derivatives& of_triangle(int t) { return m_derivatives[t]; }
@@ -126,6 +122,72 @@ inline void damp(const Block_matrix<2>& matrix, double fraction, Block_matrix<2>
       }
 }
 
+// The energy of the direct method (Eq. 1), as a function of positions instead of angles
+class Angle_objective
+{
+public:
+  // `beta` are the target angles of all corners.
+  Angle_objective(const Chart& chart, const std::vector<double>& beta, const Angle_energy& energy)
+      : m_chart(chart), m_beta(beta), m_energy(energy)
+  {}
+
+  double triangle_energy(int t, const Planar_triangle& x) const
+  {
+    return m_chart.weight_of_triangle(t) * m_energy.value(planar_angles(x), targets(t));
+  }
+
+  Triangle_derivatives triangle_derivatives(int t, const Planar_triangle& x) const
+  {
+    return angle_derivatives(m_energy, m_chart.weight_of_triangle(t), targets(t), x);
+  }
+
+  double least_energy(int) const { return 0; }
+
+  // The weight of the barrier between parts of the border. A larger one keeps them farther apart.
+  double triangle_weight(int t) const { return 0.01 * m_chart.weight_of_triangle(t); }
+
+private:
+  std::array<double, 3> targets(int t) const { return {m_beta[3 * t], m_beta[3 * t + 1], m_beta[3 * t + 2]}; }
+
+  const Chart& m_chart;
+  const std::vector<double>& m_beta;
+  Angle_energy m_energy;
+};
+
+// `area_energy()`
+class Area_objective
+{
+public:
+  Area_objective(const Chart& chart, double theta) : m_chart(chart), m_theta(theta)
+  {
+    double area = 0;
+    for(int t = 0; t < chart.number_of_triangles(); ++t)
+      area += Flat_triangle(chart, t, 0).area;
+    const double least_area = 1e-9 * area / chart.number_of_triangles();
+    for(int t = 0; t < chart.number_of_triangles(); ++t)
+      m_triangles.emplace_back(chart, t, least_area);
+  }
+
+  double triangle_energy(int t, const Planar_triangle& x) const
+  {
+    return m_chart.weight_of_triangle(t) * area_energy(m_theta, m_triangles[t], x);
+  }
+
+  Triangle_derivatives triangle_derivatives(int t, const Planar_triangle& x) const
+  {
+    return area_derivatives(m_theta, m_chart.weight_of_triangle(t), m_triangles[t], x);
+  }
+
+  // The energy of an undistorted triangle. It also weighs the barrier between parts of the border.
+  double least_energy(int t) const { return triangle_weight(t); }
+  double triangle_weight(int t) const { return m_chart.weight_of_triangle(t) * m_triangles[t].area; }
+
+private:
+  const Chart& m_chart;
+  double m_theta;
+  std::vector<Flat_triangle> m_triangles;
+};
+
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_DEFINITE_HESSIAN_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_INJECTIVE_OBJECTIVES_H

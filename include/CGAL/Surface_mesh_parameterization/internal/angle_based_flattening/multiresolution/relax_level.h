@@ -3,11 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Relaxation of a level (Section 5.2) by the energy of angles (Eq. 1) with triangles weighted by area, and the test on
-// the coarse chart that asks for it. `coarse_to_fine.h` runs the test, and `refine.h` the relaxation.
+// Sweeps of relaxation over a level (Section 5.2): by MIPS, with the surface data of all stars gathered once for
+// several sweeps, or by the energy of angles (Eq. 1). `refine.h` and `flatten_injectively.h` call them. A test on the
+// coarse chart, which `coarse_to_fine.h` runs, tells which of the two.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_LEVEL_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_LEVEL_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -15,22 +16,114 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/planar_angle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/edge_collapses.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/kept_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
+
+// What the stars of the interior vertices of a level need of the surface, side by side in memory, for several sweeps
+// over the level. Single precision is enough for the weights of an energy, and takes half of the memory.
+class Kept_rings
+{
+public:
+  // A triangle (v, p, q) of a `MIPS_star`; q is the p of the triangle before it.
+  struct Triangle
+  {
+    int p;
+    float dot_v, dot_p, dot_q;
+  };
+
+  struct Ring
+  {
+    const Triangle *first = nullptr, *last = nullptr;
+
+    const Triangle* begin() const { return first; }
+    const Triangle* end() const { return last; }
+  };
+
+  Kept_rings(const Edge_collapses& mesh, const std::vector<int>& vertices)
+      : m_blocks(vertices.size() / block_size + 1), m_rings(mesh.chart().points.size())
+  {
+    parallel_for_blocks(static_cast<int>(vertices.size()), [&](int begin, int end) {
+      std::vector<Triangle>& block = m_blocks[begin / block_size];
+      block.reserve(7 * block_size); // a ring has about six
+      std::vector<std::size_t> first;
+      for(int i = begin; i < end; ++i) {
+        first.push_back(block.size());
+        if(mesh.chart().interior[vertices[i]] >= 0)
+          append(mesh, vertices[i], block);
+      }
+      first.push_back(block.size());
+      for(int i = begin; i < end; ++i)
+        m_rings[vertices[i]] = {block.data() + first[i - begin], block.data() + first[i - begin + 1]};
+    });
+  }
+
+  // That of a vertex at the border is empty.
+  const Ring& ring(int v) const { return m_rings[v]; }
+
+private:
+  static void append(const Edge_collapses& mesh, int v, std::vector<Triangle>& block)
+  {
+    Surface_edges e(mesh.chart(), v);
+    for_each_ring_triangle(mesh, v, [&](int c, int p, int q) {
+      e.turn(p, q);
+      const double weight = mesh.chart().weight_of_triangle(c / 3);
+      block.push_back({p, static_cast<float>(weight * e.dot_v()), static_cast<float>(weight * e.dot_p()),
+                       static_cast<float>(weight * e.dot_q())});
+    });
+  }
+
+  std::vector<std::vector<Triangle>> m_blocks;
+  std::vector<Ring> m_rings; // of each vertex of the chart
+};
+
+// A star whose ring was kept
+struct Kept_MIPS_star : MIPS_star
+{
+  const Kept_rings& rings;
+
+  explicit Kept_MIPS_star(const Kept_rings& of_all) : rings(of_all) {}
+
+  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
+  {
+    const Kept_rings::Ring& ring = rings.ring(v);
+    if(ring.first == ring.last)
+      return MIPS_star::gather(mesh, uv, v);
+    triangles.clear();
+    begin_ring(v, false);
+    int q = ring.last[-1].p;
+    for(const Kept_rings::Triangle& t : ring) {
+      take_ring_edge(uv, t.p, q);
+      triangles.push_back({uv[t.p], uv[q], t.dot_v, t.dot_p, t.dot_q});
+      q = t.p;
+    }
+  }
+};
+
+// Sweeps over what is left of a chart, as similar to the surface as possible
+template <typename Relaxation>
+void relax_level(const Coarsening& coarsening, Relaxation& relaxation, int sweeps)
+{
+  if(sweeps == 1)
+    return relaxation.sweep(MIPS_star());
+  if(sweeps == 0)
+    return;
+  const Kept_rings rings(coarsening.mesh(), coarsening.alive());
+  for(int i = 0; i < sweeps; ++i)
+    relaxation.sweep(Kept_MIPS_star(rings));
+}
 
 // The target angle of each corner of a level, as `target_angles()` of a whole chart. What collapses removed has none.
 inline std::vector<double> level_target_angles(const Coarsening& coarsening)
@@ -52,24 +145,6 @@ inline std::vector<double> level_target_angles(const Coarsening& coarsening)
   return beta;
 }
 
-// With the weight of MIPS, the area on the surface: a level has triangles of very different sizes, and the smallest
-// ones would count most.
-struct Area_angle_star : Angle_star
-{
-  using Angle_star::Angle_star;
-
-  void gather(const Edge_collapses& mesh, const std::vector<Planar_point>& uv, int v)
-  {
-    triangles.clear();
-    gather_surface_ring(mesh, uv, v, [&](int c, int p, int q, const Surface_edges& e) {
-      triangles.push_back({uv[p],
-                           uv[q],
-                           {beta[c], beta[next_corner(c)], beta[previous_corner(c)]},
-                           mesh.chart().weight_of_triangle(c / 3) * e.twice_area()});
-    });
-  }
-};
-
 // Sweeps over what is left of a chart that lower the energy of angles
 template <typename Relaxation>
 void relax_angles_of_level(const Coarsening& coarsening, Relaxation& relaxation, int sweeps,
@@ -90,11 +165,8 @@ inline double mean_angle_change(const Coarsening& coarsening, const std::vector<
   for(int t : coarsening.mesh().remaining_triangles()) {
     const double weight = chart.weight_of_triangle(t) * surface_area(chart, t);
     area += weight;
-    std::array<Planar_point, 3> edge; // edge k is opposite to corner k
-    for(int k = 0; k < 3; ++k)
-      edge[k] = uv[chart.vertex[3 * t + (k + 2) % 3]] - uv[chart.vertex[3 * t + (k + 1) % 3]];
-    const std::array<double, 3> alpha = planar_angles(
-        cross(edge[0], edge[1]), {-edge[1].dot(edge[2]), -edge[2].dot(edge[0]), -edge[0].dot(edge[1])});
+    const int* v = &chart.vertex[3 * t];
+    const std::array<double, 3> alpha = planar_angles({uv[v[0]], uv[v[1]], uv[v[2]]});
     for(int k = 0; k < 3; ++k)
       change += weight * std::abs(alpha[k] - surface_angle(chart, 3 * t + k)) / 3;
   }
@@ -118,4 +190,4 @@ inline bool MIPS_changes_angles(const Coarsening& coarsening, std::vector<Planar
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_ANGLE_RELAXATION_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_MULTIRESOLUTION_RELAX_LEVEL_H

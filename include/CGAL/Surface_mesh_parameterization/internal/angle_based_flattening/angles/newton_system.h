@@ -7,8 +7,8 @@
 // 10 and 17). `solve_angles()` calls it in every iteration. The matrix splits of a single triangle are in
 // `reduced_hessian.h`.
 
-#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
-#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
+#ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_SYSTEM_H
+#define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_SYSTEM_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -22,7 +22,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/bound_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/newton_equation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/small_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/triangle_assembly.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 
@@ -291,4 +290,4 @@ private:
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 
-#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_STEP_H
+#endif // CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_ANGLES_NEWTON_SYSTEM_H
