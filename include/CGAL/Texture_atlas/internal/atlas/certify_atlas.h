@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
-#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
+#include <CGAL/Texture_atlas/internal/seams/piece.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -92,14 +92,10 @@ inline std::string defect_text(const Part_atlas& part, const Map_defect& defect)
 inline Part_atlas given_part(const Surface_part& part, double page_aspect)
 {
   Part_atlas atlas;
-  std::vector<int> all(part.chart.number_of_triangles());
-  std::iota(all.begin(), all.end(), 0);
-  Dual_patch patch =
-      Patch_cutter(part.chart, part.cost).cut_out(std::move(all), std::vector<char>(part.cost.size(), false));
-  for(int v : patch.origin)
-    atlas.uv.push_back(part.given_map[v]);
-  atlas.chart = std::move(patch.chart);
-  atlas.piece.assign(patch.triangles.size(), 0);
+  Piece whole = opened_along_seams(part.chart, part.cost, {});
+  atlas.uv = whole.map_from(part.given_map);
+  atlas.chart = std::move(whole.chart);
+  atlas.piece.assign(whole.triangles.size(), 0);
   atlas.pieces.resize(1);
   atlas.pieces.front().method = Atlas_report::GIVEN;
   atlas.pieces.front().seam_lengths = Atlas_report::OTHER_METHOD;

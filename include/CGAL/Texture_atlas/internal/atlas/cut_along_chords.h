@@ -4,15 +4,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Finds seams across the maps of charts: along chords that are short compared with what they cut off, the best first.
-// `cover_page.h` decides how many of them are worth their length. The maps stay as they are.
+// `cut_for_pages.h` decides how many of them are worth their length. The maps stay as they are.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_ALONG_CHORDS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_ALONG_CHORDS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/chord_paths.h>
-#include <CGAL/Texture_atlas/internal/atlas/cut_rings.h>
+#include <CGAL/Texture_atlas/internal/atlas/chords.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>

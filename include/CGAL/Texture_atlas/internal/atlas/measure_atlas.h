@@ -15,9 +15,8 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
-#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_shape.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Texture_atlas/internal/atlas/faces_without_area.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Adds seams in rounds as long as a map stretches too much. `part_atlas_builder.h` does so for the parts of an atlas,
+// Adds seams in rounds as long as a map stretches too much. `flatten_part.h` does so for the parts of an atlas,
 // and the program `flatten_mesh` for a mesh that becomes a single chart.
 //
 // Leads further seams to the vertices where a map stretches most.

@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The options of an atlas, and what follows from them for the direct and the hierarchical method.
-// All stages of `atlas/` that flatten or measure charts take their options from here.
+// How charts of an atlas are made: the user's options, and what follows from them for the direct and the hierarchical
+// method. The stages of `atlas/` that flatten charts take their options from here.
 
-#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ATLAS_OPTIONS_H
-#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ATLAS_OPTIONS_H
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHART_OPTIONS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHART_OPTIONS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -25,9 +25,9 @@
 namespace CGAL::Texture_atlas::internal {
 
 // The options of `make_atlas()`, and settings that it changes for some parts.
-struct Atlas_settings : Atlas_options
+struct Chart_options : Atlas_options
 {
-  Atlas_settings(const Atlas_options& options) : Atlas_options(options) {}
+  Chart_options(const Atlas_options& options) : Atlas_options(options) {}
 
   double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
   bool is_isometric = false;   // injective maps preserve areas, because conformal maps were bad
@@ -40,7 +40,7 @@ inline constexpr double isometric_weight = 1;
 // Charts of more triangles are flattened hierarchically.
 inline constexpr int largest_direct_chart = 20000;
 
-inline Flattening_options flattening_options(const Atlas_settings& options)
+inline Flattening_options flattening_options(const Chart_options& options)
 {
   Flattening_options result;
   result.area_weight = options.area_weight;
@@ -48,14 +48,14 @@ inline Flattening_options flattening_options(const Atlas_settings& options)
   return result;
 }
 
-inline ABF_plus_plus_options direct_options(const Atlas_settings& options)
+inline ABF_plus_plus_options direct_options(const Chart_options& options)
 {
   ABF_plus_plus_options result;
   static_cast<Flattening_options&>(result) = flattening_options(options);
   return result;
 }
 
-inline Hierarchical_options hierarchical_options(const Atlas_settings& options, bool injective)
+inline Hierarchical_options hierarchical_options(const Chart_options& options, bool injective)
 {
   Hierarchical_options result;
   static_cast<Flattening_options&>(result) = flattening_options(options);
@@ -69,4 +69,4 @@ inline Hierarchical_options hierarchical_options(const Atlas_settings& options, 
 
 } // namespace CGAL::Texture_atlas::internal
 
-#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ATLAS_OPTIONS_H
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHART_OPTIONS_H
