@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Gives the charts of an atlas maps that are as isometric as possible, in place of those that keep angles.
-// `build_atlas_impl.h` runs it on all charts, when no further seams come. Maps come from `flatten_atlas_chart.h`.
+// `build_atlas_impl.h` runs it on all charts, when no further seams come. Maps come from `flatten_disk.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ISOMETRIC_CHARTS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ISOMETRIC_CHARTS_H

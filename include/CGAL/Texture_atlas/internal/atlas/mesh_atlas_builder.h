@@ -65,7 +65,7 @@ public:
   {
     Report report;
     report.message = wrong_option(m_options);
-    if(report.message.empty() && keeps_charts() && !Read_mesh::has_readable_uv)
+    if(report.message.empty() && keeps_charts() && !is_readable<HalfedgeUVMap>)
       report.message = unreadable_text;
     if(!report.message.empty()) {
       report.status = Diagnosis::WRONG_OPTION;
@@ -117,11 +117,11 @@ private:
     double largest = 0;
     bool has_faces = false;
     for(std::size_t i = 0; i < m_meshes.size(); ++i) {
-      if(!m_meshes[i].read_faces(report))
+      if(!m_meshes[i].input.read_faces(report))
         return fail(report, report.status, name_of_mesh(i) + report.message);
-      has_faces = has_faces || m_meshes[i].has_faces();
-      triangles += m_meshes[i].number_of_triangles();
-      largest = (std::max)(largest, m_meshes[i].largest_coordinate());
+      has_faces = has_faces || m_meshes[i].input.has_faces();
+      triangles += m_meshes[i].input.number_of_triangles();
+      largest = (std::max)(largest, m_meshes[i].input.surface.largest_coordinate());
     }
     if(!has_faces)
       return fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
@@ -132,7 +132,7 @@ private:
     if(triangles > static_cast<std::size_t>(largest_number_of_triangles))
       return fail(report, Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
     for(std::size_t i = 0; i < m_meshes.size(); ++i)
-      if(!m_meshes[i].read_attributes(power_of_two(largest), m_weight, report))
+      if(!m_meshes[i].input.read_attributes(power_of_two(largest), m_weight, report))
         return fail(report, report.status, name_of_mesh(i) + report.message);
     scale_weights();
     return true;
@@ -159,8 +159,8 @@ private:
   {
     int first_triangle = 0;
     for(Read_mesh& mesh : m_meshes) {
-      const int triangles = static_cast<int>(mesh.number_of_triangles());
-      m_numbers_of_parts.push_back(mesh.parts().size());
+      const int triangles = static_cast<int>(mesh.input.number_of_triangles());
+      m_numbers_of_parts.push_back(mesh.input.surface.parts().size());
       for(Surface_part& part : mesh.release_parts()) {
         part.first_triangle += first_triangle;
         m_parts.push_back(std::move(part));
@@ -236,7 +236,7 @@ private:
     double sides = 0, area = 0;
     for(const Read_mesh& mesh : m_meshes)
       mesh.measure_seams(sides, area);
-    report.seam_length = sides / 2 * m_meshes.front().scale();
+    report.seam_length = sides / 2 * m_meshes.front().input.surface.scale();
     report.relative_seam_length = sides / 2 / std::sqrt(area);
   }
 

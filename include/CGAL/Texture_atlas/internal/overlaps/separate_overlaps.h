@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Cuts a map that overlaps itself into injective pieces, with seams as cheap as possible.
-// `split_charts.h` runs it on the charts of a mesh, `atlas/part_atlas_builder.h` on the charts of an atlas.
+// `split_charts.h` runs it on the charts of a mesh, `atlas/flatten_part.h` on the charts of an atlas.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_OVERLAPS_SEPARATE_OVERLAPS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_OVERLAPS_SEPARATE_OVERLAPS_H

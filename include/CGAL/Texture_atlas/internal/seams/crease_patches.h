@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A surface in patches between creases, and plane layouts of the patches that unfold without stretch.
-// `merge_patches.h` joins them.
+// `crease_division_impl.h` joins them.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CREASE_PATCHES_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CREASE_PATCHES_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The bodies of the three functions of `find_seams.h`: topological cut, greedy terminals and shortening, on a coarse
-// copy if large. `apply_seams.h` and `atlas/part_atlas_builder.h` include it; the compiled library has it in
+// copy if large. `apply_seams.h` and `atlas/flatten_part.h` include it; the compiled library has it in
 // `angle_based_flattening_seams.cpp`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_FIND_SEAMS_IMPL_H
@@ -16,9 +16,8 @@
 #include <CGAL/Texture_atlas/internal/seams/coarse_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/cut_topology.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
-#include <CGAL/Texture_atlas/internal/seams/greedy_cones.h>
+#include <CGAL/Texture_atlas/internal/seams/greedy_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/log_scale.h>
-#include <CGAL/Texture_atlas/internal/seams/repair_cut.h>
 #include <CGAL/Texture_atlas/internal/seams/shorten_paths.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -46,12 +45,12 @@ inline Seams find_seams_directly(const Chart& surface, const std::vector<double>
                                  const Seam_options& options, const Linear_solvers& solvers)
 {
   Sector_graph opened(surface);
-  Greedy_cones cones(opened, cost, options, solvers);
-  const Seams::Status status = cones.run();
+  Greedy_seams greedy(opened, cost, options, solvers);
+  const Seams::Status status = greedy.run();
   Seams seams = seams_of(opened);
   seams.status = status;
-  seams.terminals = cones.terminals();
-  seams.predicted_stretch = cones.predicted_stretch();
+  seams.terminals = greedy.terminals();
+  seams.predicted_stretch = greedy.predicted_stretch();
   return seams;
 }
 
@@ -77,25 +76,25 @@ inline Seams find_seams_on_copy(const Chart& surface, const std::vector<double>&
   const Coarse_copy copy(surface, cost, vertices_of_coarse_copy);
   const std::vector<double> coarse_cost = copy.cost();
   Sector_graph coarse(copy.chart());
-  Greedy_cones cones(coarse, coarse_cost, options, solvers);
+  Greedy_seams greedy(coarse, coarse_cost, options, solvers);
   Seams seams;
-  seams.status = cones.run();
+  seams.status = greedy.run();
   if(seams.status != Seams::DONE)
     return seams;
 
   std::vector<int> terminals;
-  for(int v : cones.terminals())
+  for(int v : greedy.terminals())
     terminals.push_back(copy.fine_vertex(v));
   Sector_graph opened(surface);
   const bool is_as_planned =
-      copy.draw(Path_shortening(coarse, coarse_cost, cones.terminals()).key_paths(), opened);
+      copy.draw(Path_shortening(coarse, coarse_cost, greedy.terminals()).key_paths(), opened);
   if(!Cut_repair(opened, cost, terminals).run()) {
     seams.status = Seams::NO_CUT;
     return seams;
   }
   seams = seams_of(opened);
   seams.terminals = std::move(terminals);
-  seams.predicted_stretch = cones.predicted_stretch();
+  seams.predicted_stretch = greedy.predicted_stretch();
   return is_as_planned ? seams : predicted_again(std::move(seams), opened, solvers);
 }
 

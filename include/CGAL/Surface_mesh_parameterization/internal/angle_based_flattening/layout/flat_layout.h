@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flat surfaces in their own plane. `atlas/part_atlas_builder.h` takes them as maps, and `seams/crease_patches.h` as
+// Flat surfaces in their own plane. `atlas/flatten_part.h` takes them as maps, and `seams/crease_patches.h` as
 // layouts.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_FLAT_LAYOUT_H

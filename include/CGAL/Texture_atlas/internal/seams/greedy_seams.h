@@ -7,8 +7,8 @@
 // stretch is small. `find_seams_impl.h` runs it, on the surface or on its coarse copy. The scale comes from
 // `log_scale.h`, so no map is made on the way.
 
-#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_GREEDY_CONES_H
-#define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_GREEDY_CONES_H
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_GREEDY_SEAMS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_GREEDY_SEAMS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -45,12 +45,12 @@ inline constexpr double relative_tie = 1e-9;
 
 // Seams of a connected surface: first those that make a disk of it, then paths to terminals, each the vertex whose
 // predicted scale is farthest from 1, until the predicted stretch is small enough.
-class Greedy_cones
+class Greedy_seams
 {
 public:
   typedef Seams::Status Status;
 
-  Greedy_cones(Sector_graph& surface, const std::vector<double>& cost, const Seam_options& options,
+  Greedy_seams(Sector_graph& surface, const std::vector<double>& cost, const Seam_options& options,
                const Linear_solvers& solvers)
       : m_surface(surface), m_cost(cost), m_options(options), m_log_scale(surface.surface(), solvers),
         m_sources(m_log_scale.sources()), m_laplacian(m_log_scale.laplacian(), solvers),
@@ -187,4 +187,4 @@ private:
 
 } // namespace CGAL::Texture_atlas::internal
 
-#endif // CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_GREEDY_CONES_H
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_GREEDY_SEAMS_H
