@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `build_atlas()` makes an atlas without the caller's types, so that it can be compiled once in the library, and here is
-// what its stages pass on: each part of the surface, opened along its seams, its map, and how its charts were made.
+// `build_atlas()` makes an atlas without the caller's types, so that it can be compiled once in the library. Here is
+// also what its stages share: options for charts, and each part of the surface, opened along its seams, with its map.
 // `Mesh_atlas_builder` calls it; the definition is in `build_atlas_impl.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_BUILD_ATLAS_H
@@ -12,35 +12,73 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
-#include <CGAL/Texture_atlas/internal/atlas/chart_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
+#include <CGAL/Texture_atlas/internal/packing/pack.h>
+#include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/piece.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
 
-// How a chart of the atlas was made
-struct Atlas_piece
+// The options of `make_atlas()`, and settings that it changes for some parts.
+struct Chart_options : Atlas_options
 {
-  Atlas_report::Method method = Atlas_report::ABF_PLUS_PLUS;
-  Atlas_report::Strategy strategy = Atlas_report::USUAL;
-  Atlas_report::Seam_lengths seam_lengths = Atlas_report::NO_SEAMS;
-  bool overlap_is_predicted = false;
-  double contact = 0;
-  int rounds = 0; // in which seams were added
+  Chart_options(const Atlas_options& options) : Atlas_options(options) {}
+
+  double longest_chart = std::numeric_limits<double>::infinity(); // longer ones are divided
+  bool is_isometric = false;   // injective maps preserve areas, because conformal maps were bad
+  bool keeps_distance = false; // all maps are injective, with some clearance between parts of their borders
 };
+
+// The weight of areas for maps that are as isometric as possible
+inline constexpr double isometric_weight = 1;
+
+// Charts of more triangles are flattened hierarchically.
+inline constexpr int largest_direct_chart = 20000;
+
+inline Flattening_options flattening_options(const Chart_options& options)
+{
+  Flattening_options result;
+  result.area_weight = options.area_weight;
+  result.threads = options.threads;
+  return result;
+}
+
+inline ABF_plus_plus_options direct_options(const Chart_options& options)
+{
+  ABF_plus_plus_options result;
+  static_cast<Flattening_options&>(result) = flattening_options(options);
+  return result;
+}
+
+inline Hierarchical_options hierarchical_options(const Chart_options& options, bool injective)
+{
+  Hierarchical_options result;
+  static_cast<Flattening_options&>(result) = flattening_options(options);
+  result.injective = injective;
+  if(!injective) { // they come close to the energy of the direct method
+    result.angle_sweeps = 20;
+    result.energy_tolerance = 0.01;
+  }
+  return result;
+}
 
 // The charts of one connected part of a surface
 struct Part_atlas
@@ -48,9 +86,9 @@ struct Part_atlas
   Diagnosis status = Diagnosis::NOTHING_WRONG; // or why there are no charts
   std::string message;
   Chart chart; // the part, opened along the seams; its triangles and corners are those of the part
-  std::vector<Chart::Point_2> uv;  // of each vertex of the chart, in the units of the surface
-  std::vector<int> piece;          // of each triangle: the chart of the atlas that it is in
-  std::vector<Atlas_piece> pieces; // by their numbers
+  std::vector<Chart::Point_2> uv;          // of each vertex of the chart, in the units of the surface
+  std::vector<int> piece;                  // of each triangle: the chart of the atlas that it is in
+  std::vector<Atlas_report::Chart> pieces; // by their numbers: how they were made
   std::size_t number_of_terminals = 0;
 
   bool succeeded() const { return status == Diagnosis::NOTHING_WRONG; }
@@ -70,7 +108,7 @@ inline void renumber_pieces(Part_atlas& atlas)
 {
   const std::vector<int> before =
       std::exchange(atlas.piece, connected_triangles(atlas.chart, [](int) { return true; }));
-  std::vector<Atlas_piece> pieces;
+  std::vector<Atlas_report::Chart> pieces;
   for(std::size_t t = 0; t < before.size(); ++t)
     if(atlas.piece[t] == static_cast<int>(pieces.size())) // they are numbered by their first triangles
       pieces.push_back(atlas.pieces[before[t]]);

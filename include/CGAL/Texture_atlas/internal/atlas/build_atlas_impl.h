@@ -17,7 +17,6 @@
 #include <CGAL/Texture_atlas/internal/atlas/cut_for_pages.h>
 #include <CGAL/Texture_atlas/internal/atlas/divide_part.h>
 #include <CGAL/Texture_atlas/internal/atlas/isometric_charts.h>
-#include <CGAL/Texture_atlas/internal/atlas/measure_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/pack_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
@@ -203,16 +202,9 @@ private:
       m_atlas.first_chart.push_back(first);
       if(!part.succeeded())
         continue;
-      for(const Atlas_piece& piece : part.pieces) {
-        Atlas_report::Chart chart;
-        chart.part = i;
-        chart.method = piece.method;
-        chart.strategy = piece.strategy;
-        chart.seam_lengths = piece.seam_lengths;
-        chart.overlap_is_predicted = piece.overlap_is_predicted;
-        chart.contact = piece.contact;
-        chart.rounds = piece.rounds;
-        m_atlas.report.charts.push_back(chart);
+      for(const Atlas_report::Chart& piece : part.pieces) {
+        m_atlas.report.charts.push_back(piece);
+        m_atlas.report.charts.back().part = i;
       }
       for(int piece : part.piece)
         ++m_atlas.report.charts[first + static_cast<std::size_t>(piece)].number_of_faces;

@@ -20,7 +20,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
-#include <CGAL/Texture_atlas/internal/atlas/chart_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/flatten_part.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -219,7 +218,7 @@ public:
     options.is_isometric = options.is_isometric || division.is_isometric;
     Part_atlas atlas =
         joined(triangles, [&](int, const Piece& piece) { return divider_of(piece, options).run(); });
-    for(Atlas_piece& piece : atlas.pieces)
+    for(Atlas_report::Chart& piece : atlas.pieces)
       piece.strategy = Atlas_report::MORE_CHARTS;
     return atlas;
   }

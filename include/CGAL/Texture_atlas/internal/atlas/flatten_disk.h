@@ -12,7 +12,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Texture_atlas/Atlas_report.h>
-#include <CGAL/Texture_atlas/internal/atlas/chart_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
@@ -42,7 +41,7 @@ namespace CGAL::Texture_atlas::internal {
 struct Disk_map
 {
   std::vector<Chart::Point_2> uv; // of each vertex
-  Atlas_piece made;               // how it was made
+  Atlas_report::Chart made;       // how it was made
   bool overlaps = false;          // parts of the disk in the plane
 
   std::shared_ptr<const Disk_map> overlapping; // that of ABF++, if this one is injective instead

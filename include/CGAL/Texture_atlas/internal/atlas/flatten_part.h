@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/chart_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Texture_atlas/internal/atlas/flatten_disk.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>

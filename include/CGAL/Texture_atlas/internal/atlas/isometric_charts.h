@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/chart_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Texture_atlas/internal/atlas/flatten_disk.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
@@ -105,7 +104,7 @@ private:
       return;
     for(std::size_t v = 0; v < map->uv.size(); ++v)
       atlas.uv[disk.origin[v]] = map->uv[v];
-    Atlas_piece& made = atlas.pieces[piece.number];
+    Atlas_report::Chart& made = atlas.pieces[piece.number];
     made.method = map->made.method;
     made.seam_lengths = map->made.seam_lengths;
     made.contact = map->made.contact;

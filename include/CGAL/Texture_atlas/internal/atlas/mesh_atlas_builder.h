@@ -14,7 +14,6 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Texture_atlas/internal/atlas/chart_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_in_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Seams that open a connected surface of any genus to a disk: a Steiner tree of borders and terminals by Mehlhorn
-// (1988), handles by Erickson and Whittlesey (2005). `find_seams_impl.h`, `greedy_seams.h` and `coarse_seams.h` cut
+// (1988), handles by Erickson and Whittlesey (2005). `find_seams_impl.h` and `coarse_seams.h` cut
 // with it. The paper cuts its closed models by Sheffer and Hart (2002).
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CUT_TOPOLOGY_H

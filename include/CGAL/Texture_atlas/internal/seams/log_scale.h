@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The scale of a conformal map, predicted from angle defects by one Poisson equation (Ben-Chen, Gotsman and Bunin
-// 2008). `greedy_seams.h` and `find_seams_impl.h` choose and judge seams by it, and
+// 2008). `find_seams_impl.h` chooses and judges seams by it, and
 // `cones/cone_charges.h` chooses cones.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_LOG_SCALE_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Shortest paths from the nearest border or seam to all nodes of an opened surface, which are kept up to date while
-// seams change, and the shortest path across an annulus by them. `greedy_seams.h` adds seams to terminals along such
+// seams change, and the shortest path across an annulus by them. `find_seams_impl.h` adds seams to terminals along such
 // paths, `shorten_paths.h` exchanges seams by them.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_NEAREST_SEAMS_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Shortens seams by key-path exchange: takes a path between two branches away, and puts the shortest one in its place.
-// `find_seams_impl.h` and `greedy_seams.h` run it after each cut, which is made greedily and is rarely shortest.
+// `find_seams_impl.h` runs it after each cut, which is made greedily and is rarely shortest.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEN_PATHS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEN_PATHS_H
