@@ -86,7 +86,7 @@ inline std::string certify_part(const Part_atlas& part)
          " at the vertex at " + position_text(part.chart, defect.vertex);
 }
 
-// Of a map that was given
+// Says what is wrong with a map that was given.
 inline std::string defect_text(const Part_atlas& part, const Map_defect& defect)
 {
   const std::string chart = "the given chart of " + std::to_string(part.piece.size()) + " triangle(s)",

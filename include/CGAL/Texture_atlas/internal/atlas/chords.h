@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -123,7 +124,7 @@ class Chord_paths
 public:
   // `graph` is the chart, opened along seams, and `cost` is that of the edge that each corner faces.
   Chord_paths(const Sector_graph& graph, const std::vector<Point_2>& uv, const std::vector<double>& cost)
-      : m_graph(graph), m_uv(uv), m_cost(cost)
+      : m_graph(graph), m_uv(uv), m_cheapest(graph, cost), m_shortest(graph, m_length)
   {
     for(std::size_t c = 0; c < cost.size(); ++c)
       m_length.push_back(std::isinf(cost[c]) ? forbidden : edge_length(graph.surface(), static_cast<int>(c)));
@@ -135,27 +136,27 @@ public:
   std::vector<std::pair<std::size_t, std::size_t>> edges_between(const Border_of_piece& a,
                                                                  const Border_of_piece& b) const
   {
-    std::vector<std::size_t> place(static_cast<std::size_t>(m_graph.number_of_nodes()), b.size());
+    std::unordered_map<int, std::size_t> place; // of each node of the second border
     for(std::size_t j = 0; j < b.size(); ++j)
       place[m_graph.source_node(b.corner(j))] = j;
     std::vector<std::pair<std::size_t, std::size_t>> result;
     for(std::size_t i = 0; i < a.size(); ++i)
       for(auto [edge, end] = out_edges(m_graph.source_node(a.corner(i)), m_graph); edge != end; ++edge)
-        if(const std::size_t j = place[m_graph.target_node(*edge)]; j < b.size())
-          result.emplace_back(i, j);
+        if(const auto found = place.find(m_graph.target_node(*edge)); found != place.end())
+          result.emplace_back(i, found->second);
     return result;
   }
 
   // The cheapest path between the ends of a chord, or else the shortest one; empty if both are much longer than the
   // chord
   std::vector<int> path_along(const Border_of_piece& a, std::size_t from, const Border_of_piece& b,
-                              std::size_t to) const
+                              std::size_t to)
   {
     const int source = m_graph.source_node(a.corner(from)), target = m_graph.source_node(b.corner(to));
     const double longest = most_detour * distance(a.point(from), b.point(to));
-    std::vector<int> path = path_between(source, target, m_cost);
+    std::vector<int> path = path_between(source, target, m_cheapest);
     if(length_in_plane(path) > longest && !m_length.empty())
-      path = path_between(source, target, m_length);
+      path = path_between(source, target, m_shortest);
     if(length_in_plane(path) > longest)
       path.clear();
     return path;
@@ -172,15 +173,13 @@ public:
   }
 
 private:
-  std::vector<int> path_between(int source, int target, const std::vector<double>& cost) const
+  // Through the inside of the piece
+  std::vector<int> path_between(int source, int target, Shortest_paths& paths) const
   {
-    std::vector<char> is_allowed(static_cast<std::size_t>(m_graph.number_of_nodes()));
-    for(int x = 0; x < m_graph.number_of_nodes(); ++x)
-      is_allowed[x] = x == target || (m_graph.is_node(x) && !m_graph.is_on_border(x));
-    Shortest_paths paths(m_graph, cost);
-    paths.restrict_to(std::move(is_allowed));
-    return paths.find({source}, forbidden, [&](int x) { return x == target; }) < 0 ? std::vector<int>()
-                                                                                   : paths.path(target);
+    const int end = paths.find(
+        {source}, forbidden, [&](int x) { return x == target; },
+        [&](int x) { return x == target || !m_graph.is_on_border(x); });
+    return end < 0 ? std::vector<int>() : paths.path(target);
   }
 
   double length_in_plane(const std::vector<int>& path) const
@@ -194,8 +193,8 @@ private:
 
   const Sector_graph& m_graph;
   const std::vector<Point_2>& m_uv;
-  const std::vector<double>& m_cost;
-  std::vector<double> m_length; // of the same edges; infinite where the cost is; empty if it is the same
+  std::vector<double> m_length; // of edges; infinite where the cost is; empty if it is the same
+  Shortest_paths m_cheapest, m_shortest;
 };
 
 // A chord from the outer border of a piece to the border of a hole
@@ -227,7 +226,7 @@ public:
     return sorted([&](const Ring_chord& chord) { return length(chord); });
   }
 
-  // Those that cut the ring in two with another one. The score of both is their length divided by the square root of
+  // The chords that cut the ring in two with another one. The score of both is their length divided by the square root of
   // the smaller area, which is at least `least_area`; it is at most `largest_score`.
   std::vector<Ring_chord> second_chords(const Ring_chord& first, double least_area,
                                         double largest_score) const

@@ -202,7 +202,7 @@ public:
                                                                     : with_divided_pieces(atlas, divisions);
   }
 
-  // Of several pieces at once
+  // The atlas of the surface in several pieces
   Part_atlas divided(const Division& division) const
   {
     const std::vector<std::vector<int>> triangles =

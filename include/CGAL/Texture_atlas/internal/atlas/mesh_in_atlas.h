@@ -107,18 +107,16 @@ public:
     return parts;
   }
 
-  // The first face of each chart that is not good
+  // The first face of each chart that is not good. Pieces are numbered by their first triangles.
   void name_bad_charts(Report& report) const
   {
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-      const Part_atlas& atlas = m_atlas[i];
-      for(std::size_t p = 0; p < atlas.pieces.size(); ++p) {
-        if(report.charts[m_first_chart[i] + p].is_good)
-          continue;
-        const auto first = std::find(atlas.piece.begin(), atlas.piece.end(), static_cast<int>(p));
-        report.offending_faces.push_back(input.surface.face_of(
-            input.surface.parts()[i].first_triangle + static_cast<int>(first - atlas.piece.begin())));
-      }
+      int pieces = 0;
+      for(std::size_t t = 0; m_atlas[i].succeeded() && t < m_atlas[i].piece.size(); ++t)
+        if(m_atlas[i].piece[t] == pieces)
+          if(!report.charts[m_first_chart[i] + static_cast<std::size_t>(pieces++)].is_good)
+            report.offending_faces.push_back(
+                input.surface.face_of(input.surface.parts()[i].first_triangle + static_cast<int>(t)));
     }
   }
 

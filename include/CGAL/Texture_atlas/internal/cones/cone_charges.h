@@ -252,7 +252,7 @@ private:
 
   int number_of_bound_cones() const { return is_closed() && !m_cones.empty() ? 1 : 0; }
 
-  // Of the cones with charges of their own; on a closed surface the differences from the first cone
+  // The values at the cones with charges of their own; on a closed surface the differences from the first cone
   Eigen::VectorXd at_cones(const Eigen::VectorXd& u) const
   {
     const int bound = number_of_bound_cones();

@@ -150,7 +150,7 @@ public:
     return report;
   }
 
-  // Of each corner of a part: whether the edge that it faces is a seam now
+  // Tells of each corner of a part whether the edge that it faces is a seam now.
   std::vector<char> seams_of(const Surface_part& part) const
   {
     std::vector<char> is_seam;

@@ -49,7 +49,7 @@ public:
   const Chart& chart() const { return m_coarse; }
   int fine_vertex(int v) const { return m_fine_vertex[v]; }
 
-  // Of the edge that each corner of the copy faces: its length times what a unit of length costs around its ends
+  // The cost of the edge that each corner of the copy faces: its length times what a unit of it costs around its ends
   std::vector<double> cost() const
   {
     std::vector<double> sum(m_surface.points.size(), 0.), length(m_surface.points.size(), 0.);
@@ -124,8 +124,8 @@ private:
         for(int x : {surface.source_node(c), surface.target_node(c)})
           is_allowed[x] = x == from || x == to;
       Shortest_paths fine(surface, m_cost);
-      fine.restrict_to(is_allowed);
-      if(fine.find({from}, forbidden, [&](int x) { return x == to; }) >= 0) {
+      if(fine.find(
+             {from}, forbidden, [&](int x) { return x == to; }, [&](int x) { return is_allowed[x]; }) >= 0) {
         const std::vector<int> found = fine.path(to);
         edges.insert(edges.end(), found.begin(), found.end());
         return is_near;
@@ -135,7 +135,7 @@ private:
     return false;
   }
 
-  // Those that were merged into the path's vertices, and into all their neighbours
+  // The nodes that were merged into the path's vertices, and into all their neighbours
   std::vector<char> nodes_near(const std::vector<int>& path, const std::vector<int>& node) const
   {
     std::vector<char> is_near(m_coarse.points.size(), false);

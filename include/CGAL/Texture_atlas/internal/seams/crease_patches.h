@@ -44,7 +44,7 @@ struct Crease_patches
 {
   std::vector<Crease_patch> patches;
   std::vector<int> patch; // of each triangle
-  // Of each corner, in the layout of its patch. Meaningless if the patch does not unfold.
+  // The place of each corner in the layout of its patch. Meaningless if the patch does not unfold.
   std::vector<Corner_table::Point_2> layout;
 };
 

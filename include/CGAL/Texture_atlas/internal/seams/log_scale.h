@@ -109,13 +109,13 @@ public:
     return unknown;
   }
 
-  // With twice the usual weights
+  // The Laplacian of some vertices, with twice the usual weights
   Triangle_assembly<1> laplacian(const std::vector<int>& unknown, int n) const
   {
     return cotangent_laplacian(m_surface, m_cotangents, unknown, n);
   }
 
-  // Of all vertices, with twice the usual weights
+  // The Laplacian of all vertices, with twice the usual weights
   Block_matrix<1> laplacian() const
   {
     std::vector<int> all(m_surface.points.size());

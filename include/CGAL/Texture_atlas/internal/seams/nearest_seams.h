@@ -197,7 +197,7 @@ private:
   std::vector<int> m_lost;            // the nodes whose paths the last closed path has cut
   std::vector<Forgotten> m_forgotten; // the labels of these
 
-  // Of each node: the corner to the left of the first edge of its path, at the source; any corner of a source. Nodes
+  // The corner to the left of the first edge of each node's path, at the source; any corner of a source. Nodes
   // are numbered again when seams change, corners are not.
   std::vector<int> m_first_corner;
   std::int64_t m_visits = 0;
@@ -258,7 +258,7 @@ private:
     }
   }
 
-  // Of a node on a border: the border's edge to it
+  // The border's edge to a node that is on it
   int edge_before(int x) const { return next_corner(m_surface.first_corner(x)); }
 
   // Whether a node is nearest to the border whose nodes are marked

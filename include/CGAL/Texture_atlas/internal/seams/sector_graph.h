@@ -202,7 +202,7 @@ inline void find_border_vertices(const Sector_graph& surface, std::vector<char>&
       is_on_border[surface.vertex(x)] = true;
 }
 
-// Of each node, the number of the border on which it is, or -1
+// The number of the border on which each node is, or -1
 inline std::vector<int> number_borders(const Sector_graph& surface, int& count)
 {
   std::vector<int> number(surface.number_of_nodes(), -1);
@@ -221,7 +221,7 @@ inline std::vector<int> number_borders(const Sector_graph& surface, int& count)
   return number;
 }
 
-// Of a surface that is connected, also without its seams
+// The topology of a surface that is connected, also without its seams
 struct Topology
 {
   explicit Topology(const Sector_graph& surface)

@@ -90,12 +90,17 @@ public:
       : m_surface(surface), m_cost(cost), m_labels(surface.number_of_nodes())
   {}
 
-  // Paths lead through these nodes only.
-  void restrict_to(std::vector<char> is_allowed) { m_is_allowed = std::move(is_allowed); }
-
   // Finds the nearest node with `is_target(x)`, at a distance of at most `bound`, or else -1.
   template <typename IsTarget>
   int find(const std::vector<int>& sources, double bound, const IsTarget& is_target)
+  {
+    return find(sources, bound, is_target, [](int) { return true; });
+  }
+
+  // The same along paths through nodes with `is_allowed(x)` only
+  template <typename IsTarget, typename IsAllowed>
+  int find(const std::vector<int>& sources, double bound, const IsTarget& is_target,
+           const IsAllowed& is_allowed)
   {
     forget_last_search();
     Path_queue queue = path_queue(m_labels);
@@ -110,8 +115,10 @@ public:
         return -1;
       if(is_target(x))
         return x;
-      for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge)
-        reach(m_surface.target_node(*edge), distance(x) + cost(*edge), *edge, queue);
+      for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge) {
+        const int y = m_surface.target_node(*edge);
+        reach(y, distance(x) + (is_allowed(y) ? m_cost[*edge] : forbidden), *edge, queue);
+      }
     }
     return -1;
   }
@@ -136,11 +143,6 @@ public:
   std::vector<int> path(int x) const { return path_to(x, m_labels, m_surface); }
 
 private:
-  double cost(int c) const
-  {
-    return m_is_allowed.empty() || m_is_allowed[m_surface.target_node(c)] ? m_cost[c] : forbidden;
-  }
-
   void forget_last_search()
   {
     for(int x : m_touched)
@@ -170,7 +172,6 @@ private:
 
   const Sector_graph& m_surface;
   const std::vector<double>& m_cost;
-  std::vector<char> m_is_allowed;   // all of them if empty
   std::vector<Path_label> m_labels; // of each node
   std::vector<int> m_touched;       // the nodes with labels other than the first ones
   int m_visited = 0;

@@ -42,7 +42,7 @@ struct Triangle_arrays
     return CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
   }
 
-  // Those that have an area
+  // The triangles that have an area
   std::vector<Seam_kernel::Triangle_3> proper_triangles() const
   {
     std::vector<Seam_kernel::Triangle_3> result;
@@ -119,7 +119,7 @@ public:
     return ends[e][0] == v ? ends[e][1] : ends[e][0];
   }
 
-  // Of two vertices that an edge joins
+  // The edge between two vertices that one joins
   std::size_t edge_between(std::size_t v, std::size_t w) const
   {
     std::size_t result = 0;
