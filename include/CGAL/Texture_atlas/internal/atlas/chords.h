@@ -226,8 +226,8 @@ public:
     return sorted([&](const Ring_chord& chord) { return length(chord); });
   }
 
-  // The chords that cut the ring in two with another one. The score of both is their length divided by the square root of
-  // the smaller area, which is at least `least_area`; it is at most `largest_score`.
+  // The chords that cut the ring in two with another one. The score of both is their length divided by the square root
+  // of the smaller area, which is at least `least_area`; it is at most `largest_score`.
   std::vector<Ring_chord> second_chords(const Ring_chord& first, double least_area,
                                         double largest_score) const
   {

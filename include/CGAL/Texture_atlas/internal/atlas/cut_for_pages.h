@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cuts charts in two for the sake of pages: where a page cannot hold them, and where they then cover so much more of the
-// page that the longer seams are worth it. `build_atlas_impl.h` runs both. The cuts come from `cut_along_chords.h`, and
-// the maps stay as they are.
+// Cuts charts in two for the sake of pages: where a page cannot hold them, and where they then cover so much more of
+// the page that the longer seams are worth it. `build_atlas_impl.h` runs both. The cuts come from `cut_along_chords.h`,
+// and the maps stay as they are.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_FOR_PAGES_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_FOR_PAGES_H
@@ -135,8 +135,8 @@ private:
   Part_atlas& m_atlas;
 };
 
-// Cuts charts as long as that is worth its price: a page that is covered by a factor f more is worth seams of the length
-// log(f) / price, in units of the square root of the area of all charts.
+// Cuts charts as long as that is worth its price: a page that is covered by a factor f more is worth seams of the
+// length log(f) / price, in units of the square root of the area of all charts.
 class Page_coverer
 {
 public:

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gives charts their final coordinates: moves them to their places on the pages, rounds them, and makes polygons convex.
-// Also certifies that charts are apart. `build_atlas_impl.h` calls it; `packing/pack.h` finds the places.
+// Gives charts their final coordinates: moves them to their places on the pages, rounds them, and makes polygons
+// convex. Also certifies that charts are apart. `build_atlas_impl.h` calls it; `packing/pack.h` finds the places.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PACK_ATLAS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PACK_ATLAS_H

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // `select_cones()` for any mesh: reads surface and options, and names the vertices that are cones. Called by
-// `select_cones.h` and `cone_flattener.h`. `choose_cones()` does the work, without the caller's types; the definition is
-// in `choose_cones_impl.h`.
+// `select_cones.h` and `cone_flattener.h`. `choose_cones()` does the work, without the caller's types; the definition
+// is in `choose_cones_impl.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_CONES_CHOOSE_CONES_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_CONES_CHOOSE_CONES_H

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turns the charges of cones into angles that are possible: multiples of a quantum if asked for, for example for patterns
-// that a quarter turn does not change, with the total that topology demands. Included by `choose_cones.h`, or by the
-// source file of the compiled library.
+// Turns the charges of cones into angles that are possible: multiples of a quantum if asked for, for example for
+// patterns that a quarter turn does not change, with the total that topology demands. Included by `choose_cones.h`, or
+// by the source file of the compiled library.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_CONES_CHOOSE_CONES_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_CONES_CHOOSE_CONES_IMPL_H

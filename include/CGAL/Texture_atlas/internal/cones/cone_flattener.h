@@ -111,7 +111,7 @@ private:
     m_result.offending_faces = part.offending_faces;
   }
 
-  // Names vertices and triangles of the surface, cut open, whose corners are those of the surface
+  // Names vertices and triangles of the surface, cut open, whose corners are those of the surface.
   void name_offenders(const Chart& chart, const std::vector<int>& offending_vertices,
                       const std::vector<int>& triangles)
   {

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The two sheets of an overlap, which are sets of triangles that lie over each other, and the cheapest seam between them,
-// as a minimum cut of the dual graph. `separate_overlaps.h` makes one such cut after the other. The paper splits its
-// charts by Sheffer and Hart (2002) instead.
+// The two sheets of an overlap, which are sets of triangles that lie over each other, and the cheapest seam between
+// them, as a minimum cut of the dual graph. `separate_overlaps.h` makes one such cut after the other. The paper splits
+// its charts by Sheffer and Hart (2002) instead.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_OVERLAPS_MINIMUM_CUT_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_OVERLAPS_MINIMUM_CUT_H

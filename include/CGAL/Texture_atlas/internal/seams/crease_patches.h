@@ -156,8 +156,8 @@ private:
 
   bool is_inside(int c) const { return is_within_patch(m_surface, m_result.patch, c); }
 
-  // Scraps are small bent disks beside a patch that does not unfold: rough places of its shape. They become parts of the
-  // patch that they share the longest border with.
+  // Scraps are small bent disks beside a patch that does not unfold: rough places of its shape. They become parts of
+  // the patch that they share the longest border with.
   void absorb_scraps()
   {
     double area = 0;

@@ -39,8 +39,8 @@ struct Seams
   double predicted_stretch = 1;
 };
 
-// Finds seams that make a disk of a connected surface, and reach the terminals. `cost` is that of the edge that each corner
-// faces, infinity where it must not be a seam.
+// Finds seams that make a disk of a connected surface, and reach the terminals. `cost` is that of the edge that each
+// corner faces, infinity where it must not be a seam.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,
                                                                 const std::vector<double>& cost,
                                                                 const std::vector<int>& terminals = {});

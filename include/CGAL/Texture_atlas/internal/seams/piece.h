@@ -108,8 +108,8 @@ inline int euler_characteristic(const Chart& chart)
          chart.number_of_triangles();
 }
 
-// The triangles of a chart in connected pieces, across edges with `is_crossed(corner)`: the number of the piece of each,
-// from 0 on
+// The triangles of a chart in connected pieces, across edges with `is_crossed(corner)`: the number of the piece of
+// each, from 0 on
 template <typename IsCrossed>
 std::vector<int> connected_triangles(const Chart& chart, const IsCrossed& is_crossed)
 {

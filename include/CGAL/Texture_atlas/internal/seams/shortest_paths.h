@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Dijkstra's search on an opened surface, which can be bounded, restricted and repeated at the cost of what it visits.
-// All seam searches use it: `cut_topology.h`, `find_seams_impl.h`, `nearest_seams.h`, `shorten_paths.h`, `coarse_seams.h`
-// and, in `atlas/`, further seams.
+// All seam searches use it: `cut_topology.h`, `find_seams_impl.h`, `nearest_seams.h`, `shorten_paths.h`,
+// `coarse_seams.h` and, in `atlas/`, further seams.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEST_PATHS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEST_PATHS_H

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The bodies of the functions of `symmetry.h`. `symmetrize_seams.h` includes it, or the source file of the compiled
-// library. The plane in which a surface is most nearly symmetric is the best of many directions: planes are fitted to the
-// surface and its mirror image, as by the iterative closest point method.
+// library. The plane in which a surface is most nearly symmetric is the best of many directions: planes are fitted to
+// the surface and its mirror image, as by the iterative closest point method.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SYMMETRY_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SYMMETRY_IMPL_H

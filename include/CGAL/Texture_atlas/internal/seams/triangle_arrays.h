@@ -147,9 +147,9 @@ private:
   std::vector<std::size_t> m_edges;
 };
 
-// How far each vertex can be seen from outside: seams are better hidden, as Sheffer and Hart (2002) lay theirs. It is the
-// share of the rays into the half space of its normal that leave without meeting a triangle; 1 for
-// vertices without a normal.
+// How far each vertex can be seen from outside: seams are better hidden, as Sheffer and Hart (2002) lay theirs. It is
+// the share of the rays into the half space of its normal that leave without meeting a triangle; 1 for vertices without
+// a normal.
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<double> visibility(const Triangle_arrays& mesh);
 
 } // namespace CGAL::Texture_atlas::internal

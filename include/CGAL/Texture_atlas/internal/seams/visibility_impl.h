@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How far vertices can be seen, by rays: the body of `visibility()`. `seam_weights.h` includes it, or the source file of
-// the compiled library.
+// How far vertices can be seen, by rays: the body of `visibility()`. `seam_weights.h` includes it, or the source file
+// of the compiled library.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_VISIBILITY_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_VISIBILITY_IMPL_H

@@ -88,7 +88,8 @@ struct Flattening
 // Rounds coordinates to what the caller can store.
 typedef void (*Rounding)(std::vector<Chart::Point_2>&);
 
-// What becomes of a coarse chart: its map, or nothing if finer charts are to be tried. A diagnosis ends the run with it.
+// What becomes of a coarse chart: its map, or nothing if finer charts are to be tried. A diagnosis ends the run with
+// it.
 struct Coarse_map
 {
   Coarse_map(std::optional<std::vector<Chart::Point_2>> map, Diagnosis end = Diagnosis::NOTHING_WRONG)
