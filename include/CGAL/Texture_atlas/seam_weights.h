@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
-#include <CGAL/Texture_atlas/internal/seams/visibility.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -168,6 +167,10 @@ Mesh_report<TriangleMesh> compute_crease_weights(const TriangleMesh& mesh, EdgeW
 } // namespace Texture_atlas
 
 } // namespace CGAL
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Texture_atlas/internal/seams/visibility_impl.h>
+#endif
 
 #include <CGAL/enable_warnings.h>
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/Texture_atlas/Cone_selection.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Texture_atlas/internal/cones/choose_cones.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
-#include <CGAL/Texture_atlas/internal/cones/select_cones_of_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

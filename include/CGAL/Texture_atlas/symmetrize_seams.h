@@ -12,8 +12,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/Symmetry_report.h>
-#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
-#include <CGAL/Texture_atlas/internal/seams/mirror_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/symmetry.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -271,6 +269,10 @@ Mesh_report<TriangleMesh> favor_mirror_plane(const TriangleMesh& mesh, const Mir
 } // namespace Texture_atlas
 
 } // namespace CGAL
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Texture_atlas/internal/seams/symmetry_impl.h>
+#endif
 
 #include <CGAL/enable_warnings.h>
 

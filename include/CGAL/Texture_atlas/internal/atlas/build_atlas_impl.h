@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All stages of an atlas in their order: charts of all parts, polygons, packing, certificate and measures. Included at
-// the end of `build_atlas.h`, or by the source file of the compiled library. Parts come from `divided_part_atlas.h`.
+// All stages of an atlas in their order: charts of all parts, packing, certificate and measures. Included at the end of
+// `mesh_atlas_builder.h`, or by the source file of the compiled library. Charts come from `divide_part.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_BUILD_ATLAS_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_BUILD_ATLAS_IMPL_H
@@ -14,20 +14,13 @@
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/certify_atlas.h>
-#include <CGAL/Texture_atlas/internal/atlas/cover_page.h>
-#include <CGAL/Texture_atlas/internal/atlas/divided_part_atlas.h>
-#include <CGAL/Texture_atlas/internal/atlas/fit_pages.h>
+#include <CGAL/Texture_atlas/internal/atlas/cut_for_pages.h>
+#include <CGAL/Texture_atlas/internal/atlas/divide_part.h>
 #include <CGAL/Texture_atlas/internal/atlas/isometric_charts.h>
-#include <CGAL/Texture_atlas/internal/atlas/measure_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/pack_atlas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
-#include <CGAL/Texture_atlas/internal/packing/chart_shape.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
-#include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
-#include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -42,13 +35,14 @@
 
 namespace CGAL::Texture_atlas::internal {
 
+// Makes an atlas, stage by stage.
 class Atlas_builder
 {
   typedef Atlas_stage Stage;
 
 public:
   Atlas_builder(const std::vector<Surface_part>& parts, const std::vector<double>& weight,
-                const Atlas_settings& options, const Linear_solvers& solvers, Rounding round)
+                const Chart_options& options, const Linear_solvers& solvers, Rounding round)
       : m_parts(parts), m_weight(weight), m_options(options), m_solvers(solvers), m_round(round)
   {
     if(!parts.empty())
@@ -61,33 +55,6 @@ public:
       m_options.stretch_bound = most_stretch_of_given_charts;
     if(options.pack_into_square && options.texels_per_unit == 0 && std::isfinite(options.stretch_bound))
       m_options.longest_chart = largest_aspect * std::sqrt(area);
-  }
-
-  Atlas run()
-  {
-    make_charts();
-    bool is_placed = true;
-    do
-      is_placed = place_charts();
-    while(is_placed && !certify());
-    if(is_placed && is_packing_certified())
-      measure();
-    return std::move(m_atlas);
-  }
-
-private:
-  // Nothing is done about it, but larger stretch is reported.
-  static constexpr double most_stretch_of_given_charts = 2;
-
-  // A chart that is longer than this times the square root of the total area would leave most of the page empty.
-  static constexpr double largest_aspect = 4;
-
-  // Charts may be packed and certified several times. Visitors hear of each stage only once.
-  Atlas_visitor* visitor_of(Atlas_visitor::Stage stage)
-  {
-    const bool is_new = stage > m_stage;
-    m_stage = (std::max)(m_stage, stage);
-    return is_new ? m_options.visitor : nullptr;
   }
 
   // Parts are made in parallel, the largest ones first.
@@ -108,8 +75,17 @@ private:
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return work[i] > work[j]; });
     m_atlas.parts.resize(m_parts.size());
-    const auto make = [&](int i) { make_part(i, Part_progress(progress, static_cast<std::size_t>(i))); };
-    parallel_for(static_cast<int>(order.size()), [&](int k) { make(order[k]); });
+    parallel_for(static_cast<int>(order.size()), [&](int k) {
+      const std::size_t i = order[k];
+      Part_progress progress_of_part(progress, i);
+      Part_atlas& part = m_atlas.parts[i];
+      if(keeps_charts())
+        part = given_part(m_parts[i], m_options.pack_into_square ? aspect_ratio(m_options) : 1);
+      const bool is_given = keeps_charts() && part.succeeded();
+      if(!is_given && m_options.given_charts != Atlas_options::KEEP)
+        part = divider(i, m_options, progress_of_part).run();
+      progress_of_part.set_stage(1, 1);
+    });
     if(m_options.pack_into_square && !keeps_charts() && std::isfinite(m_options.seam_price))
       Page_coverer(m_parts, m_weight, m_options, m_atlas.parts).run();
     if(m_options.isometric_charts)
@@ -117,15 +93,91 @@ private:
     parallel_for(static_cast<int>(m_parts.size()), [&](int i) { fit_pages(i); });
   }
 
-  void make_part(std::size_t i, Part_progress progress)
+  // Returns whether there are charts, and all have places.
+  bool place_charts()
   {
-    Part_atlas& part = m_atlas.parts[i];
-    if(keeps_charts())
-      part = given_part(m_parts[i], m_options.pack_into_square ? aspect_ratio(m_options) : 1);
-    const bool is_given = keeps_charts() && part.succeeded();
-    if(!is_given && m_options.given_charts != Atlas_options::KEEP)
-      part = Divided_part_atlas(m_parts[i].chart, m_parts[i].cost, m_options, m_solvers, progress).run();
-    progress.set_stage(1, 1);
+    if(m_options.given_charts == Atlas_options::KEEP && !are_all_kept())
+      return false;
+    number_charts();
+    if(m_atlas.report.charts.empty()) {
+      fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
+      return false;
+    }
+    take_maps_as_made();
+    if(!m_options.pack_into_square)
+      scale_charts();
+    else if(!pack_charts())
+      return false;
+    std::vector<std::size_t> mended(m_parts.size(), 0); // polygons of each part
+    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
+      Part_atlas& part = m_atlas.parts[i];
+      if(!part.succeeded())
+        return;
+      round_part(m_options, m_round, part);
+      if(!is_kept(part) && !m_parts[i].is_diagonal.empty())
+        mended[i] = make_polygons_convex(m_parts[i].is_diagonal, m_options, m_round, part);
+    });
+    m_atlas.report.number_of_mended_polygons = std::accumulate(mended.begin(), mended.end(), std::size_t(0));
+    return true;
+  }
+
+  // Returns whether all charts are injective with their final coordinates. Parts with other charts first get maps whose
+  // borders keep a distance, then several charts, and are finally skipped.
+  bool certify()
+  {
+    const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
+                      m_atlas.report.seconds.certify);
+    std::vector<std::string> wrong(m_parts.size());
+    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
+      if(m_atlas.parts[i].succeeded())
+        wrong[i] = certify_part(m_atlas.parts[i]);
+    });
+    bool are_injective = true;
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      if(!wrong[i].empty()) {
+        remake(i, wrong[i]);
+        are_injective = false;
+      }
+    return are_injective;
+  }
+
+  // Returns whether no two charts share a texel with its gutter.
+  bool is_packing_certified()
+  {
+    if(!m_options.pack_into_square)
+      return true;
+    const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
+                      m_atlas.report.seconds.certify);
+    return Atlas_packer(m_parts, m_weight, m_options, m_atlas).certify();
+  }
+
+  void measure()
+  {
+    const Stage stage(visitor_of(Atlas_visitor::MEASURE), Atlas_visitor::MEASURE,
+                      m_atlas.report.seconds.measure);
+    measure_atlas(m_options, m_atlas);
+  }
+
+  Atlas release() { return std::move(m_atlas); }
+
+private:
+  // Nothing is done about it, but larger stretch is reported.
+  static constexpr double most_stretch_of_given_charts = 2;
+
+  // A chart that is longer than this times the square root of the total area would leave most of the page empty.
+  static constexpr double largest_aspect = 4;
+
+  // Charts may be packed and certified several times. Visitors hear of each stage only once.
+  Atlas_visitor* visitor_of(Atlas_visitor::Stage stage)
+  {
+    const bool is_new = stage > m_stage;
+    m_stage = (std::max)(m_stage, stage);
+    return is_new ? m_options.visitor : nullptr;
+  }
+
+  Part_divider divider(std::size_t i, const Chart_options& options, const Part_progress& progress) const
+  {
+    return Part_divider(m_parts[i].chart, m_parts[i].cost, options, m_solvers, progress);
   }
 
   // Returns whether pages can hold all charts of a part that has charts.
@@ -150,16 +202,9 @@ private:
       m_atlas.first_chart.push_back(first);
       if(!part.succeeded())
         continue;
-      for(const Atlas_piece& piece : part.pieces) {
-        Atlas_report::Chart chart;
-        chart.part = i;
-        chart.method = piece.method;
-        chart.strategy = piece.strategy;
-        chart.seam_lengths = piece.seam_lengths;
-        chart.overlap_is_predicted = piece.overlap_is_predicted;
-        chart.contact = piece.contact;
-        chart.rounds = piece.rounds;
-        m_atlas.report.charts.push_back(chart);
+      for(const Atlas_report::Chart& piece : part.pieces) {
+        m_atlas.report.charts.push_back(piece);
+        m_atlas.report.charts.back().part = i;
       }
       for(int piece : part.piece)
         ++m_atlas.report.charts[first + static_cast<std::size_t>(piece)].number_of_faces;
@@ -177,67 +222,6 @@ private:
     fail(wrong->status, std::to_string(count) + " of " + std::to_string(m_parts.size()) +
                             " given charts cannot be kept; the first: " + wrong->message);
     return false;
-  }
-
-  // Returns whether there are charts, and all have places.
-  bool place_charts()
-  {
-    if(m_options.given_charts == Atlas_options::KEEP && !are_all_kept())
-      return false;
-    number_charts();
-    if(m_atlas.report.charts.empty()) {
-      fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
-      return false;
-    }
-    take_maps_as_made();
-    if(!m_options.pack_into_square)
-      scale_charts();
-    else if(!pack_charts())
-      return false;
-    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
-      if(m_atlas.parts[i].succeeded())
-        round(m_atlas.parts[i]);
-    });
-    make_polygons_convex();
-    return true;
-  }
-
-  // Borders stay where they were packed. If some triangles cannot, the certificate finds them.
-  void round(Part_atlas& part) const
-  {
-    if(m_options.float_coordinates) {
-      Float_rounder rounder(part.chart.vertex, grid(), part.uv);
-      rounder.keep_gaps(border_edges(part.chart));
-      if(m_options.pack_into_square) {
-        std::vector<char> is_border;
-        for(int v : part.chart.interior)
-          is_border.push_back(v < 0);
-        const double texels = (std::max)(m_options.resolution, m_options.number_of_rows());
-        rounder.bound_moves(std::move(is_border), placement_tolerance / 2 / texels);
-      }
-      rounder.run();
-    }
-    m_round(part.uv);
-  }
-
-  // For files. Only from 0 to 1, 1 - v in `float` has enough digits, whatever the unit of length.
-  Float_grid grid() const { return {m_options.pack_into_square}; }
-
-  // With their final coordinates, and before these are certified and measured
-  void make_polygons_convex()
-  {
-    std::vector<std::size_t> mended(m_parts.size(), 0);
-    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
-      Part_atlas& part = m_atlas.parts[i];
-      if(!part.succeeded() || is_kept(part) || m_parts[i].is_diagonal.empty())
-        return;
-      Divided_polygons polygons{part.chart.vertex, part.chart.opposite, m_parts[i].is_diagonal, {}};
-      for(int v = 0; v < part.chart.number_of_vertices(); ++v)
-        polygons.is_fixed.push_back(part.chart.interior[v] < 0);
-      mended[i] = Polygon_mender(polygons, grid(), part.uv).run();
-      m_round(part.uv);
-    });
-    m_atlas.report.number_of_mended_polygons = std::accumulate(mended.begin(), mended.end(), std::size_t(0));
   }
 
   // Maps that are placed again start from coordinates that are not rounded.
@@ -279,58 +263,21 @@ private:
     return false;
   }
 
-  // Returns whether all charts are injective with their final coordinates. Parts with other charts first get maps whose
-  // borders keep a distance, then several charts, and are finally skipped.
-  bool certify()
-  {
-    const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
-                      m_atlas.report.seconds.certify);
-    std::vector<std::string> wrong(m_parts.size());
-    parallel_for(static_cast<int>(m_parts.size()), [&](int i) {
-      if(m_atlas.parts[i].succeeded())
-        wrong[i] = certify_part(m_atlas.parts[i]);
-    });
-    bool are_injective = true;
-    for(std::size_t i = 0; i < m_parts.size(); ++i)
-      if(!wrong[i].empty()) {
-        remake(i, wrong[i]);
-        are_injective = false;
-      }
-    return are_injective;
-  }
-
   void remake(std::size_t i, const std::string& wrong)
   {
     m_remakes.resize(m_parts.size(), 0);
     m_uv_as_made[i].clear();
-    Atlas_settings options = m_options;
+    Chart_options options = m_options;
     options.keeps_distance = true;
     Atlas_progress progress(nullptr, {1});
-    Divided_part_atlas maker(m_parts[i].chart, m_parts[i].cost, options, m_solvers,
-                             Part_progress(progress, 0));
+    const Part_divider maker = divider(i, options, Part_progress(progress, 0));
     while(m_remakes[i] < 2 && m_options.given_charts != Atlas_options::KEEP) {
-      m_atlas.parts[i] = ++m_remakes[i] == 1 ? maker.run() : maker.divided(Divided_part_atlas::Division());
+      m_atlas.parts[i] = ++m_remakes[i] == 1 ? maker.run() : maker.divided(Part_divider::Division());
       if(fit_pages(i) && m_atlas.parts[i].succeeded())
         return;
     }
     m_atlas.parts[i].status = Diagnosis::PRECISION_EXCEEDED;
     m_atlas.parts[i].message = wrong;
-  }
-
-  bool is_packing_certified()
-  {
-    if(!m_options.pack_into_square)
-      return true;
-    const Stage stage(visitor_of(Atlas_visitor::CERTIFY), Atlas_visitor::CERTIFY,
-                      m_atlas.report.seconds.certify);
-    return Atlas_packer(m_parts, m_weight, m_options, m_atlas).certify();
-  }
-
-  void measure()
-  {
-    const Stage stage(visitor_of(Atlas_visitor::MEASURE), Atlas_visitor::MEASURE,
-                      m_atlas.report.seconds.measure);
-    measure_atlas(m_options, m_atlas);
   }
 
   void fail(Diagnosis diagnosis, const std::string& message)
@@ -341,7 +288,7 @@ private:
 
   const std::vector<Surface_part>& m_parts;
   const std::vector<double>& m_weight;
-  Atlas_settings m_options;
+  Chart_options m_options;
   const Linear_solvers& m_solvers;
   Rounding m_round;
   Atlas_visitor::Stage m_stage = Atlas_visitor::READ;    // the last one that began
@@ -352,10 +299,18 @@ private:
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Atlas build_atlas(const std::vector<Surface_part>& parts,
                                                      const std::vector<double>& weight,
-                                                     const Atlas_settings& options,
+                                                     const Chart_options& options,
                                                      const Linear_solvers& solvers, Rounding round)
 {
-  return Atlas_builder(parts, weight, options, solvers, round).run();
+  Atlas_builder builder(parts, weight, options, solvers, round);
+  builder.make_charts();
+  bool is_placed = true;
+  do
+    is_placed = builder.place_charts();
+  while(is_placed && !builder.certify());
+  if(is_placed && builder.is_packing_certified())
+    builder.measure();
+  return builder.release();
 }
 
 } // namespace CGAL::Texture_atlas::internal

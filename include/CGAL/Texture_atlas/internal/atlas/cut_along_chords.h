@@ -4,15 +4,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Finds seams across the maps of charts: along chords that are short compared with what they cut off, the best first.
-// `cover_page.h` decides how many of them are worth their length. The maps stay as they are.
+// `cut_for_pages.h` decides how many of them are worth their length. The maps stay as they are.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_ALONG_CHORDS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_ALONG_CHORDS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/chord_paths.h>
-#include <CGAL/Texture_atlas/internal/atlas/cut_rings.h>
+#include <CGAL/Texture_atlas/internal/atlas/chords.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -60,7 +59,7 @@ public:
       find_cut(corner);
   }
 
-  // That of the next cut; infinity if there is none
+  // The score of the next cut; infinity if there is none
   double next_score() const { return m_cuts.empty() ? Cut().score : m_cuts.front().score; }
 
   // Makes the next cut, and returns its length on the surface.
@@ -112,18 +111,20 @@ private:
   }
 
   // The outer border of a piece, and those of its holes
-  std::vector<Border_of_piece> borders_of(int corner) const
+  std::vector<Border_of_piece> borders_of(int corner)
   {
     std::vector<Border_of_piece> borders;
     borders.emplace_back(m_graph, m_uv, corner);
     if(m_holes.empty())
       return borders;
-    std::vector<char> is_found(m_chart.number_of_triangles(), false);
+    m_search.resize(m_chart.number_of_triangles(), 0);
+    ++m_number_of_searches;
+    const auto is_found = [&](int t) { return m_search[t] == m_number_of_searches; };
     std::vector<int> found;
     const auto find = [&](int t) {
-      if(!is_found[t])
+      if(!is_found(t))
         found.push_back(t);
-      is_found[t] = true;
+      m_search[t] = m_number_of_searches;
     };
     for(find(corner / 3); !found.empty();) {
       const int t = found.back();
@@ -133,13 +134,13 @@ private:
           find(m_chart.opposite[c] / 3);
     }
     for(int hole : m_holes)
-      if(is_found[hole / 3])
+      if(is_found(hole / 3))
         if(Border_of_piece border(m_graph, m_uv, hole); border.area() < 0) // others were cut open
           borders.push_back(std::move(border));
     return borders;
   }
 
-  Cut cut_along_chord(const std::vector<Border_of_piece>& borders) const
+  Cut cut_along_chord(const std::vector<Border_of_piece>& borders)
   {
     const Border_of_piece& border = borders.front();
     std::size_t tried = 0;
@@ -177,7 +178,7 @@ private:
   }
 
   Cut cut_of_open_ring(const std::vector<Border_of_piece>& borders, const Border_of_piece& hole,
-                       const std::vector<Ring_chord>& chords) const
+                       const std::vector<Ring_chord>& chords)
   {
     for(std::size_t i = 0; i < (std::min)(most_paths, chords.size()); ++i) {
       std::vector<int> path = path_along(borders, hole, chords[i]);
@@ -188,7 +189,7 @@ private:
   }
 
   std::vector<int> path_along(const std::vector<Border_of_piece>& borders, const Border_of_piece& hole,
-                              const Ring_chord& chord) const
+                              const Ring_chord& chord)
   {
     return Chord_paths::is_within(borders, borders.front().point(chord.outer), hole.point(chord.inner))
                ? m_paths.path_along(borders.front(), chord.outer, hole, chord.inner)
@@ -240,8 +241,10 @@ private:
   const double m_least_area; // of a piece
   Sector_graph m_graph;
   Chord_paths m_paths;
-  std::vector<int> m_holes; // a corner at the border of each
-  std::vector<Cut> m_cuts;  // a heap
+  std::vector<int> m_holes;  // a corner at the border of each
+  std::vector<int> m_search; // of each triangle: the number of the last search for borders that found it
+  int m_number_of_searches = 0;
+  std::vector<Cut> m_cuts; // a heap
 };
 
 } // namespace CGAL::Texture_atlas::internal

@@ -4,22 +4,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Gives the charts of an atlas maps that are as isometric as possible, in place of those that keep angles.
-// `build_atlas_impl.h` runs it on all charts, when no further seams come. Maps come from `flatten_atlas_chart.h`.
+// `build_atlas_impl.h` runs it on all charts, when no further seams come. Maps come from `flatten_disk.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ISOMETRIC_CHARTS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_ISOMETRIC_CHARTS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
-#include <CGAL/Texture_atlas/internal/atlas/flatten_atlas_chart.h>
+#include <CGAL/Texture_atlas/internal/atlas/flatten_disk.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
+#include <CGAL/Texture_atlas/internal/seams/piece.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -35,7 +34,7 @@ namespace CGAL::Texture_atlas::internal {
 // Gives the pieces of atlases maps that are as isometric as possible.
 class Isometric_charts
 {
-  struct Piece
+  struct Task
   {
     std::size_t part;
     int number; // in its part
@@ -44,7 +43,7 @@ class Isometric_charts
 
 public:
   // The work on part `i` is number `parts.size() + i` of the progress.
-  Isometric_charts(const std::vector<Surface_part>& parts, const Atlas_settings& options,
+  Isometric_charts(const std::vector<Surface_part>& parts, const Chart_options& options,
                    const Linear_solvers& solvers, Atlas_progress& progress, std::vector<Part_atlas>& atlases)
       : m_parts(parts), m_options(options), m_solvers(solvers), m_progress(progress), m_atlases(atlases),
         m_finished(parts.size())
@@ -53,17 +52,17 @@ public:
   // In parallel, the largest pieces first
   void run()
   {
-    std::vector<Piece> pieces;
+    std::vector<Task> pieces;
     for(std::size_t i = 0; i < m_parts.size(); ++i) {
       int number = 0;
       if(m_atlases[i].succeeded())
-        for(std::vector<int>& triangles : triangles_of_pieces(m_atlases[i]))
+        for(std::vector<int>& triangles : triangles_by_piece(m_atlases[i].piece))
           pieces.push_back({i, number++, std::move(triangles)});
       else
         progress_of(i, 1);
     }
     std::stable_sort(pieces.begin(), pieces.end(),
-                     [](const Piece& p, const Piece& q) { return p.triangles.size() > q.triangles.size(); });
+                     [](const Task& p, const Task& q) { return p.triangles.size() > q.triangles.size(); });
     parallel_for(static_cast<int>(pieces.size()), [&](int k) { map(pieces[k]); });
   }
 
@@ -78,43 +77,41 @@ private:
     return progress;
   }
 
-  void map(Piece& piece)
+  void map(Task& piece)
   {
     const int all = m_parts[piece.part].chart.number_of_triangles();
     const int size = static_cast<int>(piece.triangles.size());
     Part_progress progress = progress_of(piece.part, static_cast<double>(m_finished[piece.part]) / all);
-    map(piece, Atlas_chart_flattener(m_options, m_solvers, &progress));
+    map(piece, Disk_flattener(m_options, m_solvers, &progress));
     progress_of(piece.part, static_cast<double>(m_finished[piece.part] += size) / all);
   }
 
   // Takes the isometric map if it stretches the piece less than the map that it starts from.
-  void map(Piece& piece, const Atlas_chart_flattener& flattener)
+  void map(Task& piece, const Disk_flattener& flattener)
   {
     Part_atlas& atlas = m_atlases[piece.part];
     if(atlas.pieces[piece.number].method == Atlas_report::GIVEN)
       return;
     const std::vector<double>& cost = m_parts[piece.part].cost;
-    const Dual_patch patch = Patch_cutter(atlas.chart, cost)
-                                 .cut_out(std::move(piece.triangles), std::vector<char>(cost.size(), false));
-    std::vector<Chart::Point_2> uv;
-    for(int v : patch.origin)
-      uv.push_back(atlas.uv[v]);
-    const double before = map_stretch(patch.chart, uv).l2;
-    if(before < isometric_stretch || diagnose(patch.chart, false))
+    const Piece disk = cut_out(atlas.chart, cost, std::move(piece.triangles));
+    const std::vector<Chart::Point_2> uv = disk.map_from(atlas.uv);
+    const double before = map_stretch(disk.chart, uv).l2;
+    if(before < isometric_stretch || diagnose(disk.chart, false))
       return;
-    const Chart_map map = flattener.isometric_map(patch.chart, &uv);
-    if(!map.is_valid() || map.overlaps || map_stretch(patch.chart, map.uv).l2 >= before)
+    const Chart_map result = flattener.isometric_map(disk.chart, &uv);
+    const Disk_map* const map = std::get_if<Disk_map>(&result);
+    if(map == nullptr || map->overlaps || map_stretch(disk.chart, map->uv).l2 >= before)
       return;
-    for(std::size_t v = 0; v < map.uv.size(); ++v)
-      atlas.uv[patch.origin[v]] = map.uv[v];
-    Atlas_piece& result = atlas.pieces[piece.number];
-    result.method = Atlas_report::INJECTIVE;
-    result.seam_lengths = map.seam_lengths;
-    result.contact = map.contact;
+    for(std::size_t v = 0; v < map->uv.size(); ++v)
+      atlas.uv[disk.origin[v]] = map->uv[v];
+    Atlas_report::Chart& made = atlas.pieces[piece.number];
+    made.method = map->made.method;
+    made.seam_lengths = map->made.seam_lengths;
+    made.contact = map->made.contact;
   }
 
   const std::vector<Surface_part>& m_parts;
-  const Atlas_settings& m_options;
+  const Chart_options& m_options;
   const Linear_solvers& m_solvers;
   Atlas_progress& m_progress;
   std::vector<Part_atlas>& m_atlases;

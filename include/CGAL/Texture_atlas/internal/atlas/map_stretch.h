@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How much a map stretches a chart as a whole, and around each vertex. The makers of parts compare maps by it,
-// `reduce_stretch.h` finds the next ends of seams, and `measure_atlas.h` reports it.
+// `reduce_stretch.h` finds the next ends of seams, and `certify_atlas.h` reports it.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MAP_STRETCH_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MAP_STRETCH_H

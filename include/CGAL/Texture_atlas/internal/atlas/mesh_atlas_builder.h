@@ -14,10 +14,8 @@
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/Atlas_visitor.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_in_atlas.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
@@ -66,14 +64,34 @@ public:
   {
     Report report;
     report.message = wrong_option(m_options);
-    if(report.message.empty() && keeps_charts() && !Read_mesh::has_readable_uv)
+    if(report.message.empty() && keeps_charts() && !is_readable<HalfedgeUVMap>)
       report.message = unreadable_text;
     if(!report.message.empty()) {
       report.status = Diagnosis::WRONG_OPTION;
       return report;
     }
-    const auto end =
-        run_bounded(m_options.time_limit, [&] { with_threads(m_options.threads, [&] { report = make(); }); });
+    const auto make = [&] {
+      double seconds = 0;
+      {
+        const Stage stage(m_options.visitor, Atlas_visitor::READ, seconds);
+        if(!read(report))
+          return;
+      }
+      lend_parts();
+      Chart_options options = m_options;
+      options.texels_per_unit *= m_weight_scale;
+      take_charts(build_atlas(m_parts, m_weight, options, m_solvers, m_round), report);
+      report.seconds.read = seconds;
+      if(!report.has_atlas())
+        return;
+      measure_seams(report);
+      const Stage stage(m_options.visitor, Atlas_visitor::WRITE, report.seconds.write);
+      for(Read_mesh& mesh : m_meshes)
+        mesh.prepare_to_write();
+      for(Read_mesh& mesh : m_meshes)
+        mesh.write();
+    };
+    const auto end = run_bounded(m_options.time_limit, [&] { with_threads(m_options.threads, make); });
     if(!end) {
       report = Report();
       report.status = end.status;
@@ -83,36 +101,6 @@ public:
   }
 
 private:
-  Report make()
-  {
-    Report report;
-    double seconds = 0;
-    {
-      const Stage stage(m_options.visitor, Atlas_visitor::READ, seconds);
-      if(!read(report))
-        return report;
-    }
-    static_cast<Atlas_report&>(report) = make_charts();
-    report.seconds.read = seconds;
-    if(m_options.pack_into_square)
-      report.scale /= m_weight_scale;
-    list_parts(report);
-    if(report.status == Diagnosis::STRETCH_BOUND_MISSED)
-      for(const Read_mesh& mesh : m_meshes)
-        mesh.name_bad_charts(report);
-    if(!report.has_atlas())
-      return report;
-    measure_seams(report);
-    {
-      const Stage stage(m_options.visitor, Atlas_visitor::WRITE, report.seconds.write);
-      for(Read_mesh& mesh : m_meshes)
-        mesh.prepare_to_write();
-      for(Read_mesh& mesh : m_meshes)
-        mesh.write();
-    }
-    return report;
-  }
-
   bool keeps_charts() const { return m_options.given_charts != Atlas_options::REPLACE; }
 
   // For messages
@@ -128,11 +116,11 @@ private:
     double largest = 0;
     bool has_faces = false;
     for(std::size_t i = 0; i < m_meshes.size(); ++i) {
-      if(!m_meshes[i].read_faces(report))
+      if(!m_meshes[i].input.read_faces(report))
         return fail(report, report.status, name_of_mesh(i) + report.message);
-      has_faces = has_faces || m_meshes[i].has_faces();
-      triangles += m_meshes[i].number_of_triangles();
-      largest = (std::max)(largest, m_meshes[i].largest_coordinate());
+      has_faces = has_faces || m_meshes[i].input.has_faces();
+      triangles += m_meshes[i].input.number_of_triangles();
+      largest = (std::max)(largest, m_meshes[i].input.surface.largest_coordinate());
     }
     if(!has_faces)
       return fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
@@ -143,7 +131,7 @@ private:
     if(triangles > static_cast<std::size_t>(largest_number_of_triangles))
       return fail(report, Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
     for(std::size_t i = 0; i < m_meshes.size(); ++i)
-      if(!m_meshes[i].read_attributes(power_of_two(largest), m_weight, report))
+      if(!m_meshes[i].input.read_attributes(power_of_two(largest), m_weight, report))
         return fail(report, report.status, name_of_mesh(i) + report.message);
     scale_weights();
     return true;
@@ -165,29 +153,36 @@ private:
       weight /= m_weight_scale;
   }
 
-  // Lends the parts of all meshes to `build_atlas()`.
-  Atlas_report make_charts()
+  // Takes the parts of all meshes, as if they were of one mesh.
+  void lend_parts()
   {
-    std::vector<Surface_part> parts;
-    std::vector<std::size_t> sizes; // numbers of parts of the meshes
     int first_triangle = 0;
     for(Read_mesh& mesh : m_meshes) {
-      const int triangles = static_cast<int>(mesh.number_of_triangles());
-      sizes.push_back(mesh.parts().size());
+      const int triangles = static_cast<int>(mesh.input.number_of_triangles());
+      m_numbers_of_parts.push_back(mesh.input.surface.parts().size());
       for(Surface_part& part : mesh.release_parts()) {
         part.first_triangle += first_triangle;
-        parts.push_back(std::move(part));
+        m_parts.push_back(std::move(part));
       }
       first_triangle += triangles;
     }
-    Atlas_settings options = m_options;
-    options.texels_per_unit *= m_weight_scale;
-    Atlas atlas = build_atlas(parts, m_weight, options, m_solvers, m_round);
+  }
+
+  // Gives all meshes their parts back, with the charts, and reports on them.
+  void take_charts(Atlas&& atlas, Report& report)
+  {
     std::size_t begin = 0;
-    for(std::size_t i = 0; i < m_meshes.size(); begin += sizes[i++])
-      m_meshes[i].set_charts(taken(parts, begin, sizes[i]), taken(atlas.parts, begin, sizes[i]),
-                             taken(atlas.first_chart, begin, sizes[i]));
-    return std::move(atlas.report);
+    for(std::size_t i = 0; i < m_meshes.size(); begin += m_numbers_of_parts[i++])
+      m_meshes[i].set_charts(taken(m_parts, begin, m_numbers_of_parts[i]),
+                             taken(atlas.parts, begin, m_numbers_of_parts[i]),
+                             taken(atlas.first_chart, begin, m_numbers_of_parts[i]));
+    static_cast<Atlas_report&>(report) = std::move(atlas.report);
+    if(m_options.pack_into_square)
+      report.scale /= m_weight_scale;
+    list_parts(report);
+    if(report.status == Diagnosis::STRETCH_BOUND_MISSED)
+      for(const Read_mesh& mesh : m_meshes)
+        mesh.name_bad_charts(report);
   }
 
   // Some of the elements. There are none if the atlas was not begun.
@@ -240,18 +235,24 @@ private:
     double sides = 0, area = 0;
     for(const Read_mesh& mesh : m_meshes)
       mesh.measure_seams(sides, area);
-    report.seam_length = sides / 2 * m_meshes.front().scale();
+    report.seam_length = sides / 2 * m_meshes.front().input.surface.scale();
     report.relative_seam_length = sides / 2 / std::sqrt(area);
   }
 
-  const Atlas_settings m_options;
+  const Chart_options m_options;
   const Linear_solvers m_solvers;
   const Rounding m_round;
   std::deque<Read_mesh> m_meshes;
   std::vector<double> m_weight; // of each triangle, divided by the scale; empty if all are 1
   double m_weight_scale = 1;
+  std::vector<Surface_part> m_parts;           // of all meshes, while the atlas is made
+  std::vector<std::size_t> m_numbers_of_parts; // of each mesh
 };
 
 } // namespace CGAL::Texture_atlas::internal
+
+#ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas_impl.h>
+#endif
 
 #endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MESH_ATLAS_BUILDER_H

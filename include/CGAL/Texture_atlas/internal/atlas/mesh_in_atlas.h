@@ -3,29 +3,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One of the caller's meshes: reads its components and weights, and writes its coordinates and charts.
-// `mesh_atlas_builder.h` makes an atlas of one or several of them.
+// One of the caller's meshes, with its charts: lists and measures them, and writes coordinates. `mesh_atlas_builder.h`
+// makes an atlas of one or several of them.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MESH_IN_ATLAS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_MESH_IN_ATLAS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Texture_atlas/Seam_report.h>
-#include <CGAL/Texture_atlas/internal/atlas/faces_without_area.h>
-#include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
-#include <CGAL/Texture_atlas/internal/seams/seam_cost.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Texture_atlas/Atlas_report.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
+#include <CGAL/Texture_atlas/internal/atlas/read_atlas_mesh.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -40,14 +37,7 @@
 
 namespace CGAL::Texture_atlas::internal {
 
-template <typename PropertyMap>
-inline constexpr bool is_readable =
-    std::is_convertible<typename boost::property_traits<PropertyMap>::category,
-                        boost::readable_property_map_tag>::value;
-
-const char* const unreadable_text = "charts can be kept only if the map of coordinates can be read";
-
-// Reads a mesh, and writes the results. Maps of seams and charts may be null pointers.
+// A mesh, as it was read, with its charts. Writes the results. Maps of seams and charts may be null pointers.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename NamedParameters>
 class Mesh_in_atlas
@@ -56,17 +46,13 @@ class Mesh_in_atlas
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef Atlas_mesh_reader<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, NamedParameters> Reader;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
   typedef Mesh_report<TriangleMesh, Atlas_report> Report;
   static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
   static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
-  static constexpr bool has_polygons =
-      !parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value;
 
 public:
-  static constexpr bool has_readable_uv = is_readable<HalfedgeUVMap>;
-
   struct Listed_part
   {
     typename Report::Skipped part; // with a diagnosis if it is skipped
@@ -76,59 +62,12 @@ public:
 
   Mesh_in_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
                 bool keeps_charts, const NamedParameters& np)
-      : m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts),
-        m_keeps_charts(keeps_charts && has_readable_uv), m_np(np),
-        m_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                              get_const_property_map(CGAL::vertex_point, mesh))),
-        m_reader(mesh, m_points), m_components(mesh, m_points), m_without_area(mesh, m_points)
-  {
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_index_t>::value)
-      m_components.set_numbers([numbers = parameters::get_parameter(np, internal_np::face_index)](
-                                   face_descriptor f) -> std::size_t { return get(numbers, f); });
-  }
-
-  // Reads the faces that can be flattened. Returns whether there are not too many.
-  bool read_faces(Report& report)
-  {
-    m_components.find([this](edge_descriptor e) { return is_given_seam(e); });
-    if(m_components.are_all_bad())
-      return true;
-    Reading reading;
-    return m_reader.read_unscaled(
-               [this](edge_descriptor e) { return is_given_seam(e) || m_components.is_at_defect(e); },
-               [this](face_descriptor f) { return m_components.is_bad(f); }, reading) ||
-           refuse(reading, Diagnosis::TOO_LARGE, report);
-  }
-
-  bool has_faces() const { return m_components.number() > 0; }
-  double largest_coordinate() const { return m_reader.largest_coordinate(); }
-  double scale() const { return m_reader.scale(); }
-  const std::vector<Surface_part>& parts() const { return m_reader.parts(); }
-
-  std::size_t number_of_triangles() const
-  {
-    return parts().empty() ? 0
-                           : static_cast<std::size_t>(parts().back().first_triangle) +
-                                 static_cast<std::size_t>(parts().back().chart.number_of_triangles());
-  }
-
-  // Reads what belongs to edges, and appends the weights of the triangles if there are some. Returns whether they are
-  // right.
-  bool read_attributes(double scale, std::vector<double>& weight, Report& report)
-  {
-    m_reader.set_scale(scale);
-    Reading reading;
-    if(!m_reader.read_costs(seam_cost<edge_descriptor>(m_np), reading))
-      return refuse(reading, Diagnosis::WRONG_WEIGHT, report);
-    if constexpr(has_polygons)
-      m_reader.read_diagonals([this](edge_descriptor e) { return is_in_polygon(e); });
-    if(m_keeps_charts)
-      m_reader.read_given_maps([this](halfedge_descriptor h) { return given_uv(h); });
-    return read_weights(weight, report);
-  }
+      : input(mesh, seams, uv, keeps_charts, np), m_mesh(mesh), m_seams(seams), m_uv(uv), m_charts(charts),
+        m_without_area(mesh, input.points)
+  {}
 
   // The parts are taken away while the atlas is made.
-  std::vector<Surface_part> release_parts() { return std::move(m_reader.parts()); }
+  std::vector<Surface_part> release_parts() { return std::move(input.surface.parts()); }
 
   // The parts come back with their charts.
   void set_charts(std::vector<Surface_part>&& parts, std::vector<Part_atlas>&& charts,
@@ -137,11 +76,11 @@ public:
     const int first = parts.empty() ? 0 : parts.front().first_triangle; // in this mesh, it is 0
     for(Surface_part& part : parts)
       part.first_triangle -= first;
-    m_reader.parts() = std::move(parts);
+    input.surface.parts() = std::move(parts);
     m_atlas = std::move(charts);
     m_first_chart = std::move(first_chart);
     if(!m_first_chart.empty()) // some part was read, and charts that are given can be kept
-      m_without_area.place(m_components.faces_without_area(),
+      m_without_area.place(input.components.faces_without_area(),
                            [this](halfedge_descriptor h) { return corner_at(h); });
   }
 
@@ -151,16 +90,16 @@ public:
   std::vector<Listed_part> listed_parts() const
   {
     std::vector<Listed_part> parts;
-    for(const auto& bad : m_components.bad_components())
+    for(const auto& bad : input.components.bad_components())
       if(m_without_area.charts().count(bad.face) == 0)
         parts.push_back({{0, bad.first_face, bad.number_of_faces, bad.status, bad.message}, false, bad.face});
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
-      parts.push_back({{0, m_components.rank(m_reader.face_of(part.first_triangle)),
+      const Surface_part& part = input.surface.parts()[i];
+      parts.push_back({{0, input.components.rank(input.surface.face_of(part.first_triangle)),
                         static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas[i].status,
                         m_atlas[i].message},
                        true,
-                       m_reader.face_of(part.first_triangle)});
+                       input.surface.face_of(part.first_triangle)});
     }
     std::sort(parts.begin(), parts.end(), [](const Listed_part& p, const Listed_part& q) {
       return p.part.first_face < q.part.first_face;
@@ -168,18 +107,16 @@ public:
     return parts;
   }
 
-  // The first face of each chart that is not good
+  // The first face of each chart that is not good. Pieces are numbered by their first triangles.
   void name_bad_charts(Report& report) const
   {
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-      const Part_atlas& atlas = m_atlas[i];
-      for(std::size_t p = 0; p < atlas.pieces.size(); ++p) {
-        if(report.charts[m_first_chart[i] + p].is_good)
-          continue;
-        const auto first = std::find(atlas.piece.begin(), atlas.piece.end(), static_cast<int>(p));
-        report.offending_faces.push_back(m_reader.face_of(m_reader.parts()[i].first_triangle +
-                                                          static_cast<int>(first - atlas.piece.begin())));
-      }
+      int pieces = 0;
+      for(std::size_t t = 0; m_atlas[i].succeeded() && t < m_atlas[i].piece.size(); ++t)
+        if(m_atlas[i].piece[t] == pieces)
+          if(!report.charts[m_first_chart[i] + static_cast<std::size_t>(pieces++)].is_good)
+            report.offending_faces.push_back(
+                input.surface.face_of(input.surface.parts()[i].first_triangle + static_cast<int>(t)));
     }
   }
 
@@ -187,7 +124,7 @@ public:
   void measure_seams(double& sides, double& area) const
   {
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
+      const Surface_part& part = input.surface.parts()[i];
       const Part_atlas& atlas = m_atlas[i];
       if(!atlas.succeeded())
         continue;
@@ -204,15 +141,15 @@ public:
   {
     if constexpr(has_seams)
       for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-        const Surface_part& part = m_reader.parts()[i];
+        const Surface_part& part = input.surface.parts()[i];
         for(int c = 0; m_atlas[i].succeeded() && c < part.chart.number_of_corners(); ++c)
           if(is_seam(part, m_atlas[i], c))
-            m_new_seams.push_back(m_reader.edge_of(3 * part.first_triangle + c));
+            m_new_seams.push_back(input.surface.edge_of(3 * part.first_triangle + c));
       }
     if constexpr(has_seams)
-      if(m_components.has_defects() && !m_first_chart.empty()) // some part was read
+      if(input.components.has_defects() && !m_first_chart.empty()) // some part was read
         for(edge_descriptor e : edges(m_mesh))
-          if(!CGAL::is_border(e, m_mesh) && m_components.is_beside_defect(e) && !is_joined(e))
+          if(!CGAL::is_border(e, m_mesh) && input.components.is_beside_defect(e) && !is_joined(e))
             m_new_seams.push_back(e);
   }
 
@@ -222,10 +159,10 @@ public:
       for(edge_descriptor e : m_new_seams)
         put(m_seams, e, true);
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
-      const Surface_part& part = m_reader.parts()[i];
+      const Surface_part& part = input.surface.parts()[i];
       const Part_atlas& atlas = m_atlas[i];
       for(int c = 0; atlas.succeeded() && c < part.chart.number_of_corners(); ++c)
-        put(m_uv, m_reader.halfedge_to(3 * part.first_triangle + c),
+        put(m_uv, input.surface.halfedge_to(3 * part.first_triangle + c),
             planar_point<Point>(atlas.uv[atlas.chart.vertex[c]]));
     }
     for(const auto& [h, p] : m_without_area.uv())
@@ -234,84 +171,15 @@ public:
       write_charts();
   }
 
+  Reader input;
+
 private:
-  typedef Mesh_report<TriangleMesh, Seam_report> Reading;
-
-  static bool refuse(const Reading& reading, Diagnosis status, Report& report)
-  {
-    report.message = reading.message;
-    report.offending_edges = reading.offending_edges;
-    report.status = status;
-    return false;
-  }
-
-  bool is_given_seam(edge_descriptor e) const
-  {
-    if constexpr(has_seams)
-      if(get(m_seams, e))
-        return true;
-    return m_keeps_charts && !CGAL::is_border(e, m_mesh) && !has_same_uv(halfedge(e, m_mesh));
-  }
-
-  // Whether both sides of an edge have the same coordinates, or none
-  bool has_same_uv(halfedge_descriptor h) const
-  {
-    const halfedge_descriptor o = opposite(h, m_mesh);
-    const auto is_same = [this](halfedge_descriptor g, halfedge_descriptor k) {
-      const Chart::Point_2 p = given_uv(g), q = given_uv(k);
-      return p == q || !(is_finite(p) || is_finite(q));
-    };
-    return is_same(h, prev(o, m_mesh)) && is_same(o, prev(h, m_mesh));
-  }
-
-  static bool is_finite(const Chart::Point_2& p) { return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()); }
-
-  Chart::Point_2 given_uv(halfedge_descriptor h) const
-  {
-    if constexpr(has_readable_uv) {
-      const auto& p = get(m_uv, h);
-      return Chart::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-    } else {
-      (void)h;
-      return CGAL::ORIGIN;
-    }
-  }
-
-  // Whether both faces of an edge are parts of one polygon
-  bool is_in_polygon(edge_descriptor e) const
-  {
-    const auto polygons = parameters::get_parameter(m_np, internal_np::face_patch);
-    const halfedge_descriptor h = halfedge(e, m_mesh);
-    return !CGAL::is_border(e, m_mesh) &&
-           get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
-  }
-
-  bool read_weights([[maybe_unused]] std::vector<double>& weight, [[maybe_unused]] Report& report) const
-  {
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value) {
-      const auto weights = parameters::get_parameter(m_np, internal_np::face_size_map);
-      for(const Surface_part& part : m_reader.parts())
-        for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
-          const face_descriptor f = m_reader.face_of(part.first_triangle + t);
-          weight.push_back(CGAL::to_double(get(weights, f)));
-          if(!(weight.back() >= 0 && CGAL::is_finite(weight.back()))) {
-            report.status = Diagnosis::WRONG_WEIGHT;
-            report.offending_faces = {f};
-            report.message = "face " + std::to_string(m_components.rank(f)) + " has the weight " +
-                             std::to_string(weight.back()) + ", and weights must be finite and not negative";
-            return false;
-          }
-        }
-    }
-    return true;
-  }
-
   bool is_seam(const Surface_part& part, const Part_atlas& atlas, int c) const
   {
     if(atlas.chart.opposite[c] >= 0)
       return false;
-    const edge_descriptor e = m_reader.edge_of(3 * part.first_triangle + c);
-    return part.chart.opposite[c] >= 0 || (!CGAL::is_border(e, m_mesh) && is_given_seam(e));
+    const edge_descriptor e = input.surface.edge_of(3 * part.first_triangle + c);
+    return part.chart.opposite[c] >= 0 || (!CGAL::is_border(e, m_mesh) && input.is_given_seam(e));
   }
 
   void write_charts() const
@@ -322,7 +190,7 @@ private:
       put(m_charts, f, Number(-1));
     for(std::size_t i = 0; i < m_atlas.size(); ++i)
       for(std::size_t t = 0; m_atlas[i].succeeded() && t < m_atlas[i].piece.size(); ++t)
-        put(m_charts, m_reader.face_of(m_reader.parts()[i].first_triangle + static_cast<int>(t)),
+        put(m_charts, input.surface.face_of(input.surface.parts()[i].first_triangle + static_cast<int>(t)),
             static_cast<Number>(m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[t])));
     for(const auto& [f, chart] : m_without_area.charts())
       put(m_charts, f, static_cast<Number>(chart));
@@ -346,14 +214,14 @@ private:
   // The corner that a halfedge of a face points to, if the face is in a chart
   std::optional<Corner_in_atlas> corner_at(halfedge_descriptor h) const
   {
-    const int triangle = m_reader.triangle_of(face(h, m_mesh));
-    const std::size_t i = triangle < 0 ? m_atlas.size() : m_reader.part_of(triangle);
+    const int triangle = input.surface.triangle_of(face(h, m_mesh));
+    const std::size_t i = triangle < 0 ? m_atlas.size() : input.surface.part_of(triangle);
     if(i >= m_atlas.size() || !m_atlas[i].succeeded())
       return std::nullopt;
     int c = 3 * triangle;
-    while(m_reader.halfedge_to(c) != h)
+    while(input.surface.halfedge_to(c) != h)
       ++c;
-    c -= 3 * m_reader.parts()[i].first_triangle;
+    c -= 3 * input.surface.parts()[i].first_triangle;
     return Corner_in_atlas{m_atlas[i].uv[m_atlas[i].chart.vertex[c]],
                            m_first_chart[i] + static_cast<std::size_t>(m_atlas[i].piece[c / 3])};
   }
@@ -362,12 +230,7 @@ private:
   EdgeIsSeamMap m_seams;
   HalfedgeUVMap m_uv;
   FaceChartMap m_charts;
-  const bool m_keeps_charts; // those of the coordinates that are there
-  const NamedParameters& m_np;
-  Vertex_point_map m_points;
-  Surface_reader<TriangleMesh, Vertex_point_map, Mesh_report<TriangleMesh, Seam_report>> m_reader;
-  Mesh_components<TriangleMesh, Vertex_point_map> m_components;
-  Faces_without_area<TriangleMesh, Vertex_point_map> m_without_area;
+  Faces_without_area<TriangleMesh, typename Reader::Vertex_point_map> m_without_area;
   std::vector<Part_atlas> m_atlas;        // of each part
   std::vector<std::size_t> m_first_chart; // of each part
   std::vector<edge_descriptor> m_new_seams;

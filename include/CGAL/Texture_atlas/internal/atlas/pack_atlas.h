@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Moves the charts of all parts to their places on the pages, and certifies that they are apart. `build_atlas_impl.h`
-// calls it; `packing/pack.h` finds the places.
+// Gives charts their final coordinates: moves them to their places on the pages, rounds them, and makes polygons
+// convex. Also certifies that charts are apart. `build_atlas_impl.h` calls it; `packing/pack.h` finds the places.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PACK_ATLAS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PACK_ATLAS_H
@@ -13,14 +13,19 @@
 
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/float_grid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Texture_atlas/internal/packing/chart_shape.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
+#include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
+#include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -39,12 +44,12 @@ namespace CGAL::Texture_atlas::internal {
 // Gives each chart of a part the area of its surface, with the lower left corner at the origin.
 inline void scale_pieces(Part_atlas& part)
 {
-  struct Piece
+  struct Extent
   {
     Bbox_2 box;
     double surface = 0, plane = 0;
   };
-  std::vector<Piece> pieces(part.pieces.size());
+  std::vector<Extent> pieces(part.pieces.size());
   std::vector<int> piece_of_vertex(part.uv.size());
   for(int c = 0; c < part.chart.number_of_corners(); ++c) {
     const int v = part.chart.vertex[c];
@@ -56,7 +61,7 @@ inline void scale_pieces(Part_atlas& part)
     pieces[part.piece[t]].plane += std::abs(planar_area(part.chart, part.uv, t));
   }
   for(std::size_t v = 0; v < part.uv.size(); ++v) {
-    const Piece& piece = pieces[piece_of_vertex[v]];
+    const Extent& piece = pieces[piece_of_vertex[v]];
     const double factor = piece.surface > 0 ? std::sqrt(piece.surface / piece.plane) * part.chart.scale : 1;
     part.uv[v] = Chart::Point_2(factor * (part.uv[v].x() - piece.box.xmin()),
                                 factor * (part.uv[v].y() - piece.box.ymin()));
@@ -78,7 +83,7 @@ public:
   {
     const int charts = static_cast<int>(m_atlas.report.charts.size());
     const Packed_triangles triangles = packed_triangles();
-    const Packing packing = pack(triangles.corners, triangles.chart, triangles.area, charts, m_options);
+    const Packing packing = pack(triangles.corners, triangles.chart, triangles.areas, charts, m_options);
     if(packing.status != Packing::DONE) {
       if(packing.status == Packing::DEGENERATE_CHART)
         m_degenerate_part = part_of_chart(packing.chart);
@@ -115,30 +120,20 @@ public:
   }
 
 private:
-  struct Packed_triangles
+  struct Packed_triangles : Planar_triangles
   {
-    std::vector<Planar_point> corners; // three for each triangle
-    std::vector<int> chart;
-    std::vector<double> area;
+    std::vector<int> chart; // of each triangle
   };
 
   Packed_triangles packed_triangles() const
   {
     Packed_triangles triangles;
-    for(std::size_t i = 0; i < m_parts.size(); ++i) {
-      const Part_atlas& part = m_atlas.parts[i];
-      if(!part.succeeded())
-        continue;
-      for(int t = 0; t < part.chart.number_of_triangles(); ++t) {
-        for(int c = 3 * t; c < 3 * t + 3; ++c) {
-          const Chart::Point_2& p = part.uv[part.chart.vertex[c]];
-          triangles.corners.emplace_back(p.x(), p.y());
-        }
-        triangles.chart.push_back(static_cast<int>(m_atlas.first_chart[i]) + part.piece[t]);
-        const double weight = m_weight.empty() ? 1 : m_weight[m_parts[i].first_triangle + t];
-        triangles.area.push_back(surface_area(part.chart, t) * weight * weight);
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      if(const Part_atlas& part = m_atlas.parts[i]; part.succeeded()) {
+        triangles.add(m_parts[i], m_weight, part);
+        for(int piece : part.piece)
+          triangles.chart.push_back(static_cast<int>(m_atlas.first_chart[i]) + piece);
       }
-    }
     return triangles;
   }
 
@@ -208,6 +203,45 @@ private:
   Atlas& m_atlas;
   std::optional<std::size_t> m_degenerate_part;
 };
+
+// Coordinates in files are of the type `float`. Only from 0 to 1, 1 - v has enough digits then, whatever the unit of
+// length.
+inline Float_grid float_grid(const Atlas_options& options)
+{
+  return {options.pack_into_square};
+}
+
+// Rounds the coordinates of a part to the caller's number type. Borders stay where they were packed. If some triangles
+// cannot, the certificate finds them.
+inline void round_part(const Atlas_options& options, Rounding round, Part_atlas& part)
+{
+  if(options.float_coordinates) {
+    Float_rounder rounder(part.chart.vertex, float_grid(options), part.uv);
+    rounder.keep_gaps(border_edges(part.chart));
+    if(options.pack_into_square) {
+      std::vector<char> is_border;
+      for(int v : part.chart.interior)
+        is_border.push_back(v < 0);
+      const double texels = (std::max)(options.resolution, options.number_of_rows());
+      rounder.bound_moves(std::move(is_border), placement_tolerance / 2 / texels);
+    }
+    rounder.run();
+  }
+  round(part.uv);
+}
+
+// Moves interior vertices where that makes polygons convex, and returns how many polygons that mended. `is_diagonal` is
+// that of the edge that each corner faces. Coordinates are final otherwise, and rounded again.
+inline std::size_t make_polygons_convex(const std::vector<char>& is_diagonal, const Atlas_options& options,
+                                        Rounding round, Part_atlas& part)
+{
+  Divided_polygons polygons{part.chart.vertex, part.chart.opposite, is_diagonal, {}};
+  for(int v = 0; v < part.chart.number_of_vertices(); ++v)
+    polygons.is_fixed.push_back(part.chart.interior[v] < 0);
+  const std::size_t mended = Polygon_mender(polygons, float_grid(options), part.uv).run();
+  round(part.uv);
+  return mended;
+}
 
 } // namespace CGAL::Texture_atlas::internal
 

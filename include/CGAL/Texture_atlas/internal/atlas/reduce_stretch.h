@@ -3,11 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Adds seams in rounds as long as a map stretches too much. `part_atlas_builder.h` does so for the parts of an atlas,
-// and the program `flatten_mesh` for a mesh that becomes a single chart.
-//
-// Leads further seams to the vertices where a map stretches most.
-// `part_atlas_builder.h` calls it as long as the stretch of a chart is above the bound.
+// Adds seams in rounds as long as a map stretches too much. `flatten_part.h` does so for the parts of an atlas,
+// and the program `flatten_mesh` for a mesh that becomes a single chart. They lead to the vertices where it stretches
+// most.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_REDUCE_STRETCH_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_REDUCE_STRETCH_H

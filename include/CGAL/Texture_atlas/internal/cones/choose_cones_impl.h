@@ -3,11 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turns the charges of cones into angles that are possible: multiples of a quantum if asked for, with the total that
-// topology demands. Included by `select_cones_of_mesh.h`, or by the source file of the compiled library.
-//
-// Rounds the charges of cones to whole quanta, with a given total on closed surfaces. `choose_cones_impl.h` calls it,
-// for example for patterns that a quarter turn does not change.
+// Turns the charges of cones into angles that are possible: multiples of a quantum if asked for, for example for
+// patterns that a quarter turn does not change, with the total that topology demands. Included by `choose_cones.h`, or
+// by the source file of the compiled library.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_CONES_CHOOSE_CONES_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_CONES_CHOOSE_CONES_IMPL_H

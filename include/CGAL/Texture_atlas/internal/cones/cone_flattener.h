@@ -18,9 +18,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
-#include <CGAL/Texture_atlas/internal/cones/select_cones_of_mesh.h>
+#include <CGAL/Texture_atlas/internal/cones/choose_cones.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
+#include <CGAL/Texture_atlas/internal/seams/piece.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
@@ -110,7 +110,7 @@ private:
     m_result.offending_faces = part.offending_faces;
   }
 
-  // Of vertices and triangles of the surface, cut open, whose corners are those of the surface
+  // Names vertices and triangles of the surface, cut open, whose corners are those of the surface.
   void name_offenders(const Chart& chart, const std::vector<int>& offending_vertices,
                       const std::vector<int>& triangles)
   {
@@ -188,10 +188,7 @@ private:
     std::vector<char> is_seam;
     for(int c = 0; c < surface.number_of_corners(); ++c)
       is_seam.push_back(surface.opposite[c] >= 0 && get(m_marks, m_reader.edge_of(c)));
-    std::vector<int> all(surface.number_of_triangles());
-    std::iota(all.begin(), all.end(), 0);
-    const std::vector<double> no_cost(surface.vertex.size(), 0.);
-    return Patch_cutter(surface, no_cost).cut_out(std::move(all), is_seam).chart;
+    return opened_along_seams(surface, std::vector<double>(surface.vertex.size(), 0.), is_seam).chart;
   }
 
   // The angles of all copies of the cones; other vertices on seams get full turns

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Cuts a map that overlaps itself into injective pieces, with seams as cheap as possible.
-// `split_charts.h` runs it on the charts of a mesh, `atlas/part_atlas_builder.h` on the charts of an atlas.
+// `split_charts.h` runs it on the charts of a mesh, `atlas/flatten_part.h` on the charts of an atlas.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_OVERLAPS_SEPARATE_OVERLAPS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_OVERLAPS_SEPARATE_OVERLAPS_H
@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
-#include <CGAL/Texture_atlas/internal/overlaps/sheets.h>
+#include <CGAL/Texture_atlas/internal/seams/piece.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/triangle_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
@@ -64,7 +64,7 @@ class Overlap_separator
 public:
   // `uv` is that of each vertex, and `cost` that of the edge that each corner faces.
   Overlap_separator(const Chart& chart, const std::vector<double>& cost, const std::vector<Point>& uv)
-      : m_chart(chart), m_uv(uv), m_cutter(chart, cost)
+      : m_chart(chart), m_cost(cost), m_uv(uv)
   {}
 
   Separation run()
@@ -77,10 +77,10 @@ public:
     std::iota(all.begin(), all.end(), 0);
     m_unchecked.push_back(std::move(all));
     for(bool is_whole = true; !m_unchecked.empty() && m_result.status == Separation::DONE; is_whole = false) {
-      const Dual_patch patch = m_cutter.cut_out(std::move(m_unchecked.back()), m_result.is_seam);
+      const Piece piece = cut_out(m_chart, m_cost, std::move(m_unchecked.back()), m_result.is_seam);
       m_unchecked.pop_back();
-      m_is_disk = is_whole ? patch.euler_characteristic() == 1 : m_is_disk;
-      finish_or_split(patch, is_whole);
+      m_is_disk = is_whole ? euler_characteristic(piece.chart) == 1 : m_is_disk;
+      finish_or_split(piece, is_whole);
     }
     return std::move(m_result);
   }
@@ -88,50 +88,48 @@ public:
 private:
   // Two triangles with a large angle at a vertex that they share can be apart, and touch there after a cut that runs
   // through the vertex: pieces are looked at again.
-  void finish_or_split(const Dual_patch& patch, bool is_whole)
+  void finish_or_split(const Piece& piece, bool is_whole)
   {
-    std::vector<Point> uv;
-    for(int v : patch.origin)
-      uv.push_back(m_uv[v]);
-    if(bounds_region(border_edges(patch.chart), uv)) {
-      if(m_is_disk && patch.euler_characteristic() != 1)
-        open_ring(patch);
+    const std::vector<Point> uv = piece.map_from(m_uv);
+    if(bounds_region(border_edges(piece.chart), uv)) {
+      if(m_is_disk && euler_characteristic(piece.chart) != 1)
+        open_ring(piece);
       else
-        finish(patch);
+        finish(piece);
       return;
     }
-    std::vector<Triangle_pair> pairs = overlapping_pairs(patch.chart.vertex, patch.chart.opposite, uv,
-                                                         pairs_per_triangle * patch.triangles.size());
+    std::vector<Triangle_pair> pairs = overlapping_pairs(piece.chart.vertex, piece.chart.opposite, uv,
+                                                         pairs_per_triangle * piece.triangles.size());
     if(pairs.empty()) {
-      failure(Separation::NOT_CERTIFIED, patch.triangles.front());
+      failure(Separation::NOT_CERTIFIED, piece.triangles.front());
       return;
     }
     for(auto& [s, t] : pairs)
-      std::tie(s, t) = std::tie(patch.triangles[s], patch.triangles[t]);
+      std::tie(s, t) = std::tie(piece.triangles[s], piece.triangles[t]);
     if(is_whole)
       mark_overlaps(pairs);
-    split({patch.triangles, std::move(pairs)});
+    split({piece.triangles, std::move(pairs)});
   }
 
-  void finish(const Dual_patch& patch)
+  void finish(const Piece& piece)
   {
-    for(int t : patch.triangles)
+    for(int t : piece.triangles)
       m_result.piece[t] = m_result.number_of_pieces;
     ++m_result.number_of_pieces;
   }
 
   // A piece around another one: the sides of the seam that opens it touch, and so it comes apart in two next time.
-  void open_ring(const Dual_patch& patch)
+  void open_ring(const Piece& piece)
   {
-    const Seams seams = find_topological_seams(patch.chart, patch.cost);
+    const Seams seams = find_topological_seams(piece.chart, piece.cost);
     if(seams.status != Seams::DONE) {
-      failure(Separation::NO_CUT, patch.triangles.front());
+      failure(Separation::NO_CUT, piece.triangles.front());
       return;
     }
-    for(int c = 0; c < patch.chart.number_of_corners(); ++c)
+    for(int c = 0; c < piece.chart.number_of_corners(); ++c)
       if(seams.is_seam[c])
-        m_result.is_seam[patch.whole_corner(c)] = true;
-    m_unchecked.push_back(patch.triangles);
+        m_result.is_seam[piece.whole_corner(c)] = true;
+    m_unchecked.push_back(piece.triangles);
   }
 
   void mark_overlaps(const std::vector<Triangle_pair>& pairs)
@@ -159,30 +157,30 @@ private:
 
   void cut(const Task& task, std::vector<Task>& tasks)
   {
-    const Dual_patch patch = m_cutter.cut_out(task.triangles, m_result.is_seam);
+    const Piece piece = cut_out(m_chart, m_cost, task.triangles, m_result.is_seam);
     std::vector<Triangle_pair> pairs;
     for(const auto& [s, t] : task.pairs)
-      pairs.emplace_back(local_number(patch, s), local_number(patch, t));
-    const std::vector<int> block = inseparable_triangles(patch);
+      pairs.emplace_back(local_number(piece, s), local_number(piece, t));
+    const std::vector<int> block = inseparable_triangles(piece.chart, piece.cost);
     for(const auto& [s, t] : pairs)
       if(block[s] == block[t]) {
-        failure(Separation::NO_CUT, patch.triangles[s]);
+        failure(Separation::NO_CUT, piece.triangles[s]);
         return;
       }
-    const Minimum_cut cut(patch, Sheet_finder(patch.chart, pairs, block).find(), block);
+    const Minimum_cut cut(piece, Sheet_finder(piece.chart, pairs, block).find(), block);
     const auto is_crossed = [&](int c) {
-      return cut.is_on_first_side(c / 3) == cut.is_on_first_side(patch.chart.opposite[c] / 3);
+      return cut.is_on_first_side(c / 3) == cut.is_on_first_side(piece.chart.opposite[c] / 3);
     };
-    for(int c = 0; c < patch.chart.number_of_corners(); ++c)
-      if(patch.chart.opposite[c] >= 0 && !is_crossed(c))
-        m_result.is_seam[patch.whole_corner(c)] = true;
-    distribute(task, pairs, connected_triangles(patch.chart, is_crossed), tasks);
+    for(int c = 0; c < piece.chart.number_of_corners(); ++c)
+      if(piece.chart.opposite[c] >= 0 && !is_crossed(c))
+        m_result.is_seam[piece.whole_corner(c)] = true;
+    distribute(task, pairs, connected_triangles(piece.chart, is_crossed), tasks);
   }
 
-  static int local_number(const Dual_patch& patch, int triangle)
+  static int local_number(const Piece& piece, int triangle)
   {
-    const auto found = std::lower_bound(patch.triangles.begin(), patch.triangles.end(), triangle);
-    return static_cast<int>(found - patch.triangles.begin());
+    const auto found = std::lower_bound(piece.triangles.begin(), piece.triangles.end(), triangle);
+    return static_cast<int>(found - piece.triangles.begin());
   }
 
   static void distribute(const Task& task, const std::vector<Triangle_pair>& local_pairs,
@@ -208,8 +206,8 @@ private:
   static constexpr std::size_t pairs_per_triangle = 64;
 
   const Chart& m_chart;
+  const std::vector<double>& m_cost;
   const std::vector<Point>& m_uv;
-  Patch_cutter m_cutter;
   Separation m_result;
   bool m_is_disk = false;
   std::vector<std::vector<int>> m_unchecked; // triangles of pieces that may still overlap or be rings

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
-#include <CGAL/Texture_atlas/internal/seams/seam_cost.h>
+#include <CGAL/Texture_atlas/internal/seams/apply_seams.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Seams of any mesh: reads its parts, finds seams of each by a given function, marks them, and fills the report.
-// `select_seams.h`, `select_seams.h` and `select_seams.h` differ only in that function.
+// Seams of any mesh: reads its parts and what edges cost as seams, finds seams of each part by a given function, marks
+// them, and fills the report. The functions of `select_seams.h` and `select_crease_seams.h` differ only in that
+// function.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_APPLY_SEAMS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_APPLY_SEAMS_H
@@ -12,27 +13,73 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
-#include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
-#include <CGAL/Texture_atlas/internal/seams/find_seams.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
-#include <CGAL/Texture_atlas/internal/seams/seam_cost.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/find_seams.h>
+#include <CGAL/Texture_atlas/Seam_report.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
+// The named parameter `edge_weight_map`, which CGAL has from the version on that has this header
+#if !__has_include(<CGAL/boost/graph/dijkstra_shortest_path.h>)
+namespace CGAL {
+
+namespace internal_np {
+
+enum edge_weight_t
+{
+  edge_weight
+};
+
+} // namespace internal_np
+
+namespace parameters {
+
+template <typename EdgeWeightMap>
+Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_t>
+edge_weight_map(const EdgeWeightMap& weights)
+{
+  return Named_function_parameters<EdgeWeightMap, internal_np::edge_weight_t>(weights);
+}
+
+} // namespace parameters
+
+} // namespace CGAL
+#endif
+
 namespace CGAL::Texture_atlas::internal {
+
+// What an edge of a given length costs as a seam, by the named parameters: its weight or length, and infinity if it
+// must not be one.
+template <typename Edge, typename NamedParameters>
+auto seam_cost(const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  const auto is_constrained = parameters::choose_parameter(
+      get_parameter(np, internal_np::edge_is_constrained), Static_boolean_property_map<Edge, false>());
+  return [is_constrained, &np](const Edge& e, double length) {
+    if(get(is_constrained, e))
+      return (std::numeric_limits<double>::infinity)();
+    (void)np; // not used without weights
+    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::edge_weight_t>::value)
+      return length;
+    else
+      return static_cast<double>(get(get_parameter(np, internal_np::edge_weight), e));
+  };
+}
 
 // The vertices that seams have to reach, by the named parameters
 template <typename TriangleMesh, typename NamedParameters>
@@ -103,7 +150,7 @@ public:
     return report;
   }
 
-  // Of each corner of a part: whether the edge that it faces is a seam now
+  // Tells of each corner of a part whether the edge that it faces is a seam now.
   std::vector<char> seams_of(const Surface_part& part) const
   {
     std::vector<char> is_seam;

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A simplified copy of a large surface, and shortest paths that carry seams of the copy over to the surface.
-// `find_seams_impl.h` selects seams on the copy, where each prediction of the scale costs far less.
+// A simplified copy of a large surface, shortest paths that carry seams of the copy over to the surface, and their
+// repair, so that they open it to a disk there, too. `find_seams_impl.h` selects seams on the copy, where each
+// prediction of the scale costs far less.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_COARSE_SEAMS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_COARSE_SEAMS_H
@@ -14,11 +15,14 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/cut_topology.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
 #include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
-#include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -39,13 +43,13 @@ public:
     Coarse_chart coarse = coarsening.coarse_chart();
     m_coarse = std::move(coarse.chart);
     m_fine_vertex = coarsening.original(coarse.vertices);
-    find_regions(coarse.vertices, coarsening);
+    find_members(coarse.vertices, coarsening);
   }
 
   const Chart& chart() const { return m_coarse; }
   int fine_vertex(int v) const { return m_fine_vertex[v]; }
 
-  // Of the edge that each corner of the copy faces: its length times what a unit of length costs around its ends
+  // The cost of the edge that each corner of the copy faces: its length times what a unit of it costs around its ends
   std::vector<double> cost() const
   {
     std::vector<double> sum(m_surface.points.size(), 0.), length(m_surface.points.size(), 0.);
@@ -94,16 +98,16 @@ public:
 
 private:
   // The vertices of the surface that were merged into each vertex of the copy
-  void find_regions(const std::vector<int>& remaining, Coarsening& coarsening)
+  void find_members(const std::vector<int>& remaining, Coarsening& coarsening)
   {
-    std::vector<int> region(coarsening.mesh().chart().points.size(), -1);
+    std::vector<int> member_of(coarsening.mesh().chart().points.size(), -1);
     for(std::size_t i = 0; i < remaining.size(); ++i)
-      region[remaining[i]] = static_cast<int>(i);
+      member_of[remaining[i]] = static_cast<int>(i);
     while(coarsening.number_of_levels() > 0)
-      coarsening.undo_level(region);
+      coarsening.undo_level(member_of);
     m_members.resize(m_fine_vertex.size());
-    for(std::size_t v = 0; v < region.size(); ++v)
-      m_members[region[v]].push_back(static_cast<int>(v));
+    for(std::size_t v = 0; v < member_of.size(); ++v)
+      m_members[member_of[v]].push_back(static_cast<int>(v));
   }
 
   // Appends the edges of the fine path of a path that is not closed. It does not cross the inside of another one,
@@ -120,8 +124,8 @@ private:
         for(int x : {surface.source_node(c), surface.target_node(c)})
           is_allowed[x] = x == from || x == to;
       Shortest_paths fine(surface, m_cost);
-      fine.restrict_to(is_allowed);
-      if(fine.find({from}, forbidden, [&](int x) { return x == to; }) >= 0) {
+      if(fine.find(
+             {from}, forbidden, [&](int x) { return x == to; }, [&](int x) { return is_allowed[x]; }) >= 0) {
         const std::vector<int> found = fine.path(to);
         edges.insert(edges.end(), found.begin(), found.end());
         return is_near;
@@ -131,7 +135,7 @@ private:
     return false;
   }
 
-  // Those of the regions of the path's vertices, and of all their neighbours
+  // The nodes that were merged into the path's vertices, and into all their neighbours
   std::vector<char> nodes_near(const std::vector<int>& path, const std::vector<int>& node) const
   {
     std::vector<char> is_near(m_coarse.points.size(), false);
@@ -152,6 +156,81 @@ private:
   Chart m_coarse;
   std::vector<int> m_fine_vertex;
   std::vector<std::vector<int>> m_members;
+};
+
+// Makes a disk of a connected surface whose seams nearly do so, by taking away and adding as little as possible: paths
+// that are drawn on the fine surface may meet or miss one another.
+class Cut_repair
+{
+public:
+  Cut_repair(Sector_graph& surface, const std::vector<double>& cost, const std::vector<int>& terminals)
+      : m_surface(surface), m_cost(cost), m_is_terminal(surface.surface().points.size(), false)
+  {
+    for(int v : terminals)
+      m_is_terminal[v] = true;
+  }
+
+  // Returns `false` if edges that must not become seams leave no way.
+  bool run()
+  {
+    join_parts();
+    prune();
+    return Topological_cut(m_surface, m_cost).run();
+  }
+
+private:
+  const Chart& chart() const { return m_surface.surface(); }
+
+  std::vector<int> seams() const
+  {
+    std::vector<int> result;
+    for(int c = 0; c < chart().number_of_corners(); ++c)
+      if(m_surface.is_seam(c) && c < chart().opposite[c])
+        result.push_back(c);
+    return result;
+  }
+
+  // Without the longest seams between two parts, there is one.
+  void join_parts()
+  {
+    Disjoint_sets sets(chart().number_of_triangles());
+    for(int c = 0; c < chart().number_of_corners(); ++c)
+      if(!m_surface.is_open(c))
+        sets.union_set(c / 3, chart().opposite[c] / 3);
+    std::vector<int> longest_first = seams();
+    std::stable_sort(longest_first.begin(), longest_first.end(),
+                     [&](int c, int d) { return m_cost[c] > m_cost[d]; });
+    for(int c : longest_first)
+      if(sets.find_set(c / 3) != sets.find_set(chart().opposite[c] / 3)) {
+        sets.union_set(c / 3, chart().opposite[c] / 3);
+        m_surface.set_seam(c, false);
+      }
+  }
+
+  // Removes ends of seams inside the surface that are not terminals.
+  void prune()
+  {
+    for(int seam : seams())
+      for(int c : {seam, chart().opposite[seam]})
+        while(m_surface.is_seam(c) && is_needless_end(previous_corner(c))) {
+          const int source = next_corner(c);
+          m_surface.set_seam(c, false);
+          const std::vector<int> others = m_surface.seams_at(source);
+          if(others.size() != 1)
+            break;
+          c = chart().opposite[others.front()];
+        }
+  }
+
+  bool is_needless_end(int corner) const
+  {
+    const int v = chart().vertex[corner];
+    return chart().interior[v] >= 0 && !m_is_terminal[v] && m_surface.number_of_seams_at(corner) == 1;
+  }
+
+  Sector_graph& m_surface;
+  const std::vector<double>& m_cost;
+  std::vector<char> m_is_terminal; // of each vertex
 };
 
 } // namespace CGAL::Texture_atlas::internal

@@ -32,8 +32,8 @@ struct Crease_division
   bool is_developable() const { return number_of_patches <= 16 && curvature < 0.01; }
 };
 
-// Divides a surface along edges whose faces differ by more than `angle`, and joins what unfolds together. `cost` is that
-// of the edge that each corner faces, infinity where it must not be a seam.
+// Divides a surface along edges whose faces differ by more than `angle`, and joins what unfolds together. `cost` is
+// that of the edge that each corner faces, infinity where it must not be a seam.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Crease_division divide_at_creases(const Chart& surface,
                                                                      const std::vector<double>& cost,
                                                                      double angle);

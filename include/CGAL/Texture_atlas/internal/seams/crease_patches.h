@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A surface in patches between creases, and plane layouts of the patches that unfold without stretch.
-// `merge_patches.h` joins them.
+// `crease_division_impl.h` joins them.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CREASE_PATCHES_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CREASE_PATCHES_H
@@ -43,7 +43,7 @@ struct Crease_patches
 {
   std::vector<Crease_patch> patches;
   std::vector<int> patch; // of each triangle
-  // Of each corner, in the layout of its patch. Meaningless if the patch does not unfold.
+  // The place of each corner in the layout of its patch. Meaningless if the patch does not unfold.
   std::vector<Corner_table::Point_2> layout;
 };
 
@@ -155,8 +155,8 @@ private:
 
   bool is_inside(int c) const { return is_within_patch(m_surface, m_result.patch, c); }
 
-  // Scraps are small bent disks beside a patch that does not unfold: rough places of its shape. They become parts of the
-  // patch that they share the longest border with.
+  // Scraps are small bent disks beside a patch that does not unfold: rough places of its shape. They become parts of
+  // the patch that they share the longest border with.
   void absorb_scraps()
   {
     double area = 0;

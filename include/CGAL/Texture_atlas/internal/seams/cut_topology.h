@@ -4,19 +4,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Seams that open a connected surface of any genus to a disk: a Steiner tree of borders and terminals by Mehlhorn
-// (1988), handles by Erickson and Whittlesey (2005). `find_seams_impl.h`, `greedy_cones.h` and `repair_cut.h` cut with
-// it. The paper cuts its closed models by Sheffer and Hart (2002).
+// (1988), handles by Erickson and Whittlesey (2005). `find_seams_impl.h` and `coarse_seams.h` cut
+// with it. The paper cuts its closed models by Sheffer and Hart (2002).
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CUT_TOPOLOGY_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_CUT_TOPOLOGY_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
+#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,99 +25,6 @@
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
-
-inline std::vector<int> border_nodes(const Sector_graph& surface)
-{
-  std::vector<int> nodes;
-  for(int x = 0; x < surface.number_of_nodes(); ++x)
-    if(surface.is_node(x) && surface.is_on_border(x))
-      nodes.push_back(x);
-  return nodes;
-}
-
-// Sets `is_on_border` for each vertex: whether it is on a border or seam
-inline void find_border_vertices(const Sector_graph& surface, std::vector<char>& is_on_border)
-{
-  is_on_border.assign(surface.surface().points.size(), false);
-  for(int x = 0; x < surface.number_of_nodes(); ++x)
-    if(surface.is_node(x) && surface.is_on_border(x))
-      is_on_border[surface.vertex(x)] = true;
-}
-
-// Of each node, the number of the border on which it is, or -1
-inline std::vector<int> number_borders(const Sector_graph& surface, int& count)
-{
-  std::vector<int> number(surface.number_of_nodes(), -1);
-  count = 0;
-  for(int x : border_nodes(surface)) {
-    if(number[x] >= 0)
-      continue;
-    const int first = next_corner(surface.first_corner(x));
-    int c = first;
-    do {
-      number[surface.target_node(c)] = count;
-      c = surface.next_open(c);
-    } while(c != first);
-    ++count;
-  }
-  return number;
-}
-
-// Of a surface that is connected, also without its seams
-struct Topology
-{
-  explicit Topology(const Sector_graph& surface)
-  {
-    const Chart& chart = surface.surface();
-    int nodes = 0;
-    number_borders(surface, borders);
-    for(int x = 0; x < surface.number_of_nodes(); ++x)
-      nodes += surface.is_node(x);
-    for(int c = 0; c < chart.number_of_corners(); ++c)
-      border_edges += surface.is_open(c);
-    const int edges = (chart.number_of_corners() + border_edges) / 2;
-    handles = (2 - borders - nodes + edges - chart.number_of_triangles()) / 2;
-  }
-
-  bool is_disk() const { return handles == 0 && borders == 1; }
-
-  // A border of two edges, along a seam of one edge, is not a polygon.
-  bool can_be_flattened() const { return is_disk() && border_edges >= 3; }
-
-  int handles, borders = 0, border_edges = 0;
-};
-
-// Whether the seams leave disks, and nothing else. The surface may consist of several parts.
-inline bool leaves_disks(const Sector_graph& surface)
-{
-  const Chart& chart = surface.surface();
-  const int triangles = chart.number_of_triangles();
-  Disjoint_sets parts(triangles);
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    if(!surface.is_open(c))
-      parts.union_set(c / 3, chart.opposite[c] / 3);
-  std::vector<int> characteristic(triangles, 0), borders(triangles, 0); // of each part, the former twice
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    characteristic[parts.find_set(c / 3)] -= surface.is_open(c) ? 2 : 1;
-  int count = 0;
-  const std::vector<int> border = number_borders(surface, count);
-  std::vector<char> is_counted(count, false);
-  for(int x = 0; x < surface.number_of_nodes(); ++x)
-    if(surface.is_node(x)) {
-      const auto part = parts.find_set(surface.first_corner(x) / 3);
-      characteristic[part] += 2;
-      if(border[x] >= 0 && !is_counted[border[x]]) {
-        is_counted[border[x]] = true;
-        ++borders[part];
-      }
-    }
-  for(int t = 0; t < triangles; ++t)
-    characteristic[parts.find_set(t)] += 2;
-  for(int t = 0; t < triangles; ++t)
-    if(const auto part = parts.find_set(t); characteristic[part] != 2 || borders[part] != 1)
-      return false;
-  return true;
-}
 
 // Opens a connected surface until it is a disk that can be flattened, along short paths that reach all terminals.
 class Topological_cut

@@ -39,13 +39,13 @@ struct Seams
   double predicted_stretch = 1;
 };
 
-// Those that make a disk of a connected surface, and reach the terminals. `cost` is that of the edge that each corner
-// faces, infinity where it must not be a seam.
+// Finds seams that make a disk of a connected surface, and reach the terminals. `cost` is that of the edge that each
+// corner faces, infinity where it must not be a seam.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_topological_seams(const Chart& surface,
                                                                 const std::vector<double>& cost,
                                                                 const std::vector<int>& terminals = {});
 
-// Those that make a disk of it that can be flattened with little stretch
+// Finds seams that make a disk of it that can be flattened with little stretch.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Seams find_seams(const Chart& surface, const std::vector<double>& cost,
                                                     const Seam_options& options,
                                                     const Linear_solvers& solvers);

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The scale of a conformal map, predicted from angle defects by one Poisson equation (Ben-Chen, Gotsman and Bunin
-// 2008). `greedy_cones.h` and `find_seams_impl.h` choose and judge seams by it, `cones/cone_charges.h` and
-// `cones/scale_response.h` cones.
+// 2008). `find_seams_impl.h` chooses and judges seams by it, and
+// `cones/cone_charges.h` chooses cones.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_LOG_SCALE_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_LOG_SCALE_H
@@ -109,13 +109,13 @@ public:
     return unknown;
   }
 
-  // With twice the usual weights
+  // The Laplacian of some vertices, with twice the usual weights
   Triangle_assembly<1> laplacian(const std::vector<int>& unknown, int n) const
   {
     return cotangent_laplacian(m_surface, m_cotangents, unknown, n);
   }
 
-  // Of all vertices, with twice the usual weights
+  // The Laplacian of all vertices, with twice the usual weights
   Block_matrix<1> laplacian() const
   {
     std::vector<int> all(m_surface.points.size());

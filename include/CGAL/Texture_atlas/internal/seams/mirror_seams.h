@@ -4,65 +4,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Makes seams symmetric: those on one side of a plane replace those on the other side. `symmetry_impl.h` calls it.
-//
-// A plane of symmetry, and on which side of it vertices are. `symmetry.h` offers what is computed with it, by
-// `symmetry_impl.h` and `mirror_seams.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_MIRROR_SEAMS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_MIRROR_SEAMS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
-#include <CGAL/Texture_atlas/internal/seams/join_small_regions.h>
-#include <CGAL/Texture_atlas/internal/seams/nearest_seams.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/nearest_objects.h>
 #include <CGAL/Texture_atlas/internal/seams/seam_router.h>
+#include <CGAL/Texture_atlas/internal/seams/symmetry.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Origin.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
 
-struct Mirror_plane
+// Takes seams away that separate tiny pieces from larger ones. Where mirror images of seams run beside other seams,
+// slivers are between them.
+class Piece_joining
 {
-  Seam_kernel::Vector_3 normal{1, 0, 0}; // of length 1
-  double offset = 0;                     // of the points of the plane along the normal
-  double deviation = 0;                  // the root mean square distance of the mirror image from the surface
+  typedef std::array<std::size_t, 2> Pair;
 
-  double height(const Seam_kernel::Point_3& p) const { return normal * (p - CGAL::ORIGIN) - offset; }
-  Seam_kernel::Point_3 mirrored(const Seam_kernel::Point_3& p) const { return p - 2 * height(p) * normal; }
+public:
+  Piece_joining(const Triangle_arrays& mesh, const Edge_graph& graph)
+      : m_graph(graph), m_faces(graph.ends.size(), {none, none})
+  {
+    for(std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      m_area.push_back(std::sqrt(mesh.normal(mesh.triangles[t]).squared_length()));
+      for(std::size_t i = 0; i < 3; ++i) {
+        Pair& faces = m_faces[graph.edge_between(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3])];
+        faces[faces[0] == none ? 0 : 1] = t;
+      }
+    }
+  }
+
+  // Joins pieces with less than this share of the area to the neighbors with which they have the longest borders.
+  void run(double share, std::vector<char>& is_seam) const
+  {
+    const double least = share * std::accumulate(m_area.begin(), m_area.end(), 0.);
+    for(int round = 0; round < most_rounds && join_some(least, is_seam); ++round)
+      ;
+  }
+
+private:
+  // Each piece changes once at most.
+  bool join_some(double least, std::vector<char>& is_seam) const
+  {
+    Disjoint_sets pieces(m_area.size());
+    for(std::size_t e = 0; e < is_seam.size(); ++e)
+      if(!is_seam[e] && m_faces[e][1] != none)
+        pieces.union_set(m_faces[e][0], m_faces[e][1]);
+    std::vector<double> area(m_area.size(), 0);
+    for(std::size_t t = 0; t < m_area.size(); ++t)
+      area[pieces.find_set(t)] += m_area[t];
+    std::map<Pair, double> border; // of a small piece and a neighbor
+    const auto for_borders = [&](const auto& f) {
+      for(std::size_t e = 0; e < is_seam.size(); ++e)
+        if(is_seam[e] && m_faces[e][1] != none) {
+          const std::size_t a = pieces.find_set(m_faces[e][0]), b = pieces.find_set(m_faces[e][1]);
+          if(a != b)
+            f(e, a, b);
+        }
+    };
+    for_borders([&](std::size_t e, std::size_t a, std::size_t b) {
+      if(area[a] < least)
+        border[{a, b}] += m_graph.length(e);
+      if(area[b] < least)
+        border[{b, a}] += m_graph.length(e);
+    });
+    const std::vector<std::size_t> partner = partners(border, area);
+    bool any = false;
+    for_borders([&](std::size_t e, std::size_t a, std::size_t b) {
+      if(partner[a] == b) {
+        is_seam[e] = false;
+        any = true;
+      }
+    });
+    return any;
+  }
+
+  // What each piece joins, if anything: the smallest pieces choose first.
+  static std::vector<std::size_t> partners(const std::map<Pair, double>& border,
+                                           const std::vector<double>& area)
+  {
+    std::vector<std::array<double, 2>> keys;
+    std::vector<Pair> pairs;
+    for(const auto& [pair, length] : border) {
+      keys.push_back({area[pair[0]], -length});
+      pairs.push_back(pair);
+    }
+    std::vector<std::size_t> order(pairs.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return keys[i] < keys[j]; });
+    std::vector<std::size_t> partner(area.size(), none);
+    for(std::size_t i : order) {
+      const auto [a, b] = pairs[i];
+      if(partner[a] == none && partner[b] == none) {
+        partner[a] = b;
+        partner[b] = a;
+      }
+    }
+    return partner;
+  }
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr int most_rounds = 10;
+
+  const Edge_graph& m_graph;
+  std::vector<Pair> m_faces;  // at each edge
+  std::vector<double> m_area; // of each triangle, twice
 };
-
-inline double diagonal_of(const std::vector<Seam_kernel::Point_3>& points)
-{
-  CGAL::Bbox_3 box;
-  for(const Seam_kernel::Point_3& p : points)
-    box += p.bbox();
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
-}
-
-// On which side of the plane each vertex is: -1, 1, or 0. Of two vertices on different sides of the plane that an edge
-// joins, the nearer one counts as on the plane.
-inline std::vector<signed char> sides_of_vertices(const Edge_graph& graph, const Mirror_plane& plane)
-{
-  std::vector<double> height;
-  for(const Seam_kernel::Point_3& p : graph.points)
-    height.push_back(plane.height(p));
-  std::vector<signed char> side;
-  for(double h : height)
-    side.push_back(static_cast<signed char>((h > 0) - (h < 0)));
-  for(const auto& [a, b] : graph.ends)
-    if(height[a] * height[b] < 0)
-      side[std::abs(height[b]) < std::abs(height[a]) ? b : a] = 0;
-  return side;
-}
 
 // Draws the seams on one side of the plane again on the other one.
 class Seam_mirror
@@ -92,7 +153,7 @@ public:
           mark(path.edges);
           mark(mirrored(path));
         }
-    Region_joining(m_mesh, m_graph).run(smallest_region, m_result);
+    Piece_joining(m_mesh, m_graph).run(smallest_piece, m_result);
     return std::move(m_result);
   }
 
@@ -228,8 +289,8 @@ private:
     });
   }
 
-  static constexpr double width = 0.02;            // in units of the diagonal
-  static constexpr double smallest_region = 0.002; // as a share of the area
+  static constexpr double width = 0.02;           // in units of the diagonal
+  static constexpr double smallest_piece = 0.002; // as a share of the area
 
   const Triangle_arrays& m_mesh;
   const Edge_graph& m_graph;

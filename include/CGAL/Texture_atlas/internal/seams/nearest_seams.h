@@ -4,10 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Shortest paths from the nearest border or seam to all nodes of an opened surface, which are kept up to date while
-// seams change. `greedy_cones.h` adds seams to terminals along them, `shorten_paths.h` exchanges seams by them.
-//
-// A tree that finds the triangle or segment nearest to a point. `symmetry_impl.h`, `seam_router.h` and `mirror_seams.h`
-// search in it.
+// seams change, and the shortest path across an annulus by them. `find_seams_impl.h` adds seams to terminals along such
+// paths, `shorten_paths.h` exchanges seams by them.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_NEAREST_SEAMS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_NEAREST_SEAMS_H
@@ -20,75 +18,14 @@
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
 #include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
-#include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 
-#include <CGAL/AABB_tree.h>
-
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#if __has_include(<CGAL/AABB_traits_3.h>) // CGAL 6
-#include <CGAL/AABB_segment_primitive_3.h>
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
-
-#include <cstddef>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Texture_atlas::internal {
-
-// `Object` is a triangle or a segment. There is at least one, and none is degenerate.
-template <typename Object>
-class Nearest_objects
-{
-  typedef typename std::vector<Object>::const_iterator Iterator;
-  static constexpr bool are_triangles = std::is_same<Object, Seam_kernel::Triangle_3>::value;
-#if __has_include(<CGAL/AABB_traits_3.h>)
-  typedef std::conditional_t<are_triangles, CGAL::AABB_triangle_primitive_3<Seam_kernel, Iterator>,
-                             CGAL::AABB_segment_primitive_3<Seam_kernel, Iterator>>
-      Primitive;
-  typedef CGAL::AABB_traits_3<Seam_kernel, Primitive> Traits;
-#else
-  typedef std::conditional_t<are_triangles, CGAL::AABB_triangle_primitive<Seam_kernel, Iterator>,
-                             CGAL::AABB_segment_primitive<Seam_kernel, Iterator>>
-      Primitive;
-  typedef CGAL::AABB_traits<Seam_kernel, Primitive> Traits;
-#endif
-
-public:
-  explicit Nearest_objects(std::vector<Object> objects)
-      : m_objects(std::move(objects)), m_tree(m_objects.cbegin(), m_objects.cend())
-  {
-    m_tree.build();
-  }
-
-  Seam_kernel::Point_3 point(const Seam_kernel::Point_3& p) const
-  {
-    return m_tree.closest_point(p);
-  }
-
-  double squared_distance(const Seam_kernel::Point_3& p) const
-  {
-    return m_tree.squared_distance(p);
-  }
-
-  std::size_t object(const Seam_kernel::Point_3& p) const
-  {
-    return static_cast<std::size_t>(m_tree.closest_point_and_primitive(p).second - m_objects.cbegin());
-  }
-
-private:
-  const std::vector<Object> m_objects;
-  CGAL::AABB_tree<Traits> m_tree;
-};
 
 // The Voronoi diagram of borders and seams: a forest of shortest paths from the nodes there, its sources. When a path
 // becomes seams, or no longer is, only the nodes are visited that are nearest to it.
@@ -260,10 +197,108 @@ private:
   std::vector<int> m_lost;            // the nodes whose paths the last closed path has cut
   std::vector<Forgotten> m_forgotten; // the labels of these
 
-  // Of each node: the corner to the left of the first edge of its path, at the source; any corner of a source. Nodes
+  // The corner to the left of the first edge of each node's path, at the source; any corner of a source. Nodes
   // are numbered again when seams change, corners are not.
   std::vector<int> m_first_corner;
   std::int64_t m_visits = 0;
+};
+
+// Finds the shortest path between the borders of an annulus. Between the regions that are nearest to one border and to
+// the other one, there is one closed line of edges, from triangle to triangle. The shortest path crosses it at the edge
+// where the paths from its ends to both borders are shortest, as in Mehlhorn's approximation of a Steiner tree. All its
+// nodes are at most half its length away from a border: longer paths need not be known.
+class Annulus_crossing
+{
+public:
+  Annulus_crossing(const Sector_graph& surface, const std::vector<double>& cost, const Nearest_seams& nearest)
+      : m_surface(surface), m_cost(cost), m_nearest(nearest)
+  {}
+
+  // The edges of the shortest path between the borders through two nodes, `from` and `to`; none if it is longer than
+  // `bound`, or if the borders are the same. A node that is on no border is one by itself. `path` leads from one node
+  // to the other.
+  std::vector<int> shortest_path(const std::vector<int>& path, int from, int to, double bound)
+  {
+    const std::vector<int> border = shorter_border(from, to);
+    if(border.empty())
+      return {};
+    m_is_marked.resize(m_surface.number_of_nodes(), false);
+    for(int x : border)
+      m_is_marked[x] = true;
+    const int bridge = shortest_bridge(first_bridge(path, border.front() == from), bound);
+    for(int x : border)
+      m_is_marked[x] = false;
+    if(bridge < 0)
+      return {};
+    std::vector<int> result = m_nearest.path(m_surface.source_node(bridge));
+    result.push_back(bridge);
+    const std::vector<int> rest = m_nearest.path(m_surface.target_node(bridge));
+    result.insert(result.end(), rest.begin(), rest.end());
+    return result;
+  }
+
+private:
+  // The nodes of the border through one of two nodes that has fewer edges; none if both are on the same border
+  std::vector<int> shorter_border(int x, int y) const
+  {
+    if(x == y)
+      return {};
+    std::array<std::vector<int>, 2> nodes = {{{x}, {y}}};
+    std::array<int, 2> edge = {edge_before(x), edge_before(y)};
+    for(int k = 0;; k = 1 - k) { // along both at the same time
+      const int start = nodes[k].front();
+      if(!m_surface.is_on_border(start))
+        return nodes[k];
+      edge[k] = m_surface.next_open(edge[k]);
+      if(edge[k] == edge_before(start))
+        return nodes[k];
+      nodes[k].push_back(m_surface.target_node(edge[k]));
+      if(nodes[k].back() == nodes[1 - k].front())
+        return {};
+    }
+  }
+
+  // The border's edge to a node that is on it
+  int edge_before(int x) const { return next_corner(m_surface.first_corner(x)); }
+
+  // Whether a node is nearest to the border whose nodes are marked
+  bool is_near(int x) const { return m_nearest.is_reached(x) && m_is_marked[m_nearest.source(x)]; }
+
+  // The edge over which a path leaves the region of the marked border, where it begins or ends, for the last time
+  int first_bridge(const std::vector<int>& path, bool begins_there) const
+  {
+    if(begins_there)
+      return *std::find_if(path.rbegin(), path.rend(),
+                           [&](int c) { return is_near(m_surface.source_node(c)); });
+    return *std::find_if(path.begin(), path.end(), [&](int c) { return is_near(m_surface.target_node(c)); });
+  }
+
+  // Follows the line of edges between nodes near to the marked border and other nodes. Returns the edge over which the
+  // path between both borders is shortest, and at most as long as `bound`, or -1.
+  int shortest_bridge(int first, double bound) const
+  {
+    int bridge = -1;
+    double shortest = bound;
+    int c = first;
+    do {
+      const double before = m_nearest.distance(m_surface.source_node(c)),
+                   behind = m_nearest.distance(m_surface.target_node(c)),
+                   length = before + m_cost[c] + behind;
+      if(length < forbidden && before <= bound / 2 && behind <= bound / 2 &&
+         (length < shortest || (bridge < 0 && length == shortest))) {
+        bridge = c;
+        shortest = length;
+      }
+      const int across = m_surface.surface().opposite[c], next = next_corner(across);
+      c = is_near(m_surface.node(across)) == is_near(m_surface.node(next)) ? next : previous_corner(across);
+    } while(c != first);
+    return bridge;
+  }
+
+  const Sector_graph& m_surface;
+  const std::vector<double>& m_cost;
+  const Nearest_seams& m_nearest;
+  std::vector<char> m_is_marked; // of each node
 };
 
 } // namespace CGAL::Texture_atlas::internal

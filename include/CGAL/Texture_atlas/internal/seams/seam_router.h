@@ -11,8 +11,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
-#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
-#include <CGAL/Texture_atlas/internal/seams/nearest_seams.h>
+#include <CGAL/Texture_atlas/internal/seams/nearest_objects.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 

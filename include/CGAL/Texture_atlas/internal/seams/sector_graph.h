@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A surface opened along seams, as a graph for Boost: nodes are the sectors of a vertex between seams, so no path
-// crosses a seam. `shortest_paths.h` searches it. `repair_cut.h`, `coarse_seams.h` and `atlas/` open and close seams in
-// it.
+// A surface opened along seams, as a graph: nodes are the sectors of a vertex between seams, so no path crosses a seam;
+// and the topology of what is opened. `shortest_paths.h` searches it. `coarse_seams.h` and `atlas/` open and close
+// seams in it.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SECTOR_GRAPH_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SECTOR_GRAPH_H
@@ -14,9 +14,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
 #include <cstddef>
@@ -26,8 +26,8 @@
 
 namespace CGAL::Texture_atlas::internal {
 
-// A surface opened along seams, as an `IncidenceGraph` of Boost.Graph. Its vertices are the sectors between two seams
-// or borders at a vertex of the surface, here called nodes. The edge that corner `c` faces leads from the node of the
+// A surface opened along seams, as a graph. Its nodes are the sectors between two seams or borders at a vertex of the
+// surface. The edge that corner `c` faces leads from the node of the
 // next corner to that of the previous one; there are none along seams and borders.
 class Sector_graph
 {
@@ -184,40 +184,99 @@ out_edges(int x, const Sector_graph& surface)
   return {Sector_graph::Out_edge_iterator(surface, first), Sector_graph::Out_edge_iterator(surface, -1)};
 }
 
-inline std::size_t out_degree(int x, const Sector_graph& surface)
+inline std::vector<int> border_nodes(const Sector_graph& surface)
 {
-  const auto [begin, end] = out_edges(x, surface);
-  return std::distance(begin, end);
+  std::vector<int> nodes;
+  for(int x = 0; x < surface.number_of_nodes(); ++x)
+    if(surface.is_node(x) && surface.is_on_border(x))
+      nodes.push_back(x);
+  return nodes;
 }
 
-inline int source(int c, const Sector_graph& surface)
+// Sets `is_on_border` for each vertex: whether it is on a border or seam
+inline void find_border_vertices(const Sector_graph& surface, std::vector<char>& is_on_border)
 {
-  return surface.source_node(c);
+  is_on_border.assign(surface.surface().points.size(), false);
+  for(int x = 0; x < surface.number_of_nodes(); ++x)
+    if(surface.is_node(x) && surface.is_on_border(x))
+      is_on_border[surface.vertex(x)] = true;
 }
 
-inline int target(int c, const Sector_graph& surface)
+// The number of the border on which each node is, or -1
+inline std::vector<int> number_borders(const Sector_graph& surface, int& count)
 {
-  return surface.target_node(c);
+  std::vector<int> number(surface.number_of_nodes(), -1);
+  count = 0;
+  for(int x : border_nodes(surface)) {
+    if(number[x] >= 0)
+      continue;
+    const int first = next_corner(surface.first_corner(x));
+    int c = first;
+    do {
+      number[surface.target_node(c)] = count;
+      c = surface.next_open(c);
+    } while(c != first);
+    ++count;
+  }
+  return number;
 }
 
-inline std::size_t num_vertices(const Sector_graph& surface)
+// The topology of a surface that is connected, also without its seams
+struct Topology
 {
-  return surface.number_of_nodes();
+  explicit Topology(const Sector_graph& surface)
+  {
+    const Chart& chart = surface.surface();
+    int nodes = 0;
+    number_borders(surface, borders);
+    for(int x = 0; x < surface.number_of_nodes(); ++x)
+      nodes += surface.is_node(x);
+    for(int c = 0; c < chart.number_of_corners(); ++c)
+      border_edges += surface.is_open(c);
+    const int edges = (chart.number_of_corners() + border_edges) / 2;
+    handles = (2 - borders - nodes + edges - chart.number_of_triangles()) / 2;
+  }
+
+  bool is_disk() const { return handles == 0 && borders == 1; }
+
+  // A border of two edges, along a seam of one edge, is not a polygon.
+  bool can_be_flattened() const { return is_disk() && border_edges >= 3; }
+
+  int handles, borders = 0, border_edges = 0;
+};
+
+// Whether the seams leave disks, and nothing else. The surface may consist of several parts.
+inline bool leaves_disks(const Sector_graph& surface)
+{
+  const Chart& chart = surface.surface();
+  const int triangles = chart.number_of_triangles();
+  Disjoint_sets parts(triangles);
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    if(!surface.is_open(c))
+      parts.union_set(c / 3, chart.opposite[c] / 3);
+  std::vector<int> characteristic(triangles, 0), borders(triangles, 0); // of each part, the former twice
+  for(int c = 0; c < chart.number_of_corners(); ++c)
+    characteristic[parts.find_set(c / 3)] -= surface.is_open(c) ? 2 : 1;
+  int count = 0;
+  const std::vector<int> border = number_borders(surface, count);
+  std::vector<char> is_counted(count, false);
+  for(int x = 0; x < surface.number_of_nodes(); ++x)
+    if(surface.is_node(x)) {
+      const auto part = parts.find_set(surface.first_corner(x) / 3);
+      characteristic[part] += 2;
+      if(border[x] >= 0 && !is_counted[border[x]]) {
+        is_counted[border[x]] = true;
+        ++borders[part];
+      }
+    }
+  for(int t = 0; t < triangles; ++t)
+    characteristic[parts.find_set(t)] += 2;
+  for(int t = 0; t < triangles; ++t)
+    if(const auto part = parts.find_set(t); characteristic[part] != 2 || borders[part] != 1)
+      return false;
+  return true;
 }
 
 } // namespace CGAL::Texture_atlas::internal
-
-template <>
-struct boost::graph_traits<CGAL::Texture_atlas::internal::Sector_graph>
-{
-  typedef int vertex_descriptor, edge_descriptor;
-  typedef boost::directed_tag directed_category;
-  typedef boost::allow_parallel_edge_tag edge_parallel_category;
-  typedef boost::incidence_graph_tag traversal_category;
-  typedef CGAL::Texture_atlas::internal::Sector_graph::Out_edge_iterator out_edge_iterator;
-  typedef std::size_t degree_size_type, vertices_size_type;
-
-  static int null_vertex() { return -1; }
-};
 
 #endif // CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SECTOR_GRAPH_H

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Shortens seams by key-path exchange: takes a path between two branches away, and puts the shortest one in its place.
-// `find_seams_impl.h` and `greedy_cones.h` run it after each cut, which is made greedily and is rarely shortest.
+// `find_seams_impl.h` runs it after each cut, which is made greedily and is rarely shortest.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEN_PATHS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEN_PATHS_H
@@ -13,7 +13,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
-#include <CGAL/Texture_atlas/internal/seams/cross_annulus.h>
 #include <CGAL/Texture_atlas/internal/seams/nearest_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>

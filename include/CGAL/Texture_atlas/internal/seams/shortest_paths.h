@@ -4,10 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Dijkstra's search on an opened surface, which can be bounded, restricted and repeated at the cost of what it visits.
-// All seam searches use it: `cut_topology.h`, `greedy_cones.h`, `nearest_seams.h`, `shorten_paths.h`, `coarse_seams.h`
-// and, in `atlas/`, further seams.
-//
-// The edges of a mesh as a graph, for what follows seams: `seam_router.h`, `symmetry.h` and `join_small_regions.h`.
+// All seam searches use it: `cut_topology.h`, `find_seams_impl.h`, `nearest_seams.h`, `shorten_paths.h`,
+// `coarse_seams.h` and, in `atlas/`, further seams.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEST_PATHS_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SHORTEST_PATHS_H
@@ -17,13 +15,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/seams/sector_graph.h>
-#include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 
 #include <boost/graph/detail/d_ary_heap.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -31,60 +26,6 @@
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
-
-// The edges of a mesh, by the numbers of their ends, with the edges at each vertex
-class Edge_graph
-{
-public:
-  typedef std::array<std::size_t, 2> Ends;
-
-  Edge_graph(const std::vector<Seam_kernel::Point_3>& vertex_points, std::vector<Ends> edge_ends)
-      : points(vertex_points), ends(std::move(edge_ends)), m_first(points.size() + 1, 0),
-        m_edges(2 * ends.size())
-  {
-    for(const Ends& e : ends)
-      for(std::size_t v : e)
-        ++m_first[v + 1];
-    for(std::size_t v = 0; v < points.size(); ++v)
-      m_first[v + 1] += m_first[v];
-    std::vector<std::size_t> place(m_first.begin(), m_first.end() - 1);
-    for(std::size_t e = 0; e < ends.size(); ++e)
-      for(std::size_t v : ends[e])
-        m_edges[place[v]++] = e;
-  }
-
-  std::size_t other_end(std::size_t e, std::size_t v) const
-  {
-    return ends[e][0] == v ? ends[e][1] : ends[e][0];
-  }
-
-  // Of two vertices that an edge joins
-  std::size_t edge_between(std::size_t v, std::size_t w) const
-  {
-    std::size_t result = 0;
-    for_edges_at(v, [&](std::size_t e) { result = other_end(e, v) == w ? e : result; });
-    return result;
-  }
-
-  double length(std::size_t e) const
-  {
-    return std::sqrt(CGAL::squared_distance(points[ends[e][0]], points[ends[e][1]]));
-  }
-
-  template <typename Function>
-  void for_edges_at(std::size_t v, const Function& f) const
-  {
-    for(std::size_t i = m_first[v]; i < m_first[v + 1]; ++i)
-      f(m_edges[i]);
-  }
-
-  const std::vector<Seam_kernel::Point_3>& points;
-  const std::vector<Ends> ends; // of each edge
-
-private:
-  std::vector<std::size_t> m_first; // place of each vertex in `m_edges`
-  std::vector<std::size_t> m_edges;
-};
 
 // The cost of an edge that must not become a seam
 inline constexpr double forbidden = std::numeric_limits<double>::infinity();
@@ -149,12 +90,17 @@ public:
       : m_surface(surface), m_cost(cost), m_labels(surface.number_of_nodes())
   {}
 
-  // Paths lead through these nodes only.
-  void restrict_to(std::vector<char> is_allowed) { m_is_allowed = std::move(is_allowed); }
-
   // Finds the nearest node with `is_target(x)`, at a distance of at most `bound`, or else -1.
   template <typename IsTarget>
   int find(const std::vector<int>& sources, double bound, const IsTarget& is_target)
+  {
+    return find(sources, bound, is_target, [](int) { return true; });
+  }
+
+  // The same along paths through nodes with `is_allowed(x)` only
+  template <typename IsTarget, typename IsAllowed>
+  int find(const std::vector<int>& sources, double bound, const IsTarget& is_target,
+           const IsAllowed& is_allowed)
   {
     forget_last_search();
     Path_queue queue = path_queue(m_labels);
@@ -169,8 +115,10 @@ public:
         return -1;
       if(is_target(x))
         return x;
-      for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge)
-        reach(m_surface.target_node(*edge), distance(x) + cost(*edge), *edge, queue);
+      for(auto [edge, end] = out_edges(x, m_surface); edge != end; ++edge) {
+        const int y = m_surface.target_node(*edge);
+        reach(y, distance(x) + (is_allowed(y) ? m_cost[*edge] : forbidden), *edge, queue);
+      }
     }
     return -1;
   }
@@ -195,11 +143,6 @@ public:
   std::vector<int> path(int x) const { return path_to(x, m_labels, m_surface); }
 
 private:
-  double cost(int c) const
-  {
-    return m_is_allowed.empty() || m_is_allowed[m_surface.target_node(c)] ? m_cost[c] : forbidden;
-  }
-
   void forget_last_search()
   {
     for(int x : m_touched)
@@ -229,7 +172,6 @@ private:
 
   const Sector_graph& m_surface;
   const std::vector<double>& m_cost;
-  std::vector<char> m_is_allowed;   // all of them if empty
   std::vector<Path_label> m_labels; // of each node
   std::vector<int> m_touched;       // the nodes with labels other than the first ones
   int m_visited = 0;

@@ -3,11 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The bodies of the functions of `symmetry.h`, which includes it; the compiled library has it in
-// `angle_based_flattening_symmetry.cpp`.
-//
-// The plane in which a surface is most nearly symmetric. Planes of many directions are fitted to the surface and its
-// mirror image, as by the iterative closest point method. `symmetry_impl.h` calls it.
+// The bodies of the functions of `symmetry.h`. `symmetrize_seams.h` includes it, or the source file of the compiled
+// library. The plane in which a surface is most nearly symmetric is the best of many directions: planes are fitted to
+// the surface and its mirror image, as by the iterative closest point method.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SYMMETRY_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_SYMMETRY_IMPL_H
@@ -16,9 +14,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
-#include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
+#include <CGAL/Texture_atlas/internal/seams/nearest_objects.h>
 #include <CGAL/Texture_atlas/internal/seams/mirror_seams.h>
-#include <CGAL/Texture_atlas/internal/seams/nearest_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/symmetry.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
 

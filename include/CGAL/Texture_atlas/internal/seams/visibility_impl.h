@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The body of `visibility()`. `visibility.h` includes it; the compiled library has it in
-// `angle_based_flattening_symmetry.cpp`.
+// How far vertices can be seen, by rays: the body of `visibility()`. `seam_weights.h` includes it, or the source file
+// of the compiled library.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_VISIBILITY_IMPL_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_SEAMS_VISIBILITY_IMPL_H
@@ -13,21 +13,12 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
+#include <CGAL/Texture_atlas/internal/seams/nearest_objects.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
-#include <CGAL/Texture_atlas/internal/seams/visibility.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_type_config.h>
-
-#if __has_include(<CGAL/AABB_traits_3.h>) // CGAL 6
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
 
 #include <array>
 #include <cmath>
@@ -64,15 +55,7 @@ inline std::vector<Seam_kernel::Vector_3> vertex_normals(const Triangle_arrays& 
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<double> visibility(const Triangle_arrays& mesh)
 {
-  typedef std::vector<Seam_kernel::Triangle_3>::const_iterator Triangle;
-#if __has_include(<CGAL/AABB_traits_3.h>)
-  typedef CGAL::AABB_traits_3<Seam_kernel, CGAL::AABB_triangle_primitive_3<Seam_kernel, Triangle>> Traits;
-#else
-  typedef CGAL::AABB_traits<Seam_kernel, CGAL::AABB_triangle_primitive<Seam_kernel, Triangle>> Traits;
-#endif
-  const std::vector<Seam_kernel::Triangle_3> triangles = mesh.proper_triangles();
-  CGAL::AABB_tree<Traits> tree(triangles.cbegin(), triangles.cend());
-  tree.build(); // not by the first query, which runs in parallel with others
+  const Nearest_objects<Seam_kernel::Triangle_3> triangles(mesh.proper_triangles());
   CGAL::Bbox_3 box;
   for(const Seam_kernel::Point_3& p : mesh.points)
     box += p.bbox();
@@ -93,7 +76,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::vector<double> visibility(const Triangle
       for(const Seam_kernel::Vector_3& direction : directions)
         if(direction * normals[v] > 0) {
           ++outward;
-          unobstructed += !tree.do_intersect(Seam_kernel::Ray_3(start, direction));
+          unobstructed += !triangles.is_met_by(Seam_kernel::Ray_3(start, direction));
         }
       result[v] = static_cast<double>(unobstructed) / outward;
     }

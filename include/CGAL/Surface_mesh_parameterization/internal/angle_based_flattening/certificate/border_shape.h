@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How well a map satisfies what was prescribed for its border: angles, straight sides, and equal lengths on both sides
-// of seams. The methods of `strategies/` and `measure_atlas.h` put it into their reports.
+// of seams. The methods of `strategies/` and `certify_atlas.h` put it into their reports.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SHAPE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_BORDER_SHAPE_H

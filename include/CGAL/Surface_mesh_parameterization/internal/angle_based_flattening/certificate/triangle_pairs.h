@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All pairs of triangles that overlap in the plane, by exact predicates. `overlapping_faces.h` reports them to the
-// user, `separate_overlaps.h` cuts until there are none, and `sheets.h` makes sheets of them.
+// user, `separate_overlaps.h` cuts until there are none, and `minimum_cut.h` makes sheets of them.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_TRIANGLE_PAIRS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CERTIFICATE_TRIANGLE_PAIRS_H

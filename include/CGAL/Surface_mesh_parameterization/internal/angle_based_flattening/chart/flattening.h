@@ -27,6 +27,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -87,8 +88,19 @@ struct Flattening
 // Rounds coordinates to what the caller can store.
 typedef void (*Rounding)(std::vector<Chart::Point_2>&);
 
-// Flattens a coarse chart. Returns nothing if it fails.
-typedef std::function<std::optional<std::vector<Chart::Point_2>>(const Chart&)> Coarse_flattening;
+// What becomes of a coarse chart: its map, or nothing if finer charts are to be tried. A diagnosis ends the run with
+// it.
+struct Coarse_map
+{
+  Coarse_map(std::optional<std::vector<Chart::Point_2>> map, Diagnosis end = Diagnosis::NOTHING_WRONG)
+      : uv(std::move(map)), status(end)
+  {}
+
+  std::optional<std::vector<Chart::Point_2>> uv;
+  Diagnosis status;
+};
+
+typedef std::function<Coarse_map(const Chart&)> Coarse_flattening;
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The measures of a map, triangle by triangle and in total: those of the paper (Eqs. 1, 23 and 24), and others for
-// comparison. `measure_flattening.h` and `measure_atlas.h` report them. They hold for the maps of any method.
+// comparison. `measure_flattening.h` and `certify_atlas.h` report them. They hold for the maps of any method.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_MEASURE_CHART_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_DISTORTION_MEASURE_CHART_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Plane layouts of patches: how one unfolds, or lies in its own plane, for `crease_patches.h` and
-// `part_atlas_builder.h`; motions that lay one beside another, and whether the two then overlap, for `merge_patches.h`.
+// Plane layouts of patches: how one unfolds, for `crease_patches.h`; motions that lay one beside another, and whether
+// the two then overlap, for `crease_division_impl.h`.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PATCH_LAYOUTS_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LAYOUT_PATCH_LAYOUTS_H

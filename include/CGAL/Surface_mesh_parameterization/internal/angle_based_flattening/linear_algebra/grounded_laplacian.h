@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Laplace equations with zeros at vertices that change from one solution to the next, by one factorization: a small
-// dense matrix makes up for the changes. `seams/greedy_cones.h` predicts scales with it while seams grow.
+// dense matrix makes up for the changes. `seams/find_seams_impl.h` predicts scales with it while seams grow.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_GROUNDED_LAPLACIAN_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_LINEAR_ALGEBRA_GROUNDED_LAPLACIAN_H

@@ -53,13 +53,13 @@ public:
   {
     coarsen();
     const bool is_solved = solve_coarse();
-    const bool is_refined = refine(is_solved);
+    const bool is_refined = m_report.status == Diagnosis::NOTHING_WRONG && refine(is_solved);
     Flattening<Hierarchical_report> result;
     result.uv.reserve(m_uv.size());
     for(const Planar_point& p : m_uv)
       result.uv.emplace_back(p.x(), p.y());
     result.report = std::move(m_report);
-    if(!is_refined)
+    if(!is_refined && result.report.status == Diagnosis::NOTHING_WRONG)
       explain_failure(result.report);
     return result;
   }
@@ -143,7 +143,10 @@ private:
       m_report.levels = m_coarsening.number_of_levels();
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
       m_report.coarse_triangles = coarse.chart.number_of_triangles();
-      const std::optional<Layout> uv = m_solve(coarse.chart);
+      const auto [uv, status] = m_solve(coarse.chart);
+      m_report.status = status;
+      if(status != Diagnosis::NOTHING_WRONG)
+        return false;
       if(uv && is_valid_map(coarse.chart, *uv)) {
         take(coarse, *uv);
         return true;

@@ -99,11 +99,10 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
   if(options.injective)
     return flatten_injectively(chart, options, solvers, start);
   Hierarchical_report prediction;
-  const Coarse_flattening flatten_if_possible =
-      [&](const Chart& coarse) -> std::optional<std::vector<Chart::Point_2>> {
+  const Coarse_flattening flatten_if_possible = [&](const Chart& coarse) -> Coarse_map {
     prediction = Hierarchical_report();
     limit_scale(coarse, solvers, prediction);
-    return prediction.status == Diagnosis::NOTHING_WRONG ? flatten_coarse(coarse) : std::nullopt;
+    return prediction.status == Diagnosis::NOTHING_WRONG ? flatten_coarse(coarse) : Coarse_map(std::nullopt);
   };
   Flattening<Hierarchical_report> result = flatten_coarse_to_fine(chart, options, flatten_if_possible);
   result.report.predicted_scale_range = prediction.predicted_scale_range;

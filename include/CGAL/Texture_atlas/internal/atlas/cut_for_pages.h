@@ -3,43 +3,146 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cuts charts in two where they then cover so much more of the page that the longer seams are worth it.
-// `build_atlas_impl.h` runs it on all charts together; the cuts come from `cut_along_chords.h`.
+// Cuts charts in two for the sake of pages: where a page cannot hold them, and where they then cover so much more of
+// the page that the longer seams are worth it. `build_atlas_impl.h` runs both. The cuts come from `cut_along_chords.h`,
+// and the maps stay as they are.
 
-#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_COVER_PAGE_H
-#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_COVER_PAGE_H
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_FOR_PAGES_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_FOR_PAGES_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
-#include <CGAL/Texture_atlas/internal/atlas/cut_along_chords.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
-#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
+#include <CGAL/Texture_atlas/Atlas_options.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/cut_along_chords.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
+#include <CGAL/Texture_atlas/internal/seams/piece.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
 
-// Cuts charts as long as that is worth its price: a page that is covered by a factor f more is worth seams of the length
-// log(f) / price, in units of the square root of the area of all charts.
+// Cuts the charts of a part that a page cannot hold. What cannot be cut stays too large.
+class Page_fitter
+{
+public:
+  // `weight` multiplies the lengths of each triangle of the surface; empty if all are 1.
+  Page_fitter(const Surface_part& part, const std::vector<double>& weight, const Packing_options& options,
+              Part_atlas& atlas)
+      : m_part(part), m_weight(weight), m_options(options), m_atlas(atlas)
+  {}
+
+  // The charts must be injective. Returns whether a page can hold each of them then.
+  bool run()
+  {
+    for(;;) {
+      const std::vector<int> too_large = too_large_pieces();
+      if(too_large.empty())
+        return true;
+      const std::vector<std::vector<int>> triangles = triangles_by_piece(m_atlas.piece);
+      std::vector<char> is_seam(m_atlas.chart.vertex.size(), false);
+      for(int piece : too_large)
+        cut_in_two(cut_out(m_atlas.chart, m_part.cost, triangles[piece]), is_seam);
+      if(std::find(is_seam.begin(), is_seam.end(), true) == is_seam.end())
+        return false;
+      open_along(is_seam, m_part.cost, m_atlas);
+    }
+  }
+
+private:
+  std::vector<int> too_large_pieces() const
+  {
+    Planar_triangles triangles;
+    triangles.add(m_part, m_weight, m_atlas);
+    return charts_too_large(triangles.corners, m_atlas.piece, triangles.areas,
+                            static_cast<int>(m_atlas.pieces.size()), m_options);
+  }
+
+  // Along a short chord that leaves much on both sides, or else, as around holes, from one side to the other. Marks the
+  // seams of the whole chart.
+  void cut_in_two(const Piece& piece, std::vector<char>& is_seam) const
+  {
+    const std::vector<Chart::Point_2> uv = piece.map_from(m_atlas.uv);
+    double area = 0;
+    for(int t = 0; t < piece.chart.number_of_triangles(); ++t)
+      area += std::abs(planar_area(piece.chart, uv, t));
+    std::vector<char> cut;
+    Chord_cutter chords(piece.chart, uv, piece.cost, least_share * area);
+    if(std::isfinite(chords.next_score())) {
+      chords.cut();
+      cut = chords.seams();
+    } else
+      cut = seams_across(piece, uv);
+    for(int c = 0; c < piece.chart.number_of_corners(); ++c)
+      if(cut[c] && piece.chart.opposite[c] >= 0)
+        is_seam[piece.whole_corner(c)] = true;
+  }
+
+  // Between the two halves of the triangles along the longer side of their box
+  static std::vector<char> seams_across(const Piece& piece, const std::vector<Chart::Point_2>& uv)
+  {
+    const std::vector<int> group = inseparable_triangles(piece.chart, piece.cost);
+    const int groups = 1 + *std::max_element(group.begin(), group.end());
+    Bbox_2 box;
+    for(const Chart::Point_2& p : uv)
+      box += p.bbox();
+    const int axis = box.x_span() >= box.y_span() ? 0 : 1;
+    std::vector<double> area(groups, 0), position(groups, 0);
+    for(int t = 0; t < piece.chart.number_of_triangles(); ++t) {
+      const double a = std::abs(planar_area(piece.chart, uv, t));
+      area[group[t]] += a;
+      for(int c = 3 * t; c < 3 * t + 3; ++c)
+        position[group[t]] += a * uv[piece.chart.vertex[c]][axis];
+    }
+    std::vector<int> order(groups);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return position[a] * area[b] < position[b] * area[a]; });
+    std::vector<char> is_low(groups, false);
+    double rest = std::accumulate(area.begin(), area.end(), 0.) / 2;
+    for(int i = 0; i + 1 < groups && (i == 0 || rest > 0); ++i) {
+      is_low[order[i]] = true;
+      rest -= area[order[i]];
+    }
+    std::vector<char> is_seam;
+    for(int c = 0; c < piece.chart.number_of_corners(); ++c) {
+      const int across = piece.chart.opposite[c];
+      is_seam.push_back(across >= 0 && is_low[group[c / 3]] != is_low[group[across / 3]]);
+    }
+    return is_seam;
+  }
+
+  static constexpr double least_share = 0.3; // of the area that a chord cuts off
+
+  const Surface_part& m_part;
+  const std::vector<double>& m_weight;
+  const Packing_options& m_options;
+  Part_atlas& m_atlas;
+};
+
+// Cuts charts as long as that is worth its price: a page that is covered by a factor f more is worth seams of the
+// length log(f) / price, in units of the square root of the area of all charts.
 class Page_coverer
 {
 public:
   // `weight` multiplies the lengths of each triangle in the plane; empty if all are 1.
   Page_coverer(const std::vector<Surface_part>& parts, const std::vector<double>& weight,
-               const Atlas_settings& options, std::vector<Part_atlas>& atlases)
+               const Chart_options& options, std::vector<Part_atlas>& atlases)
       : m_parts(parts), m_weight(weight), m_options(options), m_atlases(atlases), m_cutters(parts.size()),
         m_best_seams(parts.size())
   {}
@@ -82,19 +185,12 @@ public:
 private:
   void read()
   {
-    for(std::size_t i = 0; i < m_parts.size(); ++i) {
-      const Part_atlas& atlas = m_atlases[i];
-      for(int t = 0; atlas.succeeded() && t < atlas.chart.number_of_triangles(); ++t) {
-        for(int c = 3 * t; c < 3 * t + 3; ++c) {
-          const Chart::Point_2& p = atlas.uv[atlas.chart.vertex[c]];
-          m_corners.emplace_back(p.x(), p.y());
-        }
-        const double area = surface_area(atlas.chart, t),
-                     weight = m_weight.empty() ? 1 : m_weight[m_parts[i].first_triangle + t];
-        m_areas.push_back(area * weight * weight);
-        m_area += area;
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      if(const Part_atlas& atlas = m_atlases[i]; atlas.succeeded()) {
+        m_triangles.add(m_parts[i], m_weight, atlas);
+        for(int t = 0; t < atlas.chart.number_of_triangles(); ++t)
+          m_area += surface_area(atlas.chart, t);
       }
-    }
     for(std::size_t i = 0; i < m_parts.size(); ++i)
       if(m_atlases[i].succeeded()) {
         const double unit =
@@ -148,7 +244,8 @@ private:
     coarse.height = static_cast<int>(128 / aspect);
     coarse.gutter = 0;
     coarse.number_of_rotations = (std::min)(8, m_options.number_of_rotations);
-    const Packing packing = pack(m_corners, chart, m_areas, charts, coarse, std::exp(least));
+    const Packing packing =
+        pack(m_triangles.corners, chart, m_triangles.areas, charts, coarse, std::exp(least));
     return packing.status == Packing::DONE ? std::log(packing.covered_share) : -infinity;
   }
 
@@ -167,15 +264,14 @@ private:
 
   const std::vector<Surface_part>& m_parts;
   const std::vector<double>& m_weight;
-  const Atlas_settings& m_options;
+  const Chart_options& m_options;
   std::vector<Part_atlas>& m_atlases;
   std::vector<std::optional<Chord_cutter>> m_cutters; // of each part with charts
   std::vector<std::vector<char>> m_best_seams;        // of each part: of its corners
-  std::vector<Planar_point> m_corners;                // of all triangles
-  std::vector<double> m_areas;                        // of all triangles, with their weights
+  Planar_triangles m_triangles;                       // of all charts
   double m_area = 0;                                  // of all charts, without weights
 };
 
 } // namespace CGAL::Texture_atlas::internal
 
-#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_COVER_PAGE_H
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CUT_FOR_PAGES_H

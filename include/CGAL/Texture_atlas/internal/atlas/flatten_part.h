@@ -4,19 +4,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Cuts a connected surface to disks and flattens them. Adds seams, or weight for areas, until the map stretches little
-// enough. `divided_part_atlas.h` calls it for the whole surface, and for each of its regions. Maps come from
-// `flatten_atlas_chart.h`.
+// enough. `divide_part.h` calls it for the whole surface, and for each piece that it divides it into. Maps come from
+// `flatten_disk.h`.
 
-#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_BUILDER_H
-#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_BUILDER_H
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_FLATTEN_PART_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_FLATTEN_PART_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Texture_atlas/internal/atlas/atlas_options.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
-#include <CGAL/Texture_atlas/internal/atlas/flatten_atlas_chart.h>
+#include <CGAL/Texture_atlas/internal/atlas/flatten_disk.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
-#include <CGAL/Texture_atlas/internal/atlas/part_atlas.h>
+#include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/reduce_stretch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/border_sweep.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
@@ -25,7 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/patch_layouts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
-#include <CGAL/Texture_atlas/internal/overlaps/minimum_cut.h>
+#include <CGAL/Texture_atlas/internal/seams/piece.h>
 #include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -33,8 +32,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
@@ -57,12 +58,12 @@ inline bool is_failure_of_computation(Diagnosis diagnosis)
 
 // Cuts a connected surface open and flattens it, with more seams as long as the map stretches too much. If there is no
 // map, or the chart is not good, areas get a larger weight.
-class Part_atlas_builder
+class Part_flattener
 {
 public:
   // `cost` is that of the edge that each corner of the surface faces.
-  Part_atlas_builder(const Chart& surface, const std::vector<double>& cost, const Atlas_settings& options,
-                     const Linear_solvers& solvers, const Part_progress& progress)
+  Part_flattener(const Chart& surface, const std::vector<double>& cost, const Chart_options& options,
+                 const Linear_solvers& solvers, const Part_progress& progress)
       : m_surface(surface), m_cost(cost), m_options(options), m_solvers(solvers), m_progress(progress),
         m_flattener(options, solvers, &m_progress)
   {}
@@ -83,24 +84,26 @@ public:
     m_progress.set_stage(0.1, 0.5);
     flatten(m_best);
     keep_areas();
-    if(!m_best.map.is_valid())
-      return failure(m_best.map.status, m_best.map.message);
+    if(const No_map* none = std::get_if<No_map>(&m_best.map))
+      return failure(none->status, none->message);
     m_progress.set_stage(0.5, 0.9);
-    if(!m_best.map.is_isometric)
+    if(!best_map().is_isometric())
       add_seams();
     avoid_stretch();
     m_progress.set_stage(0.9, 1);
-    return m_best.map.overlaps ? separated() : result();
+    return best_map().overlaps ? separated() : result();
   }
 
 private:
   struct Attempt
   {
     std::vector<char> is_seam; // of each corner of the surface: whether the edge that it faces is a seam
-    Dual_patch patch;          // the surface, opened there
+    Piece disk;                // the surface, opened there
     Chart_map map;
-    Map_stretch stretch;
+    Map_stretch stretch; // if there is a map
   };
+
+  Disk_map& best_map() { return std::get<Disk_map>(m_best.map); }
 
   bool has_no_area() const
   {
@@ -121,58 +124,64 @@ private:
     const Flat_layout layout(m_surface, all);
     if(!layout.is_flat())
       return false;
-    m_best.is_seam.assign(m_surface.vertex.size(), false);
-    m_best.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), m_best.is_seam);
-    const Chart& chart = m_best.patch.chart;
+    Piece whole = cut_out(m_surface, m_cost, std::move(all));
+    const Chart& chart = whole.chart;
+    Disk_map map;
+    map.made.seam_lengths = Atlas_report::OTHER_METHOD;
     for(const Chart::Point_3& p : chart.points)
-      m_best.map.uv.push_back(layout(p));
-    scale_to_surface_area(chart, m_best.map.uv);
-    std::vector<Border_edge> border;
-    for(const std::vector<int>& cycle : chart.borders)
-      for(int c : cycle)
-        border.push_back({chart.edge_source(c), chart.edge_target(c)});
-    const std::vector<Exact_point_2> uv = exact_points(m_best.map.uv);
-    if(flipped_triangles(chart.vertex, uv).empty() && bounds_region(border, uv))
-      return true;
-    m_best = Attempt();
-    return false;
+      map.uv.push_back(layout(p));
+    scale_to_surface_area(chart, map.uv);
+    const std::vector<Exact_point_2> uv = exact_points(map.uv);
+    if(!flipped_triangles(chart.vertex, uv).empty() || !bounds_region(border_edges(chart), uv))
+      return false;
+    m_best.disk = std::move(whole);
+    m_best.map = std::move(map);
+    return true;
   }
 
   void flatten(Attempt& attempt) const
   {
-    std::vector<int> all(m_surface.number_of_triangles());
-    std::iota(all.begin(), all.end(), 0);
-    attempt.patch = Patch_cutter(m_surface, m_cost).cut_out(std::move(all), attempt.is_seam);
-    const Chart& chart = attempt.patch.chart;
-    if(const Chart_defect defect = diagnose(chart, false)) {
-      attempt.map = Chart_map();
-      attempt.map.status = defect.status;
-      attempt.map.message = defect.message;
-      return;
-    }
-    take(m_flattener.run(chart), attempt);
+    attempt.disk = opened_along_seams(m_surface, m_cost, attempt.is_seam);
+    const Chart& chart = attempt.disk.chart;
+    if(const Chart_defect defect = diagnose(chart, false))
+      attempt.map = No_map{No_map::FAILED, defect.status, defect.message};
+    else
+      take(m_flattener.run(chart), attempt);
   }
 
   static void take(Chart_map map, Attempt& attempt)
   {
     attempt.map = std::move(map);
-    if(attempt.map.is_valid())
-      attempt.stretch = map_stretch(attempt.patch.chart, attempt.map.uv);
+    if(const Disk_map* found = std::get_if<Disk_map>(&attempt.map))
+      attempt.stretch = map_stretch(attempt.disk.chart, found->uv);
   }
 
-  // If no other map is good, areas count as much as angles. Pieces of maps of ABF++ keep their angles.
+  // Whether another map of the disk might be better if areas count as much as angles
+  bool wants_areas() const
+  {
+    if(m_options.separate_overlaps || m_flattener.keeps_areas())
+      return false;
+    if(const No_map* none = std::get_if<No_map>(&m_best.map))
+      return none->reason != No_map::HOPELESS && is_failure_of_computation(none->status);
+    return !std::get<Disk_map>(m_best.map).is_isometric() &&
+           m_best.stretch.is_mendable(m_options.stretch_bound);
+  }
+
+  // Pieces of maps of ABF++ keep their angles.
   void keep_areas()
   {
-    const bool has_map = m_best.map.is_valid();
-    if(m_options.separate_overlaps || m_flattener.keeps_areas() || m_best.map.is_isometric ||
-       m_best.map.is_hopeless ||
-       (has_map ? !m_best.stretch.is_mendable(m_options.stretch_bound)
-                : !is_failure_of_computation(m_best.map.status)))
+    if(!wants_areas())
       return;
-    Chart_map map = m_flattener.isometric_map(m_best.patch.chart);
-    map.overlapping = m_best.map.overlapping;
-    if(map.is_valid() && (!has_map || map_stretch(m_best.patch.chart, map.uv).l2 < m_best.stretch.l2))
-      take(std::move(map), m_best);
+    Chart_map map = m_flattener.isometric_map(m_best.disk.chart);
+    Disk_map* const found = std::get_if<Disk_map>(&map);
+    if(found == nullptr)
+      return;
+    if(const Disk_map* before = std::get_if<Disk_map>(&m_best.map)) {
+      if(map_stretch(m_best.disk.chart, found->uv).l2 >= m_best.stretch.l2)
+        return;
+      found->overlapping = before->overlapping;
+    }
+    take(std::move(map), m_best);
   }
 
   bool misses_bound(double stretch) const { return misses_stretch_bound(stretch, m_options.stretch_bound); }
@@ -192,14 +201,14 @@ private:
     count = (std::min)(count, most - (std::min)(most, m_terminals));
     Terminal_adder adder(m_surface, m_cost, m_best.is_seam);
     const int added = adder.add(
-        vertex_scales(m_best.patch.chart, m_best.map.uv, m_best.patch.origin, m_surface.number_of_vertices()),
+        vertex_scales(m_best.disk.chart, best_map().uv, m_best.disk.origin, m_surface.number_of_vertices()),
         criterion, count);
     if(added == 0)
       return;
     Attempt next;
     next.is_seam = adder.seams();
     flatten(next);
-    if(!next.map.is_valid() || next.stretch.scale >= m_best.stretch.scale)
+    if(!has_map(next.map) || next.stretch.scale >= m_best.stretch.scale)
       return;
     m_best = std::move(next);
     m_terminals += static_cast<std::size_t>(added);
@@ -211,15 +220,15 @@ private:
   {
     const double bound = m_options.stretch_bound;
     const auto is_wanted = [&](const Map_stretch& stretch) {
-      return !stretch.is_mendable(bound) && (m_best.map.is_isometric || !misses_bound(stretch.scale));
+      return !stretch.is_mendable(bound) && (best_map().is_isometric() || !misses_bound(stretch.scale));
     };
-    if(m_best.map.method != Atlas_report::INJECTIVE || is_wanted(m_best.stretch))
+    if(best_map().made.method != Atlas_report::INJECTIVE || is_wanted(m_best.stretch))
       return;
-    Chart_map map = m_best.map.overlapping ? *m_best.map.overlapping
-                                           : m_flattener.abf_plus_plus(m_best.patch.chart, true);
-    if(!map.is_valid() || !is_wanted(map_stretch(m_best.patch.chart, map.uv)))
+    Chart_map map =
+        best_map().overlapping ? *best_map().overlapping : m_flattener.abf_plus_plus(m_best.disk.chart, true);
+    if(!has_map(map) || !is_wanted(map_stretch(m_best.disk.chart, std::get<Disk_map>(map).uv)))
       return;
-    m_injective = std::move(m_best.map);
+    m_injective = std::move(best_map());
     m_best.map = std::move(map);
   }
 
@@ -227,11 +236,10 @@ private:
   {
     Part_atlas atlas;
     atlas.piece.assign(m_surface.number_of_triangles(), 0);
-    atlas.chart = std::move(m_best.patch.chart);
-    atlas.uv = std::move(m_best.map.uv);
-    atlas.pieces = {{m_best.map.method,
-                     m_best.map.is_isometric ? Atlas_report::LARGER_AREA_WEIGHT : Atlas_report::USUAL,
-                     m_best.map.seam_lengths, m_best.map.overlap_is_predicted, m_best.map.contact, m_rounds}};
+    atlas.chart = std::move(m_best.disk.chart);
+    atlas.uv = std::move(best_map().uv);
+    atlas.pieces = {best_map().made};
+    atlas.pieces.front().rounds = m_rounds;
     atlas.number_of_terminals = m_terminals;
     return atlas;
   }
@@ -239,10 +247,10 @@ private:
   // Cuts the map into pieces that do not overlap themselves.
   Part_atlas separated()
   {
-    const Chart& chart = m_best.patch.chart;
-    const Separation separation = separate_overlaps(chart, m_cost, exact_points(m_best.map.uv));
-    if(separation.status != Separation::DONE && m_injective.is_valid()) {
-      m_best.map = std::move(m_injective);
+    const Chart& chart = m_best.disk.chart;
+    const Separation separation = separate_overlaps(chart, m_cost, exact_points(best_map().uv));
+    if(separation.status != Separation::DONE && m_injective) {
+      m_best.map = *std::move(m_injective);
       return result();
     }
     if(separation.status != Separation::DONE)
@@ -277,12 +285,12 @@ private:
 
   const Chart& m_surface;
   const std::vector<double>& m_cost;
-  const Atlas_settings& m_options;
+  const Chart_options& m_options;
   const Linear_solvers& m_solvers;
   Part_progress m_progress;
-  Atlas_chart_flattener m_flattener;
+  Disk_flattener m_flattener;
   Attempt m_best;
-  Chart_map m_injective; // of `m_best`, if it stretches too much
+  std::optional<Disk_map> m_injective; // of `m_best`, if it stretches too much
   std::size_t m_terminals = 0;
   int m_rounds = 0;
 };
@@ -293,4 +301,4 @@ private:
 #include <CGAL/Texture_atlas/internal/seams/find_seams_impl.h>
 #endif
 
-#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_PART_ATLAS_BUILDER_H
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_FLATTEN_PART_H

@@ -3,13 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Paths across pieces of maps, along chords between places on their borders. `cut_along_chords.h` cuts along them.
-//
-// The borders of a piece of a map, and what chords between their places cut off. `cut_along_chords.h` and `cut_rings.h`
-// choose among the chords, and `chord_paths.h` finds paths along them.
+// Chords between places on the borders of a piece of a map: what they cut off, the paths of edges along them, and pairs
+// of them that cut a ring in two. `cut_along_chords.h` cuts along them.
 
-#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORD_PATHS_H
-#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORD_PATHS_H
+#ifndef CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORDS_H
+#define CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORDS_H
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
@@ -25,6 +23,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -124,7 +124,7 @@ class Chord_paths
 public:
   // `graph` is the chart, opened along seams, and `cost` is that of the edge that each corner faces.
   Chord_paths(const Sector_graph& graph, const std::vector<Point_2>& uv, const std::vector<double>& cost)
-      : m_graph(graph), m_uv(uv), m_cost(cost)
+      : m_graph(graph), m_uv(uv), m_cheapest(graph, cost), m_shortest(graph, m_length)
   {
     for(std::size_t c = 0; c < cost.size(); ++c)
       m_length.push_back(std::isinf(cost[c]) ? forbidden : edge_length(graph.surface(), static_cast<int>(c)));
@@ -136,27 +136,27 @@ public:
   std::vector<std::pair<std::size_t, std::size_t>> edges_between(const Border_of_piece& a,
                                                                  const Border_of_piece& b) const
   {
-    std::vector<std::size_t> place(static_cast<std::size_t>(m_graph.number_of_nodes()), b.size());
+    std::unordered_map<int, std::size_t> place; // of each node of the second border
     for(std::size_t j = 0; j < b.size(); ++j)
       place[m_graph.source_node(b.corner(j))] = j;
     std::vector<std::pair<std::size_t, std::size_t>> result;
     for(std::size_t i = 0; i < a.size(); ++i)
       for(auto [edge, end] = out_edges(m_graph.source_node(a.corner(i)), m_graph); edge != end; ++edge)
-        if(const std::size_t j = place[m_graph.target_node(*edge)]; j < b.size())
-          result.emplace_back(i, j);
+        if(const auto found = place.find(m_graph.target_node(*edge)); found != place.end())
+          result.emplace_back(i, found->second);
     return result;
   }
 
   // The cheapest path between the ends of a chord, or else the shortest one; empty if both are much longer than the
   // chord
   std::vector<int> path_along(const Border_of_piece& a, std::size_t from, const Border_of_piece& b,
-                              std::size_t to) const
+                              std::size_t to)
   {
     const int source = m_graph.source_node(a.corner(from)), target = m_graph.source_node(b.corner(to));
     const double longest = most_detour * distance(a.point(from), b.point(to));
-    std::vector<int> path = path_between(source, target, m_cost);
+    std::vector<int> path = path_between(source, target, m_cheapest);
     if(length_in_plane(path) > longest && !m_length.empty())
-      path = path_between(source, target, m_length);
+      path = path_between(source, target, m_shortest);
     if(length_in_plane(path) > longest)
       path.clear();
     return path;
@@ -173,15 +173,13 @@ public:
   }
 
 private:
-  std::vector<int> path_between(int source, int target, const std::vector<double>& cost) const
+  // Through the inside of the piece
+  std::vector<int> path_between(int source, int target, Shortest_paths& paths) const
   {
-    std::vector<char> is_allowed(static_cast<std::size_t>(m_graph.number_of_nodes()));
-    for(int x = 0; x < m_graph.number_of_nodes(); ++x)
-      is_allowed[x] = x == target || (m_graph.is_node(x) && !m_graph.is_on_border(x));
-    Shortest_paths paths(m_graph, cost);
-    paths.restrict_to(std::move(is_allowed));
-    return paths.find({source}, forbidden, [&](int x) { return x == target; }) < 0 ? std::vector<int>()
-                                                                                   : paths.path(target);
+    const int end = paths.find(
+        {source}, forbidden, [&](int x) { return x == target; },
+        [&](int x) { return x == target || !m_graph.is_on_border(x); });
+    return end < 0 ? std::vector<int>() : paths.path(target);
   }
 
   double length_in_plane(const std::vector<int>& path) const
@@ -195,10 +193,97 @@ private:
 
   const Sector_graph& m_graph;
   const std::vector<Point_2>& m_uv;
-  const std::vector<double>& m_cost;
-  std::vector<double> m_length; // of the same edges; infinite where the cost is; empty if it is the same
+  std::vector<double> m_length; // of edges; infinite where the cost is; empty if it is the same
+  Shortest_paths m_cheapest, m_shortest;
+};
+
+// A chord from the outer border of a piece to the border of a hole
+struct Ring_chord
+{
+  std::size_t outer, inner; // places on the borders
+  double score;             // the less, the better
+};
+
+// The chords between two borders of a piece. A ring that is only cut open would cover no more of the page than before.
+class Ring_chords
+{
+public:
+  // `edges` are pairs of places that an edge joins.
+  Ring_chords(const Border_of_piece& outer, const Border_of_piece& hole,
+              const std::vector<std::pair<std::size_t, std::size_t>>& edges)
+      : m_outer(outer), m_hole(hole)
+  {
+    for(std::size_t i : outer.sampled_places(most_places))
+      for(std::size_t j : hole.sampled_places(most_places))
+        m_chords.push_back({i, j, 0});
+    for(const auto& [i, j] : edges)
+      m_chords.push_back({i, j, 0});
+  }
+
+  // The shortest ones first
+  std::vector<Ring_chord> first_chords() const
+  {
+    return sorted([&](const Ring_chord& chord) { return length(chord); });
+  }
+
+  // The chords that cut the ring in two with another one. The score of both is their length divided by the square root
+  // of the smaller area, which is at least `least_area`; it is at most `largest_score`.
+  std::vector<Ring_chord> second_chords(const Ring_chord& first, double least_area,
+                                        double largest_score) const
+  {
+    const double whole = m_outer.area() + m_hole.area();
+    std::vector<Ring_chord> chords = sorted([&](const Ring_chord& second) {
+      const double part = area_between(first, second), area = (std::min)(part, whole - part);
+      return area >= least_area && second.outer != first.outer && second.inner != first.inner
+                 ? (length(first) + length(second)) / std::sqrt(area)
+                 : 2 * largest_score;
+    });
+    const auto is_good = [&](const Ring_chord& chord) { return chord.score <= largest_score; };
+    chords.erase(std::partition_point(chords.begin(), chords.end(), is_good), chords.end());
+    return chords;
+  }
+
+private:
+  static constexpr std::size_t most_places = 64;
+
+  template <typename Score>
+  std::vector<Ring_chord> sorted(const Score& score) const
+  {
+    std::vector<Ring_chord> chords = m_chords;
+    for(Ring_chord& chord : chords)
+      chord.score = score(chord);
+    std::sort(chords.begin(), chords.end(), [](const Ring_chord& p, const Ring_chord& q) {
+      return std::tie(p.score, p.outer, p.inner) < std::tie(q.score, q.outer, q.inner);
+    });
+    return chords;
+  }
+
+  double length(const Ring_chord& chord) const
+  {
+    return distance(m_outer.point(chord.outer), m_hole.point(chord.inner));
+  }
+
+  static double sector(const Border_of_piece& border, std::size_t from, std::size_t to)
+  {
+    return border.area_of_sector(from, to) + (from <= to ? 0 : border.area());
+  }
+
+  // Along the outer border to the second chord, and back along the hole
+  double area_between(const Ring_chord& first, const Ring_chord& second) const
+  {
+    const auto across = [&](const auto& p, const auto& q) {
+      return Border_of_piece::cross_product(p, q) / 2;
+    };
+    return sector(m_outer, first.outer, second.outer) +
+           across(m_outer.point(second.outer), m_hole.point(second.inner)) +
+           sector(m_hole, second.inner, first.inner) +
+           across(m_hole.point(first.inner), m_outer.point(first.outer));
+  }
+
+  const Border_of_piece &m_outer, &m_hole;
+  std::vector<Ring_chord> m_chords;
 };
 
 } // namespace CGAL::Texture_atlas::internal
 
-#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORD_PATHS_H
+#endif // CGAL_TEXTURE_ATLAS_INTERNAL_ATLAS_CHORDS_H
