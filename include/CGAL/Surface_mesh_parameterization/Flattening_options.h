@@ -67,7 +67,9 @@ struct Flattening_options
   /// where \f$\sigma_1\f$ and \f$\sigma_2\f$ are the singular values of its map, and \f$d = \sigma_1 \sigma_2\f$. At 1,
   /// this is a quarter of the symmetric Dirichlet energy: the map is as isometric as possible. At 0, only angles count;
   /// branches of the surface that are stuck between others then shrink. Up to 0.1, final sweeps lower the energy of the
-  /// direct method. Polishing lowers this energy for any weight, and the direct method polishes.
+  /// direct method, and the direct method polishes: the weight shapes only the map that it starts from. Above 0.1, both
+  /// methods give the map with the least energy of this form, also where the map of the direct method would not overlap
+  /// itself. Polishing and prescribed angles do not go with such weights (`Diagnosis::WRONG_OPTION`).
   double area_weight = 0.005;
 
   /// The distance below which parts of the border of an injective map repel each other, in lengths of the shorter of
@@ -216,6 +218,18 @@ struct Hierarchical_options : Flattening_options
   /// (`Hierarchical_report::polishing_timed_out`).
   ABF_plus_plus_options polish_options;
 };
+
+#ifndef DOXYGEN_RUNNING
+namespace internal::ABF {
+
+// From this weight on, areas count as much as angles, and lowering the energy of angles alone would undo this.
+inline bool is_isometric(const Flattening_options& options)
+{
+  return options.area_weight > 0.1;
+}
+
+} // namespace internal::ABF
+#endif // DOXYGEN_RUNNING
 
 } // namespace Surface_mesh_parameterization
 

@@ -48,12 +48,6 @@ inline int most_newton_vertices(const Chart& chart)
   return n <= large_chart ? most : (std::min)((std::max)(n / 20, most / 2), most);
 }
 
-// From this weight on, areas count as much as angles, and sweeps on the energy of angles alone would undo this.
-inline bool is_isometric(const Hierarchical_options& options)
-{
-  return options.area_weight > 0.1;
-}
-
 // When the energy of angles has converged
 inline Descent_limits polish_limits(int steps, bool is_finest)
 {

@@ -25,6 +25,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Hierarchical_o
   if(options.polish_options.equal_seam_lengths.value_or(false))
     return "polishing does not support seams of equal lengths: only the direct method does";
   const std::string wrong = option_out_of_range(options);
+  if(wrong.empty() && options.injective && options.polish && is_isometric(options))
+    return "polish lowers the energy of angles, which undoes an area_weight above 0.1: take one of both";
   return wrong.empty() && options.polish ? wrong_option(options.polish_options) : wrong;
 }
 

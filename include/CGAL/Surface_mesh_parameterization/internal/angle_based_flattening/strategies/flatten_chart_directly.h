@@ -44,12 +44,26 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The options of the injective map for the direct method
-inline Hierarchical_options injective_options(const ABF_plus_plus_options& options)
+// The injective map of the hierarchical method, as a result of the direct method. Polishing lowers the energy of angles,
+// and so a map that is to preserve areas is not polished.
+inline Flattening<ABF_plus_plus_report> injective_map(const Chart& chart, const ABF_plus_plus_options& options,
+                                                      const Linear_solvers& solvers, Rounding round)
 {
-  Hierarchical_options result;
-  static_cast<Flattening_options&>(result) = options;
-  result.polish = true;
+  Hierarchical_options hierarchical;
+  static_cast<Flattening_options&>(hierarchical) = options;
+  hierarchical.polish = !is_isometric(options);
+  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
+  Flattening<Hierarchical_report> injective =
+      flatten_chart_hierarchically(chart, hierarchical, no_solver, solvers, round);
+  Flattening<ABF_plus_plus_report> result;
+  result.uv = std::move(injective.uv);
+  result.invalid = std::move(injective.invalid);
+  static_cast<Flattening_report&>(result.report) = injective.report;
+  result.report.strategy = ABF_plus_plus_report::INJECTIVE_DESCENT;
+  result.report.iterations = injective.report.polish_iterations;
+  result.report.energy = injective.report.energy;
+  if(result.succeeded())
+    report_seams(chart, result.uv, result.report);
   return result;
 }
 
@@ -76,25 +90,13 @@ inline Flattening<ABF_plus_plus_report> make_injective(const Chart& chart,
     fail(direct.report, Diagnosis::OVERLAPPING, "the map has " + describe_touching_edges(chart, direct.uv));
   if(chart.has_prescribed_angles()) // they are not kept by what follows
     return direct;
-  const auto no_solver = [](const Chart&) { return std::optional<std::vector<Chart::Point_2>>(); };
-  Flattening<Hierarchical_report> injective =
-      flatten_chart_hierarchically(chart, injective_options(options), no_solver, solvers, round);
-
-  Flattening<ABF_plus_plus_report> result;
-  result.uv = std::move(injective.uv);
-  result.invalid = std::move(injective.invalid);
+  Flattening<ABF_plus_plus_report> result = injective_map(chart, options, solvers, round);
   ABF_plus_plus_report& report = result.report;
-  static_cast<Flattening_report&>(report) = injective.report;
   report.failed_strategies = std::move(direct.report.failed_strategies);
   report.failed_strategies.push_back(
       {direct.report.strategy, direct.report.status, direct.report.message, direct.report.iterations});
-  report.strategy = ABF_plus_plus_report::INJECTIVE_DESCENT;
-  report.iterations = injective.report.polish_iterations;
-  report.energy = injective.report.energy;
   report.seconds += direct.report.seconds;
   report.predicted_scale_range = direct.report.predicted_scale_range;
-  if(result.succeeded())
-    report_seams(chart, result.uv, report);
   return result;
 }
 
@@ -163,6 +165,15 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Flattening<ABF_plus_plus_report>
 flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Linear_solvers& solvers,
               Rounding round, const Planar_angles* last)
 {
+  if(options.injective && is_isometric(options)) {
+    Flattening<ABF_plus_plus_report> result;
+    if(chart.has_prescribed_angles())
+      fail(result.report, Diagnosis::WRONG_OPTION,
+           "injective maps with prescribed angles preserve angles alone: area_weight must be at most 0.1");
+    else
+      result = injective_map(chart, options, solvers, round);
+    return result;
+  }
   const Direct_task task = {chart, chart, options, solvers, round};
   Flattening<ABF_plus_plus_report> result =
       chart.borders.size() == 1 ? flatten_disk(task, last) : flatten_with_holes(task, last);
