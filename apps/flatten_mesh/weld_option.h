@@ -9,14 +9,12 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/model/Gltf_options.h"
+#include "flatten_mesh/model/text_numbers.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <string>
-#include <system_error>
 
 namespace flatten_mesh {
 
@@ -25,11 +23,8 @@ using namespace CGAL::Texture_atlas::internal::prepare;
 // The distance that `--weld` gives, if it is a number that can be one
 inline std::optional<double> weld_tolerance(const std::string& text)
 {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_distance =
-      error == std::errc() && end == text.data() + text.size() && std::isfinite(number) && number >= 0;
-  return is_distance ? std::optional<double>(number) : std::nullopt;
+  const std::optional<double> number = finite_number(text);
+  return number >= 0 ? number : std::nullopt;
 }
 
 // How `--weld` and `--repair` join faces. Without either, an atlas joins all faces that meet; a single chart may be cut

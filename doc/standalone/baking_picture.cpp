@@ -6,17 +6,15 @@
 // Draws the figure of the manual's part on baking: a fine surface, a simple one, and the simple one with the normals of
 // the fine one.
 
-#include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/Notes.h"
-#include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/bake/simplify_input.h"
-#include "flatten_mesh/model/read_model.h"
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Surface_view.h"
+#include "pictures/Canvas.h"
+#include "pictures/Surface_view.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Texture_atlas/bake_surface.h>
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/make_atlas.h>
@@ -34,7 +32,9 @@
 #include <utility>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
+
+namespace TA = CGAL::Texture_atlas;
 
 using namespace CGAL::Texture_atlas::internal::prepare;
 
@@ -44,15 +44,26 @@ using Vector = Kernel::Vector_3;
 using Weights = std::array<double, 3>;
 constexpr int texels = 1024;
 
-Mesh read_surface(const std::string& file, const std::size_t triangles)
+Mesh read_surface(const std::string& file)
 {
-  Command_line command;
-  Notes notes = notes_of(command);
-  Atlas_input input = atlas_input_of(read_model(file, Degenerate_faces::KEPT, notes), true, notes);
-  if(triangles > 0) {
-    simplify_input(triangles, input, notes);
+  Mesh mesh;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh)) {
+    throw std::runtime_error("cannot read " + file);
   }
-  return std::move(input.mesh);
+  return mesh;
+}
+
+Mesh simplified(Mesh mesh, const std::size_t triangles)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  SMS::edge_collapse(
+      mesh,
+      [&mesh, triangles](const auto&, const auto&, auto, auto) {
+        return mesh.number_of_faces() <= triangles;
+      },
+      CGAL::parameters::filter(SMS::Bounded_normal_change_filter<>()));
+  mesh.collect_garbage();
+  return mesh;
 }
 
 std::array<Halfedge, 3> corners(const Mesh& mesh, const Face f)
@@ -178,10 +189,10 @@ private:
 void draw_baking(const std::string& input, const std::string& file)
 {
   const int column = 300, height = 345;
-  Mesh fine = read_surface(input, 0);
+  Mesh fine = read_surface(input);
   const auto normals = fine.add_property_map<Vertex, Vector>("v:normal").first;
   CGAL::Polygon_mesh_processing::compute_vertex_normals(fine, normals);
-  const Baked_mesh baked(read_surface(input, 1500), fine);
+  const Baked_mesh baked(simplified(fine, 1500), fine);
 
   const Surface_view view(Vector(0.35, 0.15, -1), Vector(0, 1, 0));
   CGAL::Bbox_2 box;
@@ -206,7 +217,7 @@ void draw_baking(const std::string& input, const std::string& file)
 
 } // namespace
 
-} // namespace flatten_mesh
+} // namespace pictures
 
 int main(int argc, char* argv[])
 {
@@ -215,7 +226,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   try {
-    flatten_mesh::draw_baking(argv[1], argv[2]);
+    pictures::draw_baking(argv[1], argv[2]);
   } catch(const std::exception& error) {
     std::cerr << "draw_baking: " << error.what() << '\n';
     return 1;

@@ -3,18 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws files with texture coordinates, as `flatten_mesh` writes them: each surface from one side, and its atlas.
+// Draws OBJ files with texture coordinates: each surface from one side, and its atlas.
 // Prints a line of JSON for each, with the topology of the repaired surface. `scripts/gallery` calls it.
 
 #include "draw_tile.h"
 
-#include "flatten_mesh/Notes.h"
-#include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/atlas/textured_atlas.h"
+#include "pictures/textured_atlas.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
+#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
 #include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
+#include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
 
 #include <cmath>
 #include <exception>
@@ -26,16 +27,38 @@
 #include <string>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// The charts that the texture coordinates of a file form: parts that are connected without crossing a seam
-Atlas atlas_in_file(Atlas_input& input)
+Surface_soup read_soup(const std::string& file)
 {
-  Mesh& mesh = input.mesh;
+  std::ifstream in(file);
+  CGAL::Texture_atlas::internal::Obj_soup given;
+  if(const auto report = CGAL::Texture_atlas::internal::read_obj_soup(in, given); !report) {
+    throw std::runtime_error(file + ": " + report.message);
+  }
+  Surface_soup soup;
+  for(const auto& [x, y, z] : given.points) {
+    soup.points.emplace_back(x, y, z);
+  }
+  for(const auto& [u, v] : given.coordinates) {
+    soup.texture.emplace_back(u, v);
+  }
+  soup.vertices.assign(given.vertices.begin(), given.vertices.end());
+  soup.first_corners.assign(given.first_corners.begin(), given.first_corners.end());
+  for(const std::size_t t : given.corner_coordinates) {
+    soup.corner_texture.push_back(t == given.none ? no_index : static_cast<Index>(t));
+  }
+  return soup;
+}
+
+// The charts that the texture coordinates of a file form: parts that are connected without crossing a seam
+Atlas atlas_in_file(const Surface_soup& soup, Prepared_surface& surface)
+{
+  Mesh& mesh = surface.mesh;
   const Atlas atlas = empty_atlas(mesh);
-  const std::vector<bool> seams = texture_seams(input.model, mesh, input.origins);
+  const std::vector<bool> seams = texture_seams(soup, mesh, surface.origins);
   for(const Edge e : mesh.edges()) {
     atlas.seams[e] = seams[e.idx()];
   }
@@ -44,11 +67,11 @@ Atlas atlas_in_file(Atlas_input& input)
     if(mesh.is_border(h)) {
       continue;
     }
-    const Index t = input.model.texture_point(input.origins.corners[h.idx()]);
+    const Index t = soup.texture_point(surface.origins.corners[h.idx()]);
     if(t == no_index) {
       atlas.chart[mesh.face(h)] = -1;
     } else {
-      atlas.uv[h] = input.model.texture[t];
+      atlas.uv[h] = soup.texture[t];
     }
   }
   return atlas;
@@ -112,15 +135,14 @@ std::string picture_of(const std::vector<Request>& requests, const Layout& layou
   Canvas canvas(columns * layout.size, rows * layout.size);
   for(int i = 0; i < static_cast<int>(requests.size()); ++i) {
     const Request& request = requests[static_cast<std::size_t>(i)];
-    Command_line command;
-    command.quiet = true;
-    Notes notes = notes_of(command);
-    Atlas_input input = atlas_input_of(read_model(request.file, Degenerate_faces::KEPT, notes), true, notes);
-    const Textured_surface surface = textured_atlas(input.mesh, atlas_in_file(input));
+    Notes notes;
+    const Surface_soup soup = read_soup(request.file);
+    Prepared_surface prepared = prepare_surface(soup, {true, {Welding::ALL, 0}, {}}, notes);
+    const Textured_surface surface = textured_atlas(prepared.mesh, atlas_in_file(soup, prepared));
     const double side = side_of_squares(surface, squares);
     draw_textured_surface(canvas, surface, side, request.view, layout.frame(i, 0));
     draw_atlas_square(canvas, surface, side, layout.is_row ? layout.frame(i, 1) : layout.frame(1, 0));
-    std::cout << topology_json(input.mesh) << std::endl;
+    std::cout << topology_json(prepared.mesh) << std::endl;
   }
   const int levels = 25; // of a colour
   return canvas.png(levels);
@@ -143,12 +165,12 @@ void run(const std::vector<std::string>& arguments)
   }
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
 int main(int argc, char* argv[])
 {
   try {
-    flatten_mesh::run({argv + 1, argv + argc});
+    pictures::run({argv + 1, argv + argc});
   } catch(const std::exception& error) {
     std::cerr << "draw_atlases: " << error.what() << '\n';
     return 1;

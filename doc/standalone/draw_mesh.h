@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_DRAW_MESH_H
-#define FLATTEN_MESH_DRAW_MESH_H
+#ifndef PICTURES_DRAW_MESH_H
+#define PICTURES_DRAW_MESH_H
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/pictures/draw_checkerboard.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Canvas.h"
+#include "pictures/Surface_view.h"
+#include "pictures/draw_checkerboard.h"
+#include "pictures/Textured_surface.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 inline Kernel::Vector_3 doubled_area_vector(const Mesh& mesh, const Face f)
 {
@@ -100,6 +100,6 @@ void draw_checkerboard(Canvas& canvas, const Mesh& mesh, const std::vector<Face>
                     Projection(view, box_of(surface, view), frame));
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_DRAW_MESH_H
+#endif // PICTURES_DRAW_MESH_H

@@ -8,8 +8,8 @@
 
 #include "draw_tile.h"
 
-#include "flatten_mesh/atlas/textured_atlas.h"
-#include "flatten_mesh/texts.h"
+#include "pictures/textured_atlas.h"
+#include "format_number.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -44,7 +44,7 @@
 #include <utility>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace TA = CGAL::Texture_atlas;
@@ -379,7 +379,7 @@ void run(const std::string& data, const std::string& demo, const Pictures& pictu
   draw_atlas(demo, pictures);
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
 int main(int argc, char* argv[])
 {
@@ -388,7 +388,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   try {
-    flatten_mesh::run(argv[1], argv[2], flatten_mesh::Pictures(argv[3]));
+    pictures::run(argv[1], argv[2], pictures::Pictures(argv[3]));
   } catch(const std::exception& error) {
     std::cerr << "draw_methods: " << error.what() << '\n';
     return 1;

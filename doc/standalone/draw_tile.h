@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_DRAW_TILE_H
-#define FLATTEN_MESH_DRAW_TILE_H
+#ifndef PICTURES_DRAW_TILE_H
+#define PICTURES_DRAW_TILE_H
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/pictures/draw_checkerboard.h"
+#include "pictures/Canvas.h"
+#include "pictures/Surface_view.h"
+#include "pictures/Textured_surface.h"
+#include "pictures/draw_checkerboard.h"
 
 #include <CGAL/Bbox_2.h>
 
@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace flatten_mesh {
+namespace pictures {
 
 // The side of the squares of a checkerboard in the plane: the root of the area there is about `squares` of them long.
 inline double side_of_squares(const Textured_surface& surface, const double squares)
@@ -123,6 +123,6 @@ inline void draw_atlas_square(Canvas& canvas, const Textured_surface& surface, c
   drawing.draw_outline();
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_DRAW_TILE_H
+#endif // PICTURES_DRAW_TILE_H

@@ -54,7 +54,7 @@ def picture_name(mesh):
 
 def make_atlas(arguments, mesh, folder):
     """Returns the name of the atlas and the report."""
-    atlas, report = folder / f"{mesh['file']}.ply", folder / f"{mesh['file']}.json"
+    atlas, report = folder / f"{mesh['file']}.obj", folder / f"{mesh['file']}.json"
     if not atlas.exists():
         run = subprocess.run([arguments.program, mesh["file"], "--for", "few-charts", "--quiet", "--output", atlas, "--json", report],
                              cwd=arguments.meshes, stderr=subprocess.PIPE, text=True)

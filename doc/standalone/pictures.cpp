@@ -8,9 +8,9 @@
 
 #include "draw_mesh.h"
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Distortion_scale.h"
-#include "flatten_mesh/texts.h"
+#include "pictures/Canvas.h"
+#include "pictures/Distortion_scale.h"
+#include "format_number.h"
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -45,7 +45,7 @@
 #include <utility>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace TA = CGAL::Texture_atlas;
@@ -877,7 +877,7 @@ void run(const std::string& data, const std::string& demo, const std::string& pi
     std::cerr << "no camel.off in '" << demo << "': seams.png and atlas.png are left as they are\n";
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
 int main(int argc, char* argv[])
 {
@@ -886,7 +886,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   try {
-    flatten_mesh::run(argv[1], argv[2], argv[3]);
+    pictures::run(argv[1], argv[2], argv[3]);
   } catch(const std::exception& error) {
     std::cerr << "pictures: " << error.what() << '\n';
     return 1;

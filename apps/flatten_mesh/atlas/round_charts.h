@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_ROUND_CHARTS_H
 
 #include "flatten_mesh/atlas/place_charts.h"
-#include "flatten_mesh/atlas/textured_atlas.h"
+#include "pictures/textured_atlas.h"
 #include "flatten_mesh/output_floats.h"
 #include "flatten_mesh/texts.h"
 
@@ -23,6 +23,7 @@
 
 namespace flatten_mesh {
 
+using namespace pictures;
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Rounds the coordinates of charts, which do not fill the unit square. Throws if a chart is not injective then.
@@ -39,7 +40,7 @@ inline void round_charts(const Mesh& mesh, const Atlas& atlas, const std::size_t
   std::vector<std::vector<ABF::Border_edge>> borders(charts);
   for_each_corner(mesh, atlas, [&](const Halfedge h, const std::size_t c) {
     corners.push_back(number(h));
-    if(internal::is_chart_border(mesh, atlas, h)) {
+    if(is_chart_border(mesh, atlas, h)) {
       borders[c].push_back({number(mesh.prev(h)), number(h)});
     }
   });

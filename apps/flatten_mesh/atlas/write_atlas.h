@@ -11,7 +11,7 @@
 #include "flatten_mesh/atlas/join_models.h"
 #include "flatten_mesh/atlas/place_charts.h"
 #include "flatten_mesh/atlas/report_atlas_json.h"
-#include "flatten_mesh/atlas/textured_atlas.h"
+#include "pictures/textured_atlas.h"
 #include "flatten_mesh/bake/bake_textures.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/face_options.h"
@@ -56,6 +56,7 @@
 
 namespace flatten_mesh {
 
+using namespace pictures;
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)

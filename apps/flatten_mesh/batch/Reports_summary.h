@@ -7,18 +7,16 @@
 #define FLATTEN_MESH_REPORTS_SUMMARY_H
 
 #include "flatten_mesh/batch/read_report.h"
+#include "flatten_mesh/model/text_numbers.h"
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace flatten_mesh {
@@ -70,14 +68,6 @@ struct Reports_summary
 };
 
 namespace internal {
-
-inline std::optional<double> finite_number(const std::string& text)
-{
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [place, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && place == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
 
 // A member, or `null`: "/atlas/charts" are the charts of the atlas.
 inline const Json& member(const Json& json, const std::string& path)

@@ -10,6 +10,7 @@
 
 #include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -24,6 +25,13 @@ inline bool read_count(const std::string_view word, std::size_t& count)
   const char* const end = word.data() + word.size();
   const std::from_chars_result result = std::from_chars(word.data(), end, count);
   return result.ec == std::errc() && result.ptr == end;
+}
+
+// The whole text as a number; nothing if it is something else
+inline std::optional<double> finite_number(const std::string_view text)
+{
+  double number;
+  return read_finite_number(text, number) ? std::optional(number) : std::nullopt;
 }
 
 // The number of an element, counted from 1, or backwards from the last of `before`, as the number from 0. Negative if

@@ -8,7 +8,7 @@
 
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/file_names.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Surface_view.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Origin.h>
@@ -21,19 +21,7 @@
 
 namespace flatten_mesh {
 
-// The directions of a surface that stands upright, for one who is in front of it
-struct Upright
-{
-  Kernel::Vector_3 right, back, up;
-
-  // The axis "x", "y" or "z" points upwards. With y, the front is that of glTF.
-  static Upright of(const std::string& axis)
-  {
-    using Vector = Kernel::Vector_3;
-    const Vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-    return axis == "x" ? Upright{y, z, x} : axis == "y" ? Upright{x, -z, y} : Upright{x, y, z};
-  }
-};
+using namespace pictures;
 
 namespace internal {
 

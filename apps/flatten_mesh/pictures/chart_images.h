@@ -9,7 +9,7 @@
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/Output_files.h"
 #include "flatten_mesh/check_outputs.h"
-#include "flatten_mesh/pictures/chart_colors.h"
+#include "pictures/chart_colors.h"
 #include "flatten_mesh/pictures/png_of_pixels.h"
 #include "flatten_mesh/texts.h"
 
@@ -29,6 +29,7 @@
 
 namespace flatten_mesh {
 
+using namespace pictures;
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {

@@ -6,12 +6,12 @@
 #ifndef FLATTEN_MESH_DRAW_ATLAS_H
 #define FLATTEN_MESH_DRAW_ATLAS_H
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Canvas.h"
+#include "pictures/Surface_view.h"
+#include "pictures/Textured_surface.h"
 #include "flatten_mesh/pictures/Up_axis.h"
-#include "flatten_mesh/pictures/Drawing.h"
-#include "flatten_mesh/pictures/draw_checkerboard.h"
+#include "pictures/Drawing.h"
+#include "pictures/draw_checkerboard.h"
 #include "flatten_mesh/pictures/draw_plane.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 
@@ -26,6 +26,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace pictures;
 
 namespace internal {
 

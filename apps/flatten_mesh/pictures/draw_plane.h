@@ -6,10 +6,10 @@
 #ifndef FLATTEN_MESH_DRAW_PLANE_H
 #define FLATTEN_MESH_DRAW_PLANE_H
 
-#include "flatten_mesh/pictures/Distortion_scale.h"
-#include "flatten_mesh/pictures/Drawing.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/pictures/chart_colors.h"
+#include "pictures/Distortion_scale.h"
+#include "pictures/Drawing.h"
+#include "pictures/Textured_surface.h"
+#include "pictures/chart_colors.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/texts.h"
 
@@ -25,6 +25,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace pictures;
 
 // A corner of a prescribed border, or a copy of a cone
 struct Angle_mark

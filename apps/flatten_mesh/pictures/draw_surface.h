@@ -6,10 +6,10 @@
 #ifndef FLATTEN_MESH_DRAW_SURFACE_H
 #define FLATTEN_MESH_DRAW_SURFACE_H
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/pictures/draw_checkerboard.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Canvas.h"
+#include "pictures/Surface_view.h"
+#include "pictures/draw_checkerboard.h"
+#include "pictures/Textured_surface.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -19,6 +19,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace pictures;
 
 // A picture of the chart with a checkerboard, as a PNG file. Seams are dark lines. The square root of the surface's
 // area is about `squares` squares long.

@@ -6,7 +6,7 @@
 #include "flatten_mesh/plain/run_plain.h"
 
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/atlas/textured_atlas.h"
+#include "pictures/textured_atlas.h"
 #include "flatten_mesh/atlas/write_atlas.h"
 #include "flatten_mesh/model/read_model.h"
 #include "flatten_mesh/Notes.h"
@@ -44,6 +44,7 @@
 
 namespace flatten_mesh {
 
+using namespace pictures;
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace {

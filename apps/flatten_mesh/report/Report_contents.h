@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_REPORT_CONTENTS_H
 #define FLATTEN_MESH_REPORT_CONTENTS_H
 
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Textured_surface.h"
 #include "flatten_mesh/report_rows.h"
 
 #include <CGAL/Bbox_2.h>
@@ -18,6 +18,7 @@
 
 namespace flatten_mesh {
 
+using namespace pictures;
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 // What the page of a report shows

@@ -6,7 +6,7 @@
 #ifndef FLATTEN_MESH_WEDGE_MESH_H
 #define FLATTEN_MESH_WEDGE_MESH_H
 
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Textured_surface.h"
 
 #include <array>
 #include <cstddef>
@@ -15,6 +15,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace pictures;
 
 // A surface with one vertex, a wedge, for all corners at a point that have the same coordinates in the same chart. Only
 // points of triangles are there.

@@ -9,7 +9,7 @@
 #include "flatten_mesh/atlas/Atlas_input.h"
 #include "flatten_mesh/atlas/Atlas_record.h"
 #include "flatten_mesh/atlas/report_atlas_text.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Textured_surface.h"
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/report/Report_contents.h"
 
@@ -22,6 +22,8 @@
 #include <vector>
 
 namespace flatten_mesh {
+
+using namespace pictures;
 
 // `surface` has the triangles of the input's mesh in their order.
 inline Report_contents contents_of_atlas(const Atlas_input& input, const Atlas_record& record,

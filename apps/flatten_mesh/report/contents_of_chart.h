@@ -7,7 +7,7 @@
 #define FLATTEN_MESH_CONTENTS_OF_CHART_H
 
 #include "flatten_mesh/atlas/Atlas_input.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
+#include "pictures/Textured_surface.h"
 #include "flatten_mesh/plain/report_chart.h"
 #include "flatten_mesh/report/Report_contents.h"
 
@@ -25,6 +25,7 @@
 
 namespace flatten_mesh {
 
+using namespace pictures;
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 // `surface` has the triangles of the input's mesh that are in the chart, in their order.

@@ -3,12 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_SURFACE_VIEW_H
-#define FLATTEN_MESH_SURFACE_VIEW_H
+#ifndef PICTURES_SURFACE_VIEW_H
+#define PICTURES_SURFACE_VIEW_H
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/pictures/Up_axis.h"
+#include "pictures/Canvas.h"
+#include "pictures/Textured_surface.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -16,13 +15,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
-namespace flatten_mesh {
+namespace pictures {
 
 // A part of the canvas, in pixels.
 struct Frame
 {
   double left, top, width, height;
+};
+
+// The directions of a surface that stands upright, for one who is in front of it
+struct Upright
+{
+  Kernel::Vector_3 right, back, up;
+
+  // The axis "x", "y" or "z" points upwards. With y, the front is that of glTF.
+  static Upright of(const std::string& axis)
+  {
+    using Vector = Kernel::Vector_3;
+    const Vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    return axis == "x" ? Upright{y, z, x} : axis == "y" ? Upright{x, -z, y} : Upright{x, y, z};
+  }
 };
 
 // From where a surface is seen; without perspective.
@@ -115,6 +129,6 @@ inline CGAL::Bbox_2 box_of(const Textured_surface& surface, const Surface_view& 
   return box;
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_SURFACE_VIEW_H
+#endif // PICTURES_SURFACE_VIEW_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_DRAWING_H
-#define FLATTEN_MESH_DRAWING_H
+#ifndef PICTURES_DRAWING_H
+#define PICTURES_DRAWING_H
 
 #include <cairo-svg.h>
 
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 // Red, green and blue, from 0 to 1.
 using Color = std::array<double, 3>;
@@ -159,6 +159,6 @@ inline std::string png_file(const Pixels& pixels)
   return drawing.file();
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_DRAWING_H
+#endif // PICTURES_DRAWING_H

@@ -3,17 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_DISTORTION_SCALE_H
-#define FLATTEN_MESH_DISTORTION_SCALE_H
+#ifndef PICTURES_DISTORTION_SCALE_H
+#define PICTURES_DISTORTION_SCALE_H
 
-#include "flatten_mesh/pictures/Drawing.h"
+#include "pictures/Drawing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 // Colours on a logarithmic scale of a few whole decades, from dark blue for small numbers over green to light yellow
 // for large ones.
@@ -86,6 +86,6 @@ private:
   int m_last_decade = -4;
 };
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_DISTORTION_SCALE_H
+#endif // PICTURES_DISTORTION_SCALE_H

@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_TEXTURED_ATLAS_H
-#define FLATTEN_MESH_TEXTURED_ATLAS_H
+#ifndef PICTURES_TEXTURED_ATLAS_H
+#define PICTURES_TEXTURED_ATLAS_H
 
-#include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/pictures/seam_chains.h"
+#include "pictures/Textured_surface.h"
+#include "pictures/seam_chains.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
@@ -16,17 +16,17 @@
 #include <cstdint>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 using namespace CGAL::Texture_atlas::internal::prepare;
-
-namespace internal {
 
 // Whether the chart of a halfedge's face ends there
 inline bool is_chart_border(const Mesh& mesh, const Atlas& atlas, const Halfedge h)
 {
   return mesh.is_border(mesh.edge(h)) || atlas.seams[mesh.edge(h)];
 }
+
+namespace internal {
 
 // The next halfedge along the border of a chart
 inline Halfedge next_on_chart_border(const Mesh& mesh, const Atlas& atlas, Halfedge h)
@@ -65,7 +65,7 @@ inline Textured_surface textured_atlas(const Mesh& mesh, const Atlas& atlas, con
   const std::vector<int> seams = seam_chains(mesh, atlas.seams);
   std::vector<bool> is_done(mesh.number_of_halfedges(), false);
   for(const Halfedge start : mesh.halfedges()) {
-    if(mesh.is_border(start) || is_done[start.idx()] || !internal::is_chart_border(mesh, atlas, start) ||
+    if(mesh.is_border(start) || is_done[start.idx()] || !is_chart_border(mesh, atlas, start) ||
        atlas.chart[mesh.face(start)] < 0) {
       continue;
     }
@@ -89,6 +89,6 @@ inline void make_texels_squares(const int width, const int height, Textured_surf
   }
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_TEXTURED_ATLAS_H
+#endif // PICTURES_TEXTURED_ATLAS_H

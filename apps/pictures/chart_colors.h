@@ -3,17 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_CHART_COLORS_H
-#define FLATTEN_MESH_CHART_COLORS_H
+#ifndef PICTURES_CHART_COLORS_H
+#define PICTURES_CHART_COLORS_H
 
-#include "flatten_mesh/pictures/Drawing.h"
+#include "pictures/Drawing.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-namespace flatten_mesh {
+namespace pictures {
 
 // The colour of a chart, from 0 on. Those of neighbouring numbers differ much.
 inline Color color_of_chart(const int chart)
@@ -46,6 +46,6 @@ inline Color color_of_seam(const int number)
   return color;
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_CHART_COLORS_H
+#endif // PICTURES_CHART_COLORS_H

@@ -3,10 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_CANVAS_H
-#define FLATTEN_MESH_CANVAS_H
+#ifndef PICTURES_CANVAS_H
+#define PICTURES_CANVAS_H
 
-#include "flatten_mesh/pictures/Drawing.h"
+#include "pictures/Drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 // A picture of triangles with a depth buffer, which Cairo does not have.
 class Canvas
@@ -159,6 +159,6 @@ private:
   std::vector<double> m_depths;
 };
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_CANVAS_H
+#endif // PICTURES_CANVAS_H

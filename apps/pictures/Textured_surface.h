@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_TEXTURED_SURFACE_H
-#define FLATTEN_MESH_TEXTURED_SURFACE_H
+#ifndef PICTURES_TEXTURED_SURFACE_H
+#define PICTURES_TEXTURED_SURFACE_H
 
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 using namespace CGAL::Texture_atlas::internal::prepare;
 
@@ -88,6 +88,6 @@ inline Textured_areas textured_areas(const Textured_surface& surface)
   return areas;
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_TEXTURED_SURFACE_H
+#endif // PICTURES_TEXTURED_SURFACE_H

@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_SEAM_CHAINS_H
-#define FLATTEN_MESH_SEAM_CHAINS_H
+#ifndef PICTURES_SEAM_CHAINS_H
+#define PICTURES_SEAM_CHAINS_H
 
 #include <CGAL/Texture_atlas/internal/prepare/build_mesh.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 using namespace CGAL::Texture_atlas::internal::prepare;
 
@@ -56,6 +56,6 @@ inline std::vector<int> seam_chains(const Mesh& mesh, const Edge_marks& seams)
   return chains;
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_SEAM_CHAINS_H
+#endif // PICTURES_SEAM_CHAINS_H

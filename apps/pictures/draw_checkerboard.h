@@ -3,20 +3,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef FLATTEN_MESH_DRAW_CHECKERBOARD_H
-#define FLATTEN_MESH_DRAW_CHECKERBOARD_H
+#ifndef PICTURES_DRAW_CHECKERBOARD_H
+#define PICTURES_DRAW_CHECKERBOARD_H
 
-#include "flatten_mesh/pictures/Canvas.h"
-#include "flatten_mesh/pictures/Surface_view.h"
-#include "flatten_mesh/pictures/Textured_surface.h"
-#include "flatten_mesh/pictures/chart_colors.h"
+#include "pictures/Canvas.h"
+#include "pictures/Surface_view.h"
+#include "pictures/Textured_surface.h"
+#include "pictures/chart_colors.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-namespace flatten_mesh {
+namespace pictures {
 
 namespace internal {
 
@@ -83,6 +83,6 @@ inline void draw_seams(Canvas& canvas, const Textured_surface& surface, const do
   }
 }
 
-} // namespace flatten_mesh
+} // namespace pictures
 
-#endif // FLATTEN_MESH_DRAW_CHECKERBOARD_H
+#endif // PICTURES_DRAW_CHECKERBOARD_H
