@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(steps_and_sweeps_of_injective_maps_allocate_no_array)
   abf::Definite_hessian hessian(chart);
   hessian.couple({});
   for(int t = 0; t < chart.number_of_triangles(); ++t)
-    hessian.of_triangle(t) = {Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 6>::Identity()};
+    hessian.of_triangle(t).hessian.setIdentity();
   hessian.sum_up();
   const std::unique_ptr<abf::Linear_solver> solver = solvers->low_precision();
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(hessian.matrix().size());

@@ -112,11 +112,9 @@ public:
   // Of twice the area in the plane
   Planar_point area_gradient() const { return Planar_point(-m_pq.y(), m_pq.x()); }
 
-  Planar_point gradient() const
-  {
-    const Planar_point dirichlet = 2 * (m_triangle.dot_q * m_xp + m_triangle.dot_p * m_xq);
-    return (dirichlet - value * area_gradient()) * inverse;
-  }
+  Planar_point dirichlet_gradient() const { return 2 * (m_triangle.dot_q * m_xp + m_triangle.dot_p * m_xq); }
+
+  Planar_point gradient() const { return (dirichlet_gradient() - value * area_gradient()) * inverse; }
 
   Eigen::Matrix2d hessian(const Planar_point& gradient) const
   {
@@ -175,14 +173,15 @@ void add_area_energy_at_corner(double theta, const Triangle& triangle, const Pla
   sum.value += factor * mips.value;
   if(!with_derivatives)
     return;
-  const Planar_point gradient = mips.gradient();
   const Planar_point area_gradient = mips.area_gradient() * mips.inverse; // of its logarithm
+  const Planar_point gradient = mips.inverse * mips.dirichlet_gradient() - mips.value * area_gradient;
   const double slope = theta * area.first_derivative;
   sum.gradient += factor * (gradient + mips.value * slope * area_gradient);
   const Eigen::Matrix2d mixed = gradient * area_gradient.transpose();
   const double curvature = mips.value * (theta * area.second_derivative + slope * slope - slope);
-  sum.hessian += factor * (mips.hessian(gradient) + slope * (mixed + mixed.transpose()) +
+  sum.hessian += factor * ((slope - 1) * (mixed + mixed.transpose()) +
                            curvature * area_gradient * area_gradient.transpose());
+  sum.hessian.diagonal().array() += factor * 2 * mips.inverse * (triangle.dot_p + triangle.dot_q);
 }
 
 // A triangle's share in the energy that injective maps minimize: its area on the surface times

@@ -100,24 +100,25 @@ private:
 
   Model model(const std::vector<Planar_point>& uv, int t) const
   {
-    const int* v = &m_chart.vertex[3 * t];
-    const Planar_triangle x = {uv[v[0]], uv[v[1]], uv[v[2]]};
-    std::array<Planar_point, 3> turn; // of edge k, opposite to corner k
+    std::array<Planar_point, 3> edge, turn; // edge k is opposite to corner k
     double longest = 0;
     for(int k = 0; k < 3; ++k) {
-      const Planar_point edge = x[(k + 2) % 3] - x[(k + 1) % 3];
-      const double square = edge.squaredNorm();
+      edge[k] = uv[m_chart.vertex[3 * t + (k + 2) % 3]] - uv[m_chart.vertex[3 * t + (k + 1) % 3]];
+      const double square = edge[k].squaredNorm();
       longest = (std::max)(longest, square);
       // (p, q) turns the edge by -p sin 2a + q cos 2a, where a is its direction.
-      turn[k] = Planar_point(-2 * edge.x() * edge.y(), edge.x() * edge.x() - edge.y() * edge.y()) / square;
+      turn[k] = Planar_point(-2 * edge[k].x() * edge[k].y(),
+                             edge[k].x() * edge[k].x() - edge[k].y() * edge[k].y()) /
+                square;
     }
-    const double twice_area = cross(x[1] - x[0], x[2] - x[0]);
+    const double twice_area = cross(edge[0], edge[1]);
     const double weight = m_chart.weight_of_triangle(t);
     Model result;
     result.is_valid = twice_area > 1e-12 * longest;
     if(!(twice_area > 0))
       return result;
-    const std::array<double, 3> alpha = planar_angles(x);
+    const std::array<double, 3> alpha =
+        planar_angles(twice_area, {-edge[1].dot(edge[2]), -edge[2].dot(edge[0]), -edge[0].dot(edge[1])});
     const std::array<double, 3> beta = {m_beta[3 * t], m_beta[3 * t + 1], m_beta[3 * t + 2]};
     result.value = weight * m_energy.value(alpha, beta);
     for(int k = 0; k < 3; ++k)
