@@ -22,11 +22,7 @@
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/atlas/map_stretch.h>
-#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
-#include <CGAL/Texture_atlas/internal/packing/pack.h>
-#include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
-#include <CGAL/Texture_atlas/internal/seams/find_seams.h>
 #include <CGAL/Texture_atlas/internal/seams/piece.h>
 
 #include <cstddef>

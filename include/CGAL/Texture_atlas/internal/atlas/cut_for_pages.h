@@ -32,7 +32,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

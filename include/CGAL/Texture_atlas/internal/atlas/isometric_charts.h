@@ -27,6 +27,7 @@
 #include <atomic>
 #include <cstddef>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Texture_atlas/internal/atlas/atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <algorithm>

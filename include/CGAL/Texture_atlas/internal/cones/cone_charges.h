@@ -28,7 +28,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

@@ -31,8 +31,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

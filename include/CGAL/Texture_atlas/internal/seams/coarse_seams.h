@@ -23,7 +23,6 @@
 #include <CGAL/Texture_atlas/internal/seams/shortest_paths.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>

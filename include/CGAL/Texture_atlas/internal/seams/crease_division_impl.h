@@ -26,7 +26,6 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>

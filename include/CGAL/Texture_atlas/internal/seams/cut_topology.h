@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

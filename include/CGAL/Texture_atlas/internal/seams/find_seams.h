@@ -19,7 +19,6 @@
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

@@ -29,7 +29,6 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

@@ -55,18 +55,20 @@ inline Piece cut_out(const Chart& whole, const std::vector<double>& cost, std::v
 {
   Piece piece;
   piece.triangles = std::move(triangles);
-  const bool is_whole = piece.triangles.size() == static_cast<std::size_t>(whole.number_of_triangles());
-  const auto local_corner = [&](int whole_corner) {
+  const int size = static_cast<int>(piece.triangles.size());
+  const bool is_whole = size == whole.number_of_triangles();
+  // Of two triangles, the numbers in the piece differ by no more than those in the chart.
+  const auto local_corner = [&](int c, int whole_corner) {
     if(whole_corner < 0 || is_whole)
       return whole_corner;
-    const auto begin = piece.triangles.begin(), end = piece.triangles.end();
-    const auto found = std::lower_bound(begin, end, whole_corner / 3);
-    return found == end || *found != whole_corner / 3
-               ? -1
-               : 3 * static_cast<int>(found - begin) + whole_corner % 3;
+    const int t = c / 3, wanted = whole_corner / 3, difference = wanted - piece.triangles[t];
+    const auto begin = piece.triangles.begin(), first = begin + (std::max)(0, t + (std::min)(difference, 0)),
+               last = begin + (std::min)(size, t + (std::max)(difference, 0) + 1),
+               found = std::lower_bound(first, last, wanted);
+    return found == last || *found != wanted ? -1 : 3 * static_cast<int>(found - begin) + whole_corner % 3;
   };
   Chart& chart = piece.chart;
-  const int corners = 3 * static_cast<int>(piece.triangles.size());
+  const int corners = 3 * size;
   chart.scale = whole.scale;
   chart.opposite.assign(corners, -1);
   chart.seam.assign(corners, -1);
@@ -74,9 +76,9 @@ inline Piece cut_out(const Chart& whole, const std::vector<double>& cost, std::v
     const int whole_corner = piece.whole_corner(c), across = whole.opposite[whole_corner];
     piece.cost.push_back(cost[whole_corner]);
     if(across >= 0 && (is_seam.empty() || !is_seam[whole_corner]))
-      chart.opposite[c] = local_corner(across);
+      chart.opposite[c] = local_corner(c, across);
     else
-      chart.seam[c] = local_corner(across >= 0 || whole.seam.empty() ? across : whole.seam[whole_corner]);
+      chart.seam[c] = local_corner(c, across >= 0 || whole.seam.empty() ? across : whole.seam[whole_corner]);
   }
   chart.vertex.assign(corners, -1);
   for(int c = 0; c < corners; ++c)

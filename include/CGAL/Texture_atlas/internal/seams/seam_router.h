@@ -16,7 +16,6 @@
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>

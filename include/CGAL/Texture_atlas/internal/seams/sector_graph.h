@@ -19,8 +19,6 @@
 
 #include <boost/iterator/iterator_facade.hpp>
 
-#include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 

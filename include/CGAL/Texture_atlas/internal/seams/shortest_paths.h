@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {

@@ -19,7 +19,6 @@
 #include <CGAL/Origin.h>
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
