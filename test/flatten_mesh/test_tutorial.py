@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every command of the tutorial, of the page on the program, and of README.md works as printed: test_tutorial.py SOURCE_FOLDER
+"""Every command of the tutorial, of the page on the program, and of README.md works as printed: test_tutorial.py
 FLATTEN_MESH."""
 
 import json
@@ -15,8 +15,8 @@ from collections import namedtuple
 from pathlib import Path
 from xml.etree import ElementTree
 
-FLATTEN_MESH = Path(sys.argv.pop(2)).resolve()
-ROOT = Path(sys.argv.pop(1)).resolve()
+FLATTEN_MESH = Path(sys.argv.pop(1)).resolve()
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "doc/standalone"))
 import tutorial  # noqa: E402
 
