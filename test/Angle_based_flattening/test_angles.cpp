@@ -8,7 +8,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include "hard_charts.h"
-#include "small_matrices.h"
 #include "test_charts.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
@@ -20,11 +19,10 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 BOOST_AUTO_TEST_SUITE(test_angles)
-
-using small_matrices::small;
 
 using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -352,7 +350,9 @@ BOOST_AUTO_TEST_CASE(adds_up_at_hubs)
   BOOST_REQUIRE(chart.number_of_interior_vertices == n + 1);
   abf::Triangle_assembly<2> assembly(chart.vertex, chart.node, chart.number_of_nodes());
   assembly.assemble([](int) -> abf::Triangle_assembly<2>::Local_columns {
-    return small<6, 2>(Eigen::Matrix<double, 6, 2>::Ones());
+    abf::Triangle_assembly<2>::Local_columns ones;
+    std::fill(std::begin(ones.entry), std::end(ones.entry), 1.);
+    return ones;
   });
   BOOST_TEST(assembly.diagonal_block(0)(0, 0) == n);
   BOOST_TEST(assembly.matrix().begin[1] == n + 1);

@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/local_injectivity.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_to_fine.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
@@ -38,7 +37,6 @@ using namespace test_charts;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef SMP::Hierarchical_report Report;
 typedef SMP::Hierarchical_options Options;
-typedef abf::Planar_point Planar_point;
 
 namespace {
 

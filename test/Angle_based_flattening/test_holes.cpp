@@ -10,7 +10,6 @@
 
 #include "charts_with_holes.h"
 #include "hard_charts.h"
-#include "small_matrices.h"
 
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
@@ -19,9 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/predict_scale.h>
 
-#include <Eigen/Dense>
-
-#include <complex>
 #include <cstdlib>
 
 BOOST_AUTO_TEST_SUITE(test_holes)
@@ -31,9 +27,6 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_options Options;
 typedef CGAL::SuperLU_solver_traits<> Solver;
-typedef Eigen::MatrixXd Matrix;
-typedef Eigen::VectorXd Vector;
-typedef std::complex<double> Complex;
 
 namespace {
 

@@ -14,9 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/angle_descent.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -39,7 +36,6 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef Mesh::Face_index Face;
 typedef SMP::ABF_plus_plus_options Options;
-typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_parameterizer_3<Mesh> Direct;
 typedef SMP::Hierarchical_parameterizer_3<Mesh> Hierarchical;
 
